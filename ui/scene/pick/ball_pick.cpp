@@ -1,4 +1,4 @@
-// See the header.
+// Intersections of a ray with balls, tried one by one or by boxes.
 #include "ui/scene/pick/ball_pick.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace alphascope {
 namespace {
 
-// Where the ray enters what is kept of a ball, ahead of its start; infinity: nowhere.
+// Where the ray enters the kept part of a ball, ahead of the ray's start; infinity: it does not.
 double entry(const std::array<float, 3>& centre, float radius, const Ray& ray,
              const Stretch& kept) {
   constexpr double kNowhere = std::numeric_limits<double>::infinity();
@@ -20,7 +20,7 @@ double entry(const std::array<float, 3>& centre, float radius, const Ray& ray,
     along += to_centre * d[k];
     distance2 += to_centre * to_centre;
   }
-  // |start + t d - centre|² = r²: the smaller t is where the ray enters.
+  // The ray enters at the smaller t with |start + t d - centre|² = r².
   const double root2 = along * along - length2 * (distance2 - double{radius} * radius);
   if (radius <= 0 || !(length2 > 0) || root2 < 0) return kNowhere;
   const double root = std::sqrt(root2);
@@ -33,7 +33,8 @@ double entry(const std::array<float, 3>& centre, float radius, const Ray& ray,
   return kept.from - (kLeastCapLift + kCapLift * power) / std::sqrt(length2);
 }
 
-// The nearest so far; of two at the same depth the first in the list, however they are visited.
+// The nearest ball so far. At equal depth the first in the list wins, so the order of visits does
+// not matter.
 struct Nearest {
   BallHit hit{0, std::numeric_limits<double>::infinity()};
 
@@ -65,7 +66,7 @@ BallPicker::BallPicker(std::shared_ptr<const BallGeometry> balls)
       }) {}
 
 double BallPicker::margin(const std::vector<float>& radii) const {
-  // Coordinates of the boxes are rounded: a millionth of what a molecule measures is plenty.
+  // Coordinates of boxes are rounded. 0.01 Å is far more than the rounding in any molecule.
   constexpr double kRounding = 1e-2;
   double margin = 0;
   const std::size_t count = std::min(radii.size(), balls_->radii.size());

@@ -1,4 +1,4 @@
-// Which ball the mouse is on: a ray through the balls as drawn. Pure geometry for display, in
+// The ball under the mouse: intersects a ray with the balls as drawn. Pure geometry for display, in
 // floats.
 #pragma once
 
@@ -15,30 +15,31 @@ namespace alphascope {
 
 struct BallHit {
   std::size_t ball = 0;
-  // Where the ray enters what is kept of it, in lengths of the ray's direction. At a plane of the
-  // cut, a little before it, as its cap is drawn.
+  // Where the ray enters the kept part of the ball, in lengths of the ray's direction. At a plane
+  // of the cut it is a little less, since caps are drawn a little in front of the plane.
   double depth = 0;
 };
 
-// The first ball that the ray enters ahead of its start; `radii` as drawn, 0 = not drawn. Of the
-// ray, only what is `kept` counts. Tries them all.
+// The first ball that the ray enters ahead of its start. `radii` are those drawn (Å; 0: not drawn).
+// Only the interval `kept` of the ray counts. Tries all balls one by one.
 std::optional<BallHit> pick_ball(const BallGeometry& balls, const std::vector<float>& radii,
                                  const Ray& ray, const Stretch& kept = {});
 
-// The same by boxes, which are made once a set of balls, for any radii.
+// Picks like pick_ball(), with boxes. The boxes are made once for a set of balls and serve for any
+// radii.
 class BallPicker {
  public:
   explicit BallPicker(std::shared_ptr<const BallGeometry> balls);
 
-  // Å by which the boxes are too small for these radii; linear in their number, so once for all
-  // rays.
+  // Å by which the boxes must grow for these radii. It takes time linear in the number of balls, so
+  // it is computed once for all rays.
   double margin(const std::vector<float>& radii) const;
   std::optional<BallHit> pick(const std::vector<float>& radii, double margin, const Ray& ray,
                               const Stretch& kept = {}) const;
 
  private:
   std::shared_ptr<const BallGeometry> balls_;
-  BoxTree tree_;  // of the balls at their own radii
+  BoxTree tree_;  // of the balls with their own radii
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Builds the tree, orders scattered things along a Morton curve, and intersects rays with boxes.
 #include "ui/scene/pick/box_tree.hpp"
 
 #include <cmath>
@@ -50,8 +50,8 @@ void BoxTree::add_levels(std::vector<Box> leaves) {
   }
 }
 
-// If the things filled the whole box evenly, a leaf would be so many times smaller than it. Atoms
-// along chains come to less than twice that size, atoms in any order to the size of the whole.
+// Compares the leaves with those of things that fill the whole box evenly. For atoms along chains
+// leaves are less than twice as large. For atoms in any order they are as large as the whole box.
 bool BoxTree::is_scattered() const {
   constexpr double kMuchLarger = 8;
   const std::vector<Box>& leaves = levels_.front();
@@ -77,7 +77,7 @@ std::uint32_t BoxTree::place_on_curve(const Box& box, const Box& all) {
   return code;
 }
 
-// By counting, which takes three passes.
+// Counting sort, in three passes.
 void BoxTree::sort_by(const std::vector<std::uint32_t>& places) {
   std::vector<std::uint32_t> start((std::size_t{1} << (3 * kBits)) + 1, 0);
   for (const std::uint32_t place : places) ++start[place + 1];

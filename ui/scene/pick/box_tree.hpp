@@ -1,7 +1,7 @@
-// Boxes around every sixteen consecutive things (balls, triangles, lines), around every sixteen of
-// these boxes, and so on, so that a ray is tried against a few things only. Files list atoms along
-// their chains and meshes follow the atoms, so neighbours in the list mostly are neighbours in
-// space. Only a list without such an order is sorted.
+// A tree of boxes, so that a ray is tried against a few things only (balls, triangles, lines). A
+// box surrounds sixteen consecutive things, the next level sixteen of these boxes, and so on. Files
+// list atoms along chains and meshes follow the atoms, so neighbours in the list are mostly
+// neighbours in space. Only a list without such an order is sorted.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace alphascope {
 
-// Å, relative to BallGeometry::origin; the direction need not have unit length.
+// A ray in Å, relative to BallGeometry::origin. The direction need not have unit length.
 struct Ray {
   std::array<double, 3> start{};
   std::array<double, 3> direction{0, 0, -1};
@@ -34,8 +34,8 @@ struct Box {
   }
 };
 
-// Whether the ray meets the box, larger by `margin` on all sides, not behind its start and not
-// beyond `farthest` (in lengths of the direction).
+// Whether the ray meets the box between its start and `farthest` (in lengths of the direction). The
+// box is enlarged by `margin` (Å) on all sides.
 bool meets(const Ray& ray, const Box& box, double margin, double farthest);
 
 class BoxTree {
@@ -56,8 +56,8 @@ class BoxTree {
 
   std::size_t size() const { return count_; }
 
-  // Calls `test(i)` for all things in boxes for which `enter(box)` holds. Both may change what they
-  // ask for as they go.
+  // Calls `test(i)` for all things in boxes for which `enter(box)` returns true. Each call may
+  // change the results of later calls.
   template <class Enter, class Test>
   void visit(const Enter& enter, const Test& test) const {
     if (!levels_.empty()) visit_node(levels_.size() - 1, 0, enter, test);
@@ -81,7 +81,7 @@ class BoxTree {
   void add_levels(std::vector<Box> leaves);
   // Whether the leaves are much larger than those of an ordered list.
   bool is_scattered() const;
-  // Where the box lies along a curve that fills `all`: a Morton code.
+  // Position of the box along a curve that fills `all`: a Morton code.
   static std::uint32_t place_on_curve(const Box& box, const Box& all);
   void sort_by(const std::vector<std::uint32_t>& places);
 
@@ -100,7 +100,7 @@ class BoxTree {
   }
 
   std::size_t count_ = 0;
-  std::vector<std::uint32_t> order_;      // empty: as they come
+  std::vector<std::uint32_t> order_;      // empty: things are in the given order
   std::vector<std::vector<Box>> levels_;  // the last has one box
 };
 

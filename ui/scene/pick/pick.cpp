@@ -1,4 +1,4 @@
-// See the header.
+// Layers that can be picked: cells in trees of boxes, and their intersections with a ray.
 #include "ui/scene/pick/pick.hpp"
 
 #include <algorithm>
@@ -11,7 +11,8 @@ namespace {
 using Vector = std::array<double, 3>;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-3;  // Å: more than rounding moves a point out of its flat box
+constexpr double kRounding = 1e-3;  // Å: more than any error by which rounding moves a point out of
+                                    // its flat box
 
 using Point = std::array<float, 3>;
 
@@ -28,13 +29,14 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// The number of a cell in the list that it was taken from; without a source, nothing was left out.
+// Index in the list from which the cell was taken. Without sources, cells and list have the same
+// order.
 template <class Source>
 std::size_t number_in(const Source& source, std::size_t cell) {
   return source.empty() ? cell : source[cell];
 }
 
-// Triangles of a layer.
+// Triangles of layers and caps.
 struct SoupCells {
   static constexpr std::size_t corners = 3;
   std::shared_ptr<const CellSoup> soup;
@@ -71,7 +73,7 @@ struct FacesOfBalls {
   std::size_t number(std::size_t cell) const { return number_in(cells->source, cell); }
 };
 
-// Cell 4 t + k is the face of tetrahedron t that lacks its corner k, drawn towards its centre.
+// Cell 4 t + k is the face of tetrahedron t opposite to its corner k, shrunk towards its centre.
 struct FacesOfTetrahedra {
   static constexpr std::size_t corners = 3;
   std::shared_ptr<const TetrahedronCells> cells;
@@ -98,7 +100,8 @@ Box box_of(const Cells& cells, std::size_t cell) {
   return box;
 }
 
-// Möller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997), from both sides.
+// Möller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997). Both sides of the
+// triangle count.
 template <class Cells>
 double triangle_depth(const Cells& cells, std::size_t cell, const Ray& ray) {
   const Vector a = vector(cells.point(cell, 0));
@@ -116,8 +119,8 @@ double triangle_depth(const Cells& cells, std::size_t cell, const Ray& ray) {
   return t >= 0 ? t : kNowhere;
 }
 
-// Where the ray comes nearest to a line, if it comes near enough. A line is drawn over the faces
-// that it bounds, so it is as much nearer as it may be beside the ray.
+// Depth at which the ray passes closest to a line; infinity if it does not pass close enough. Lines
+// are drawn over the faces that they bound, so the depth is reduced by the distance still accepted.
 template <class Cells>
 double line_depth(const Cells& cells, std::size_t cell, const PickLine& line) {
   const Vector a = vector(cells.point(cell, 0)), along = minus(vector(cells.point(cell, 1)), a);
@@ -137,7 +140,7 @@ double line_depth(const Cells& cells, std::size_t cell, const PickLine& line) {
   return dot(to, to) <= near_enough * near_enough ? std::max(0.0, t - near_enough) : kNowhere;
 }
 
-// The depth beyond which no point of the box lies, for the width of lines there.
+// A depth that no point of the box exceeds. It bounds the width of lines in the box.
 double farthest_depth(const Box& box, const Ray& ray) {
   Vector to{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -146,13 +149,13 @@ double farthest_depth(const Box& box, const Ray& ray) {
   return std::sqrt(dot(to, to) / dot(ray.direction, ray.direction));
 }
 
-// What a cell of a layer is.
+// Meaning of the cells of a layer.
 struct Meaning {
   std::string_view id;
   int corners;            // of the simplices
-  bool faces_of = false;  // cells are numbered 4 × tetrahedron + opposite corner
-  bool as_face = false;   // and mean that face
-  bool in_cut = false;    // lies in a plane of the cut, and is whole
+  bool faces_of = false;  // the number of a cell is 4 × tetrahedron + opposite corner
+  bool as_face = false;   // cells stand for that face, not for the tetrahedron
+  bool in_cut = false;    // the layer lies in a plane of the cut, which does not cut it
 };
 
 Hit hit_of(const Meaning& meaning, std::size_t number, double depth) {

@@ -1,5 +1,5 @@
-// What the mouse is on: each layer of the scene says what a line of sight meets first in it, and
-// the nearest wins. On the CPU, from the arrays that are drawn; no VTK.
+// Finds the thing under the mouse. Each layer of the scene finds its first intersection with a line
+// of sight; the nearest wins. Works on the CPU, on the arrays that are drawn; no VTK.
 #pragma once
 
 #include <array>
@@ -17,26 +17,25 @@
 
 namespace alphascope {
 
-// A line of sight, and how far beside it a thin line still counts: Å for each length of the ray's
-// direction.
+// A line of sight. `spread` is the distance at which a thin line still counts, in Å for each length
+// of the ray's direction.
 struct PickLine {
   Ray ray;
   double spread = 0;
-  Stretch kept = {};      // by the cut: nothing is hit elsewhere
-  double rod_radius = 0;  // Å, of edges: more where they are thicker than that
+  Stretch kept = {};      // interval that the cut keeps; nothing is hit outside it
+  double rod_radius = 0;  // Å, of edges; thicker than `spread` where it is larger
 };
 
 inline constexpr std::string_view kBesideBody = "beside", kAtomInFront = "in front";
 
 struct Hit {
-  // "balls", "tetrahedra", "boundary", "triangles", "edges"; "beside", whose index is of
-  // BesideBody::atoms; "in front", whose index is of Molecule::atoms; "bodies" of panels' layers,
-  // of which nothing more is known.
+  // "balls", "tetrahedra", "boundary", "triangles", "edges"; "beside" (index in BesideBody::atoms);
+  // "in front" (index in Molecule::atoms); "bodies" (layers of panels, without index).
   std::string_view layer;
   int corners = 1;        // 1: a ball; 0: a body
-  std::size_t index = 0;  // of the ball, or of the simplex in its list of the complex
-  // Of a boundary face, which is in no list where only tetrahedra are computed: `index` is its
-  // tetrahedron, and this the corner that it lacks.
+  std::size_t index = 0;  // of the ball, or of the simplex in its list in the complex
+  // For a boundary face: the corner of tetrahedron `index` that is opposite to it. The face itself
+  // has no index if only tetrahedra were computed.
   std::optional<int> opposite;
   double depth = 0;            // in lengths of the ray's direction
   std::array<double, 3> at{};  // Å, relative to BallGeometry::origin
@@ -48,24 +47,24 @@ struct PickLayer {
 };
 using PickLayers = std::vector<PickLayer>;
 
-// Of what is drawn as `mesh`. Any thread; about as long as a copy of the mesh takes.
+// Layers of the drawn mesh. Runs on any thread, in about the time of copying the mesh.
 PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh,
                        const std::shared_ptr<const BallGeometry>& balls);
 
-// Of what closes tetrahedra in the planes of a cut.
+// The layer of caps, which close tetrahedra in the planes of a cut.
 PickLayer cap_layer(const std::shared_ptr<const CapMesh>& mesh);
 
-// Of what is drawn as balls of their own; `id` as in Hit::layer.
+// A layer of balls; `id` as in Hit::layer.
 PickLayer ball_layer(std::string_view id, std::shared_ptr<const BallGeometry> balls, int corners);
-// Of bodies of panels' layers, which hide what is behind them.
+// Layers of the bodies that panels draw. Bodies hide things behind them.
 PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh);
-// Of their atoms, which hide all else; none: there are none.
+// The layer of the atoms that panels draw in front of everything; none: there are no such atoms.
 std::optional<PickLayer> atom_layer(const std::shared_ptr<const LayerMesh>& mesh);
 
-// Of layers at the same depth the first wins.
+// The nearest hit. At equal depth the first layer wins.
 std::optional<Hit> nearest_hit(const PickLayers& layers, const PickLine& line);
 
-// The simplex of a hit that is no ball. Alpha value and class are unknown where only tetrahedra
+// The simplex of a hit that is not a ball. Alpha value and class are unknown if only tetrahedra
 // were computed.
 struct HitSimplex {
   std::vector<BallIndex> balls;      // ascending
@@ -73,8 +72,8 @@ struct HitSimplex {
   std::optional<SimplexClass> kind;  // singular, regular or interior
 };
 HitSimplex hit_simplex(const Hit& hit, const AlphaComplex& complex);
-// Whether the complex has this simplex, of 2 to 4 balls, ascending; one of its faces when only
-// tetrahedra were computed cannot be told and counts as there.
+// Whether the complex contains the simplex of these 2 to 4 balls, in ascending order. If only
+// tetrahedra were computed, edges and triangles are unknown; the result is then true.
 bool has_simplex(const AlphaComplex& complex, const std::vector<BallIndex>& balls);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// See the header. Everything is a mask of coverage that is blended in one colour: first the rims,
-// widened masks, then the marks.
+// Draws masks of coverage, each blended in one colour: first the rims (widened masks), then the
+// marks.
 #include "ui/scene/picture/draw_marks.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 using Mask = MarkMask;
 
 constexpr float kFontSize = 14;  // pixels of an em at scale 1
-// A picture of this size has marks as large as the window's; a column of a page shows it well.
+// At this size marks are as large as in the window, which suits a column of a page.
 constexpr float kWidthAtScale1 = 960, kHeightAtScale1 = 600;
 constexpr float kLeastUnit = 0.7f;  // smaller text cannot be read
 
@@ -23,7 +23,7 @@ std::uint8_t to_byte(float component) {
   return static_cast<std::uint8_t>(component * 255.0f + 0.5f);
 }
 
-// Of colours that are not premultiplied, over what may be transparent.
+// Blends a colour over a pixel that may be transparent; neither is premultiplied.
 void blend(std::uint8_t* pixel, const Colour& colour, std::uint8_t coverage) {
   const float above = static_cast<float>(coverage) / 255.0f;
   const float below = static_cast<float>(pixel[3]) / 255.0f * (1 - above), all = above + below;
@@ -36,7 +36,7 @@ void blend(std::uint8_t* pixel, const Colour& colour, std::uint8_t coverage) {
   pixel[3] = to_byte(all);
 }
 
-// `colour_at` of a column, counted from the mask's left.
+// `colour_at` gives the colour of a column, counted from the left of the mask.
 template <class ColourAt>
 void blend(Image& image, const Mask& mask, const ColourAt& colour_at) {
   for (int y = std::max(0, -mask.y); y < std::min(mask.height, image.height - mask.y); ++y) {
@@ -57,10 +57,10 @@ Colour colour_of(const ColourLegend& legend, float share) {
   return between(legend.stops[i].colour, legend.stops[i + 1].colour, at - static_cast<float>(i));
 }
 
-// Of legends: drawn in colours that are those of the scale, over the marks.
+// A part of a legend that is drawn over the marks, in exactly the colours of the scale.
 struct ColouredMask {
   Mask mask;
-  std::function<Colour(int column)> colour_at;  // from the mask's left
+  std::function<Colour(int column)> colour_at;  // columns count from the left of the mask
 };
 
 struct Placed {
@@ -86,7 +86,7 @@ class MarkMaker {
   void place_legends(const std::vector<ColourLegend>& legends, Placed& placed) const {
     const auto layouts = lay_out_legends(legends, width_, height_, type_);
     if (layouts.size() < legends.size()) too_small("legend", kLegendRoom, placed);
-    // Those that have no room are the first ones.
+    // lay_out_legends() drops the first legends if there is too little room.
     const std::size_t skipped = legends.size() - layouts.size();
     for (std::size_t i = 0; i < layouts.size(); ++i)
       place(layouts[i], legends[skipped + i], placed);

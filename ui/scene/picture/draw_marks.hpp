@@ -1,7 +1,6 @@
-// Caption, legend, scale bar and labels in a saved picture, in its own pixels: not a stretched copy
-// of the window's. The text is in the window's letters; the rest is boxes, filled here, so that a
-// legend's colours are exactly those of the scale, whatever light and transparency the scene is
-// drawn with.
+// Draws caption, legend, scale bar and labels into a saved picture, in its own pixels, not
+// stretched from the window. Texts have the window's font. All else is filled boxes, so that light
+// and transparency of the scene do not change a legend's colours.
 #pragma once
 
 #include <filesystem>
@@ -23,20 +22,21 @@ struct PictureMarks {
   std::vector<std::string> caption = {};  // ui/caption.hpp; empty: none
 };
 
-// Marks and a rim around them that keeps them readable over anything.
+// Colours of marks and of the rims that keep them readable on any background.
 struct MarkInk {
   Colour mark, rim;
 };
-// Without a background the picture may be put on any; most are paper.
+// Colours for a picture of this theme. A transparent picture gets the light theme's, since it is
+// mostly put on paper.
 MarkInk mark_ink(Theme theme, bool transparent);
 
-// Pixels of a picture for one of the window at scale 1: marks grow with the picture.
+// Pixels of the picture for each pixel of the window at scale 1. Marks grow with the picture.
 float mark_unit(int width, int height);
 
-// Returns a sentence when the picture is too small for what was asked for; empty: all is drawn.
+// Returns a sentence for each mark that has no room in the picture; empty: all are drawn.
 std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& ink);
 
-// Over the image, as far as the mask covers it.
+// Blends the colour over the image, in proportion to the mask's coverage.
 struct MarkMask;
 void blend(Image& image, const MarkMask& mask, const Colour& colour);
 
@@ -47,16 +47,16 @@ struct MarkedPicture {
   std::vector<ColourLegend> legends;
   bool scale_bar = false;
   std::vector<PlacedLabel> labels = {};
-  Cut cut = {};                           // of the scene
-  std::vector<std::string> caption = {};  // words; empty: none
+  Cut cut = {};                           // the scene's
+  std::vector<std::string> caption = {};  // empty: none
 };
-// The scene with its marks, as it is now. Appends to `left_out` what draw_marks() says. Throws as
-// Scene::grab().
+// Draws the scene, as it is now, with its marks. Appends to `left_out` the sentences of
+// draw_marks(). Throws as Scene::grab() does.
 Image marked_image(Scene& scene, const MarkedPicture& picture, std::string& left_out,
                    const RunContext& context);
 
-// Writes the same to a file; returns and throws as draw_marks(), Scene::grab() and
-// write_png() do. Says what it is doing, and can be cancelled between its steps.
+// Draws the same and writes it to a file. Returns the sentences of draw_marks(). Throws as
+// Scene::grab() and write_png() do. Reports its steps, and can be cancelled between them.
 std::string write_picture(Scene& scene, const MarkedPicture& picture,
                           const std::filesystem::path& path, const PictureTexts& texts,
                           const RunContext& context = {});

@@ -1,4 +1,4 @@
-// Reading back, and PNG through VTK's writer.
+// Reads framebuffers, and writes PNG files through VTK's writer.
 #include "ui/scene/picture/frame_grab.hpp"
 
 #include <GL/gl.h>

@@ -1,4 +1,4 @@
-// From OpenGL framebuffers to images and PNG files.
+// Images from OpenGL framebuffers, and PNG files of images.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace alphascope {
 
-// The colours of framebuffer `framebuffer` (0: the window's), lower left corner at (0, 0).
+// The colours of `framebuffer` (0: the window's), from its lower left corner.
 Image read_framebuffer(unsigned framebuffer, int width, int height);
 
-// Colours as OpenGL blends them, multiplied by alpha, as files have them.
+// OpenGL multiplies colours by alpha; files store them undivided. This divides colours by alpha.
 void divide_by_alpha(Image& premultiplied);
 
-// Keyword and text, as with_png_text() takes them (core/files/png_text.hpp).
+// Pairs of keyword and text, as with_png_text() takes them (core/files/png_text.hpp).
 using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 
-// The file appears whole or not at all. Throws WriteError naming the path when it cannot be
-// written, and Cancelled, which leaves an older file as it is.
+// The file appears whole or not at all. Throws WriteError with the path if it cannot be written.
+// Throws Cancelled, and then leaves an older file as it is.
 void write_png(const Image& image, const std::filesystem::path& path,
                const PictureTexts& texts = {}, const CancelToken& cancel = {});
 

@@ -1,4 +1,4 @@
-// See the header.
+// Writes frames as numbered pictures, or hands them to a movie file.
 #include "ui/scene/picture/frame_sink.hpp"
 
 #include "core/write/movie_file.hpp"
@@ -8,7 +8,8 @@ namespace {
 
 class PictureSink : public FrameSink {
  public:
-  // Numbers grow, and so do names.
+  // Tests all names for inputs. Numbers grow and so do names, so the first and last names show
+  // whether files can be made.
   PictureSink(const std::filesystem::path& pattern, int frames) : names_(pattern) {
     for (int k = 1; k <= frames; ++k) {
       const std::filesystem::path name = names_.name(k);
@@ -40,7 +41,7 @@ class MovieSink : public FrameSink {
   MovieFile movie_;
 };
 
-// Names that ffmpeg's formats keep: all of it as one comment.
+// Puts all texts into the comment: ffmpeg's formats do not keep other keywords.
 PictureTexts movie_texts(const PictureTexts& texts) {
   std::string comment;
   for (const auto& [keyword, text] : texts) {

@@ -1,4 +1,4 @@
-// Where the frames of a recording go: numbered pictures or a movie.
+// The destination of a recording's frames: numbered pictures or a movie.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,11 @@ namespace alphascope {
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  // `number` from 1. Throws WriteError and Cancelled.
+  // `number` counts from 1. Throws WriteError and Cancelled.
   virtual void add(int number, const Image& image, const PictureTexts& texts,
                    const RunContext& context) = 0;
-  // Behind the last frame; without it there is no movie, and pictures are whole each by itself.
+  // To be called after the last frame. Without it no movie appears. Pictures are each complete by
+  // themselves.
   virtual void commit(const RunContext& context) = 0;
 };
 
@@ -23,13 +24,13 @@ struct FrameSinkOptions {
   int width = 0, height = 0;  // pixels
   double frames_per_second = 30;
   bool transparent = false;
-  PictureTexts texts;  // of a movie as a whole
-  int frames = 1;      // that come at most
+  PictureTexts texts;  // for a movie as a whole
+  int frames = 1;      // upper bound of the number of frames
 };
 
-// By the ending of `path`. That a picture cannot be written, or would replace what is read, shows
-// here, whichever it is. Throws std::invalid_argument for a name that does not fit, and what
-// AtomicFile and MovieFile throw.
+// Chooses by the ending of `path`. Throws std::invalid_argument for a name that does not fit, and
+// whatever AtomicFile and MovieFile throw. All pictures are tested here: whether they can be
+// written, and would not replace an input file.
 std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& path,
                                            const FrameSinkOptions& options);
 

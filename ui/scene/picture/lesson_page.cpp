@@ -1,4 +1,4 @@
-// See the header.
+// Lays out and draws the text, in smaller letters if it does not fit.
 #include "ui/scene/picture/lesson_page.hpp"
 
 #include <algorithm>
@@ -12,13 +12,14 @@
 namespace alphascope {
 namespace {
 
-// Shares of the picture that the text takes, beside the view and below it.
+// Shares of the picture for the text: of the width beside the view, or of the height below it.
 constexpr double kBeside = 0.38, kBelow = 0.42;
-// Pixels of an em at scale 1, and in ems: around the text, between paragraphs, before an item.
+// Pixels of an em at scale 1. In ems: margin around the text, space between paragraphs, indent of
+// items.
 constexpr float kFontSize = 15, kMargin = 1.4f, kParagraph = 0.6f, kIndent = 1.1f;
-constexpr float kLineHeight = 1.12f;  // of the letters' own
+constexpr float kLineHeight = 1.12f;  // factor on the font's line height
 constexpr float kTitle = 1.15f, kSmall = 0.85f;
-// Of the usual size.
+// Factors on the usual size.
 constexpr float kLeastSize = 0.55f, kSizeStep = 0.05f;
 
 struct Word {
@@ -26,7 +27,7 @@ struct Word {
   bool bold = false;
 };
 
-// The letters of one size, and the places of all words.
+// Fonts of one size, and the positions of all words.
 class PageLayout {
  public:
   PageLayout(float em, float width) : em_(em), width_(width) {}
@@ -80,7 +81,7 @@ class PageLayout {
     add_words(text, bold, left, letters, titles_);
     end_line(left, letters);
   }
-  // Lines break at blanks only: behind a bold word there may be a full stop, of the next span.
+  // Lines break at blanks only: a full stop that follows a bold word belongs to the next span.
   void add_words(const std::string& text, bool bold, float left, const MarkLetters& letters,
                  std::vector<Word>& to) {
     const float blank = letters.width(" ");

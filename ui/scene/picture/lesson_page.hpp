@@ -1,5 +1,5 @@
-// A step of a lesson as a picture that is understood alone: the view, and beside it what the lesson
-// says, in the window's letters.
+// A step of a lesson as a picture that can be understood alone. The lesson's text is beside the
+// view, in the window's font.
 #pragma once
 
 #include <string>
@@ -13,19 +13,20 @@ namespace alphascope {
 struct LessonPage {
   std::string chapter, place;         // "Union of balls", "step 2 of 7"
   std::string title;                  // of the step
-  std::vector<LessonParagraph> text;  // with its facts; words between ** are bold
+  std::vector<LessonParagraph> text;  // with its facts filled in; words between ** are bold
   Theme theme = Theme::dark;
 };
 
-// How large the view is in a picture of this size: the text is at its right, or below where the
+// Size of the view (pixels) in a picture of this size. The text is to its right, or below it if the
 // picture is higher than wide.
 struct PageView {
   int width = 0, height = 0;
 };
 PageView page_view(int width, int height);
 
-// `view`: opaque, of that size. Long text has smaller letters. Appends to `left_out` a sentence
-// when even the smallest do not fit. Throws std::runtime_error when FreeType does not work.
+// `view` must be opaque and have the size of page_view(). Long text gets smaller letters. If even
+// the smallest do not fit, a sentence is appended to `left_out`. Throws std::runtime_error if
+// FreeType fails.
 Image lesson_picture(const Image& view, const LessonPage& page, int width, int height,
                      std::string& left_out);
 

@@ -1,5 +1,6 @@
-// See the header. Letters stand at fractions of a pixel, so that their distances are right at small
-// sizes as well; heights are fitted to whole pixels (FreeType's light hinting, as in the window).
+// Draws boxes, rims and letters into masks. Letters have fractional positions, so that their
+// distances are right at small sizes too. Heights are fitted to whole pixels (FreeType's light
+// hinting, as in the window).
 #include "ui/scene/picture/mark_mask.hpp"
 
 #include <ft2build.h>
@@ -14,14 +15,14 @@
 namespace alphascope {
 namespace {
 
-constexpr float kSubpixels = 64;  // FreeType counts these
-constexpr int kDotsPerInch = 72;  // then points are pixels
+constexpr float kSubpixels = 64;  // FreeType's unit of 1/64 pixel
+constexpr int kDotsPerInch = 72;  // makes a point equal to a pixel
 
 int whole(float v) {
   return static_cast<int>(std::lround(v));
 }
 
-// Of text that is correct UTF-8; moves `at` behind the character.
+// Reads a character of correct UTF-8 and moves `at` behind it.
 char32_t character_at(const std::string& text, std::size_t& at) {
   const auto first = static_cast<unsigned char>(text[at++]);
   if (first < 0x80) return first;
@@ -84,7 +85,7 @@ struct MarkLetters::Face {
     if (library != nullptr) FT_Done_FreeType(library);
   }
 
-  // Calls `put` with each letter's place in pixels; returns where the next would be.
+  // Calls `put` with each letter's position in pixels. Returns the position after the last letter.
   float along(const std::string& text, const std::function<void(float)>& put) const {
     float pen = 0;
     for (std::size_t at = 0; at < text.size();) {

@@ -1,5 +1,6 @@
-// Coverage of what is laid over a picture: boxes, texts in the window's letters, and rims around
-// both. Sharp at any size: letters are drawn from their outlines in the picture's own pixels.
+// Masks of coverage for marks over a picture: boxes, texts in the window's font, and rims around
+// both. They are sharp at any size, because letters are drawn from outlines in the picture's own
+// pixels.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +14,22 @@
 
 namespace alphascope {
 
-// Coverage, 0 to 255, of a part of the picture that may stick out of it; top row first.
+// Coverage, 0 to 255, of a rectangle of the picture; top row first. The rectangle may extend beyond
+// the picture.
 struct MarkMask {
   int x = 0, y = 0, width = 0, height = 0;
   std::vector<std::uint8_t> coverage;
 };
 
 MarkMask mask_of(const MarkBox& box);
-// The largest coverage within `reach` pixels: corners are round.
+// The largest coverage within a distance of `reach` pixels, which makes corners round.
 MarkMask rim_of(const MarkMask& mask, int reach);
 
-// Inter (ui/inter_font.hpp), in one size. A letter that the font lacks is an empty box.
+// The font Inter (ui/inter_font.hpp) in one size. Characters that the font lacks appear as an empty
+// box.
 class MarkLetters {
  public:
-  // Throws std::runtime_error when FreeType does not work.
+  // Throws std::runtime_error if FreeType fails.
   explicit MarkLetters(float pixels_of_an_em,
                        std::span<const unsigned char> font = inter_regular());
   ~MarkLetters();

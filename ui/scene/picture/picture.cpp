@@ -1,4 +1,4 @@
-// See the header.
+// Hands the parts of a picture to a scene.
 #include "ui/scene/picture/picture.hpp"
 
 #include "ui/scene/mesh/cap_mesh.hpp"

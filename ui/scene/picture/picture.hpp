@@ -1,5 +1,5 @@
-// All that a picture is made of, whoever draws it: the window's thread for saved pictures, the
-// command line, a recording.
+// A complete description of a picture. Saved pictures of the window, the command line and
+// recordings use it.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace alphascope {
 
-// What is shared never changes.
+// Shared data never changes, so any thread may read it.
 struct Picture {
   std::shared_ptr<const BallGeometry> balls;
   std::vector<Rgb8> colours;                          // one a ball
@@ -25,13 +25,13 @@ struct Picture {
   Layers layers;
   std::shared_ptr<const LayerMesh> beside_body;  // null: none
   SceneStyle style;
-  std::optional<Viewpoint> viewpoint;  // none: as the scene has it, at first the default view
+  std::optional<Viewpoint> viewpoint;  // none: the scene's present view, at first the default view
   MarkedPicture picture;
   PictureTexts texts;
-  std::string not_drawn = {};  // what is missing for want of memory; a sentence, or empty
+  std::string not_drawn = {};  // a sentence on parts missing for lack of memory; empty: none are
 };
 
-// Makes it what the scene shows; returns how it is marked, with the labels of its layers.
+// Makes the scene show this picture. Returns the marks, with the labels of the layers.
 MarkedPicture show(Scene& scene, const Picture& picture);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Projects labels into a picture.
 #include "ui/scene/picture/placed_label.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Words at places of the molecule, and where a picture shows these places. No VTK.
+// Labels at positions in the molecule, and their positions in a picture. No VTK.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ struct PlacedLabel {
   std::string text;
 };
 
-// Those ahead of the viewer that the cut keeps, nearest first; also such as lie beside a picture of
-// this size.
+// The labels in front of the viewer that the cut keeps, nearest first. They may lie outside a
+// picture of this size (pixels).
 std::vector<PictureLabel> labels_seen(const std::vector<PlacedLabel>& labels, const Sight& sight,
                                       const Cut& cut, int width, int height);
 

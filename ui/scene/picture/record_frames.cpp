@@ -1,4 +1,4 @@
-// See the header.
+// Draws frames of turntables and sweeps, and measures the time of each.
 #include "ui/scene/picture/record_frames.hpp"
 
 #include <chrono>
@@ -18,7 +18,7 @@ double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Upwards in the picture: at right angles to the line of sight.
+// The upward direction in the picture, at a right angle to the line of sight.
 Vector up_in_view(const Viewpoint& view) {
   Vector forward{}, up = view.up;
   double length = 0, along = 0;
@@ -50,7 +50,7 @@ Vector axis_of(const Viewpoint& view, TurnAxis axis) {
   return up_in_view(view);
 }
 
-// Says which frame is next, and from the second on how long the rest will take.
+// Reports the next frame and, from the second on, the time left.
 void report_frame(const RunContext& context, int frame, int frames, Clock::time_point begun) {
   context.report(step_text("frame", frame, frames, milliseconds_since(begun) / 1000),
                  static_cast<double>(frame) / frames);
@@ -83,7 +83,7 @@ std::string record_frames(Scene& scene, const Recording& recording, const FrameS
   const bool sweep = recording.kind == RecordingKind::sweep;
   const int frames = frame_count(recording);
   const Clock::time_point begun = Clock::now();
-  const RunContext silent{context.cancel, {}};  // of each frame's own steps
+  const RunContext silent{context.cancel, {}};  // for the steps within a frame
   Picture picture;
   MarkedPicture marked;
   std::optional<Viewpoint> start;
@@ -107,7 +107,7 @@ std::string record_frames(Scene& scene, const Recording& recording, const FrameS
     since = Clock::now();
     std::string left_out = picture.not_drawn;
     const Image image = marked_image(scene, marked, left_out, silent);
-    if (!start) start = scene.viewpoint();  // which the default view has only now
+    if (!start) start = scene.viewpoint();  // the default view is set by the first drawing
     news.draw_milliseconds = milliseconds_since(since);
     since = Clock::now();
     sink.add(news.number, image, frame_texts(picture, recording, news), silent);

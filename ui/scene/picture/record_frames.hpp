@@ -1,4 +1,4 @@
-// Draws the frames of a recording, one after another, in the OpenGL context that is current.
+// Draws the frames of a recording, one after another, in the current OpenGL context.
 #pragma once
 
 #include <functional>
@@ -11,34 +11,36 @@
 
 namespace alphascope {
 
-// A frame that is written.
+// Facts about a written frame.
 struct FrameNews {
-  int number = 0, of = 0;      // from 1
+  int number = 0, of = 0;      // number counts from 1
   double alpha_angstrom2 = 0;  // of a sweep
   double degrees = 0;          // of a turntable
-  // Of computing and filling arrays (0 where the last complex stays), drawing, packing and writing.
+  // Milliseconds for computing and filling arrays (0 if the complex has not changed), for drawing,
+  // and for packing and writing.
   double make_milliseconds = 0, draw_milliseconds = 0, write_milliseconds = 0;
 };
 
 struct FrameSource {
-  // What is on the frame of this alpha (Å²); of a turntable, which asks once, without one. Throws
-  // what an engine throws.
+  // Makes the picture for this alpha (Å²). A turntable calls it once, without alpha. Throws
+  // whatever an engine throws.
   std::function<Picture(std::optional<double> alpha, const RunContext& context)> picture;
   std::function<void(const FrameNews& news)> on_frame = {};  // may be empty
 };
 
-// All of them see the molecule from the same place or, on a turntable, from as far. Returns what
-// pictures lack, in sentences; empty: nothing. Reports frames, with the time that is left; throws
-// what drawing, computing and writing throw, and Cancelled. Does not commit.
+// Draws all frames and adds them to `sink`, without commit(). The camera stays in place in a sweep,
+// and keeps its distance on a turntable. Returns sentences on what the pictures lack; empty:
+// nothing. Reports each frame with the time left. Throws whatever drawing, computing and writing
+// throw, and Cancelled.
 std::string record_frames(Scene& scene, const Recording& recording, const FrameSource& source,
                           FrameSink& sink, const RunContext& context);
 
-// The same without a window: in an OpenGL context of its own, on this thread.
+// The same without a window: makes an OpenGL context on this thread.
 std::string record_frames(const Recording& recording, const FrameSource& source, FrameSink& sink,
                           const RunContext& context);
 
-// The view after the molecule was turned about the axis through the point looked at: the camera
-// goes around it the other way.
+// The view of a molecule that was turned about an axis through the focal point. The camera goes
+// round the other way.
 Viewpoint turned_view(const Viewpoint& view, TurnAxis axis, double degrees);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// A picture of a complex; a scene in an EGL context, one frame, a file.
+// Makes a Picture of a complex, and draws it in an EGL context into a file.
 #include "ui/scene/picture/screenshot.hpp"
 
 #include <stdexcept>

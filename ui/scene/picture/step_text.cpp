@@ -1,4 +1,4 @@
-// See the header.
+// Texts on progress and on the time left.
 #include "ui/scene/picture/step_text.hpp"
 
 #include <cmath>

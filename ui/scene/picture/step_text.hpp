@@ -1,12 +1,12 @@
-// What long drawing says of itself: which step of how many, and how long the rest will take.
+// Progress of a long drawing: the present step, the number of steps, and the time left.
 #pragma once
 
 #include <string>
 
 namespace alphascope {
 
-// "sample 3 of 16, 1 min 5 s left", counted from 0; without the time before the first is finished.
-// `seconds` went into those before.
+// A text such as "sample 3 of 16, 1 min 5 s left"; `step` counts from 0. `seconds` is the time that
+// the earlier steps took. For the first step there is no time.
 std::string step_text(const char* what, int step, int of, double seconds);
 
 }  // namespace alphascope

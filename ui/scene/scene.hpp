@@ -76,8 +76,8 @@ class Scene {
   // Milliseconds spent on handing faces and tetrahedra over to OpenGL since the last call. They are
   // part of the time of pictures.
   double take_upload_milliseconds();
-  // Caps close the tetrahedra of the mesh in the planes of the cut; null: none. They are not shown
-  // on translucent tetrahedra.
+  // Caps close the tetrahedra of the mesh in the planes of the cut; null: none. They are as opaque
+  // as the tetrahedra.
   void set_caps(std::shared_ptr<CapData> caps);
   // Differences are drawn over everything else, so that nothing hides an error; null: none.
   void set_differences(std::shared_ptr<DifferenceData> differences);

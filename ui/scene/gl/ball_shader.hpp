@@ -7,13 +7,13 @@
 namespace alphascope {
 
 // With perspective, the lines of sight that touch a ball form a cone. The triangle lies in the
-// plane through the ball's centre, at a right angle to the line from the eye. Let d be its distance
-// from the eye. The cone meets that plane in a circle of radius r d / sqrt(d² - r²). This is more
-// than r, and grows as the ball comes nearer. The triangle encloses that circle. The fragment
-// shader writes the depth, so the near plane need not cut the triangle off. The triangle's own
-// depth is set to stay a little in front of the eye everywhere. A ball around the eye is not
-// visible from outside. From inside (translucent balls), and for its caps, it may cover the whole
-// picture.
+// plane through the ball's centre, at a right angle to the line from the eye. Let r be the ball's
+// radius and d its centre's distance from the eye. The cone meets that plane in a circle of radius
+// r d / sqrt(d² - r²). This is more than r, and grows as the ball comes nearer. The triangle
+// encloses that circle. The fragment shader writes the depth, so the near plane need not cut the
+// triangle off. It is cut off only at a tenth of d before the eye, which no visible part of it
+// reaches. A ball around the eye is not visible from outside. From inside (translucent balls), and
+// for its caps, it may cover the whole picture.
 inline constexpr const char* kBallGeometry = R"(//VTK::System::Dec
 //VTK::PrimID::Dec
 //VTK::Color::Dec

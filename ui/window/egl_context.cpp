@@ -1,4 +1,4 @@
-// See the header. EGL_MESA_platform_surfaceless is what makes a context without X or Wayland.
+// Makes OpenGL contexts without X or Wayland, by EGL_MESA_platform_surfaceless.
 #include "ui/window/egl_context.hpp"
 
 #include <EGL/egl.h>

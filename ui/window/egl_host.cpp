@@ -1,5 +1,5 @@
-// A window that nobody sees: a framebuffer in an EGL context. Input comes from scripts, or from who
-// fills its queue.
+// A window without a display: a framebuffer in an EGL context. Its input comes from scripts, or
+// from code that fills its queue.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -84,7 +84,7 @@ class EglHost final : public Host {
   void make_current() override { context_.make_current(); }
   std::unique_ptr<BackgroundContext> make_background_context() override {
     auto context = std::make_unique<EglBackgroundContext>();
-    make_current();  // a new context is current at first
+    make_current();  // the constructor of the new context has made that one current
     return context;
   }
 

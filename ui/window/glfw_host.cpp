@@ -1,4 +1,5 @@
-// A real window through GLFW, with its OpenGL context. VTK's GLEW wants GLX, GLFW's default on X11.
+// A window through GLFW, with its OpenGL context. VTK's GLEW needs GLX, which is GLFW's default on
+// X11.
 #define GLFW_INCLUDE_GLCOREARB
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -81,7 +82,7 @@ class GlfwBackgroundContext final : public BackgroundContext {
   GLFWwindow* window_ = nullptr;
 };
 
-// EGL makes no context current where one of GLX's is.
+// EGL cannot make a context current on a thread where a GLX context is current.
 class QuietContextBesideGlx final : public BackgroundContext {
  public:
   void make_current() override {
@@ -120,7 +121,7 @@ class GlfwHost final : public Host {
       }
     }
     glfwSetWindowUserPointer(window_, this);
-    if (const float dense = density(); dense > 1) {  // a desktop that counts in points
+    if (const float dense = density(); dense > 1) {  // on a desktop that measures windows in points
       resize(pixels(options.width, scale), pixels(options.height, scale));
     }
     limit_size();
@@ -160,7 +161,7 @@ class GlfwHost final : public Host {
   bool close_requested() const override { return glfwWindowShouldClose(window_); }
   void hide() override {
     glfwHideWindow(window_);
-    glfwPollEvents();  // sends it off
+    glfwPollEvents();  // sends the request to the display
   }
   void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
 
@@ -235,7 +236,7 @@ class GlfwHost final : public Host {
     of(window).input_.push(event);
   }
 
-  // Of fonts and controls; the monitor that the window is on decides.
+  // The scale of fonts and controls; without a fixed scale, that of the window's monitor.
   float scale() const {
     if (fixed_scale_ > 0) return fixed_scale_ * times_;
     float x = 1, y = 1;
@@ -243,7 +244,7 @@ class GlfwHost final : public Host {
     return std::max({1.0f, x, y}) * times_;
   }
 
-  // Pixels to one unit of GLFW's sizes and positions. 1 on X11.
+  // Pixels for each unit of GLFW's sizes and positions; 1 on X11.
   float density() const {
     int points = 0, width = 0;
     glfwGetWindowSize(window_, &points, nullptr);
@@ -251,7 +252,8 @@ class GlfwHost final : public Host {
     return points > 0 && width > 0 ? static_cast<float>(width) / static_cast<float>(points) : 1;
   }
 
-  // A scale that is chosen by hand does not enlarge the window: that could end beyond the screen.
+  // A scale that the user has chosen does not raise the least size, because the window could then
+  // exceed the screen.
   void limit_size() {
     density_ = density();
     const float points = std::min(scale(), monitor_scale()) / density_;
@@ -291,7 +293,7 @@ class GlfwHost final : public Host {
                .y = static_cast<float>(y)});
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
-      if (action == GLFW_REPEAT) return;  // ImGui repeats by itself
+      if (action == GLFW_REPEAT) return;  // ImGui repeats keys itself
       push(w, {.kind = InputEvent::Kind::key, .code = key, .down = action == GLFW_PRESS});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned character) {
@@ -301,7 +303,7 @@ class GlfwHost final : public Host {
 
   GLFWwindow* window_ = nullptr;
   float fixed_scale_;
-  float times_ = 1;  // that scale, or the monitor's
+  float times_ = 1;  // factor on fixed_scale_ or the monitor's scale
   float density_ = 1;
   std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors_{};
   int cursor_ = 0;

@@ -1,4 +1,4 @@
-// See the header. The OpenGL backend brings its own loader.
+// Runs ImGui's frames. ImGui's OpenGL backend has a loader of its own.
 #include "ui/window/imgui_frame.hpp"
 
 #define GL_GLEXT_PROTOTYPES
@@ -32,10 +32,10 @@ ImGuiFrame::ImGuiFrame(Host& host, Theme theme) : host_(host), theme_(theme) {
   IMGUI_CHECKVERSION();
   context_ = ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // panels have fixed places
+  io.IniFilename = nullptr;  // the layout of panels is fixed
   io.LogFilename = nullptr;
   std::copy(std::begin(kKeys), std::end(kKeys), io.KeyMap);
-  io.KeyMap[ImGuiKey_Tab] = -1;  // key_focus.hpp leads it to buttons, too
+  io.KeyMap[ImGuiKey_Tab] = -1;  // key_focus.hpp handles Tab, for buttons too
   io.MousePos = {-FLT_MAX, -FLT_MAX};
   in_software_ = draws_in_software();
   host_.start_imgui();
@@ -69,7 +69,7 @@ bool ImGuiFrame::begin(Theme theme, ScriptedInput* scripted) {
   if (theme != theme_ || size.scale != scale_) load(theme, size.scale);
   ImGui_ImplOpenGL3_NewFrame();
   if (scripted != nullptr) {
-    // The host's own feeding would overwrite the mouse.
+    // feed_imgui() would overwrite the mouse of the script.
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = 1.0f / 60;

@@ -1,5 +1,5 @@
-// ImGui in a host: its context, fonts, style and the drawing of one frame after another. What is in
-// the frame is the caller's business.
+// ImGui in a host: its context, fonts, style and the drawing of frames. The caller describes the
+// frames' content.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ struct ImGuiContext;
 
 namespace alphascope {
 
-// Input that replaces the host's while a script drives the window. Positions in pixels.
+// Input of a script, which replaces the host's. Positions are in pixels.
 struct ScriptedInput {
   float x = -1, y = -1;
   std::array<bool, 3> down{};
@@ -30,22 +30,23 @@ class ImGuiFrame {
   ImGuiFrame(const ImGuiFrame&) = delete;
   ImGuiFrame& operator=(const ImGuiFrame&) = delete;
 
-  // Follows changes of theme and display scale; then ImGui's NewFrame. `scripted` null: the host's
-  // input. Returns false while the window is minimised: then draw nothing.
+  // Starts a frame: follows changes of theme and display scale, then calls ImGui's NewFrame. If
+  // `scripted` is null, the host's input is used. Returns false while the window is minimised; the
+  // caller must then draw nothing.
   bool begin(Theme theme, ScriptedInput* scripted);
-  // Draws what was described since begin() and shows it.
+  // Draws the frame and shows it.
   void end();
-  // Waits until what was drawn is there.
+  // Waits until OpenGL has drawn everything.
   void finish();
-  // Forgets what was described since begin(): what is on screen stays.
+  // Discards the frame; the screen stays as it is.
   void end_undrawn();
 
   const PanelFonts& fonts() const { return fonts_; }
   float scale() const { return scale_; }
-  // Frames are work of the processor.
+  // Whether the processor draws the frames.
   bool in_software() const { return in_software_; }
-  // Framebuffer that holds the last frame until the next begin(); valid before the swap only for a
-  // real window, so pictures are taken through `before_swap` of end().
+  // Draws the frame, calls `before_swap` with its framebuffer, and shows it. A window's framebuffer
+  // is valid only before the swap, so pictures of frames are taken in `before_swap`.
   template <class Function>
   void end(Function&& before_swap) {
     draw();

@@ -1,4 +1,4 @@
-// See the header.
+// Hands queued events to ImGui's frames.
 #include "ui/window/input_queue.hpp"
 
 #include <imgui.h>
@@ -12,13 +12,13 @@ namespace alphascope {
 namespace {
 
 using Kind = InputEvent::Kind;
-constexpr double kLeastStep = 1e-4;  // seconds; ImGui wants every frame to take some time
+constexpr double kLeastStep = 1e-4;  // seconds; ImGui requires that each frame takes some time
 
 bool is_modifier(int code) {
   return code >= key::kFirstModifier && code <= key::kLastModifier;
 }
 
-// Keys that write a character, on whatever layout.
+// Whether a key writes a character on any keyboard layout.
 bool is_printing(int code) {
   return code < key::kEscape || (code >= key::kFirstKeypad && code < key::kKeypadEnter);
 }
@@ -33,7 +33,7 @@ void InputQueue::push(const InputEvent& event) {
   const bool known = event.kind != Kind::key || (event.code >= 0 && event.code < 512);
   const bool three_buttons = event.kind != Kind::button || (event.code >= 0 && event.code < 3);
   if (!known || !three_buttons) return;
-  // Only the last of several moves counts.
+  // Of several moves in succession only the last counts.
   if (same_place(event) && !events_.empty() && same_place(events_.back())) {
     events_.back() = event;
   } else {
@@ -48,7 +48,8 @@ bool InputQueue::Frame::takes(const InputEvent& e) const {
     case Kind::leave:
       return !button && !wheel && !press;
     case Kind::button:
-      // What is pressed must be hovered first, and a slider must follow before it is let go.
+      // ImGui must see a widget hovered before a press, and a slider's last move before the
+      // release.
       return !moved && !press && !wheel && !text && !buttons[code];
     case Kind::wheel:
       return !button && !press;
@@ -85,7 +86,7 @@ void InputQueue::apply(const InputEvent& e, ImGuiIO& io) {
       io.MousePos = {e.x, e.y};
       break;
     case Kind::leave:
-      // While a button is down, what is dragged stays where it was last seen.
+      // While a button is down, a dragged object stays at its last position.
       if (!std::any_of(io.MouseDown, io.MouseDown + 3, [](bool down) { return down; })) {
         io.MousePos = {-FLT_MAX, -FLT_MAX};
       }

@@ -1,6 +1,6 @@
-// What mouse and keyboard did, in order, for a window whose frames can be slow. ImGui 1.86 looks at
-// the state of both once a frame: what goes down and up between two frames would be lost. Here it
-// waits, and each frame is given as much as it can tell apart.
+// Queues events of mouse and keyboard in their order, because frames can be slow. ImGui 1.86 looks
+// at the state of both once a frame. So a press and release between two frames would be lost. Here
+// events wait, and each frame gets as many as it can tell apart.
 #pragma once
 
 #include <bitset>
@@ -17,27 +17,28 @@ struct InputEvent {
   int code = 0;            // button: 0 left, 1 right, 2 middle; key: as in keys.hpp
   bool down = false;       // button, key; focus: gained
   unsigned character = 0;  // text: Unicode
-  double seconds = 0;      // when it came, on the clock of feed()
+  double seconds = 0;      // time of the event, on the clock of feed()
 };
 
 class InputQueue {
  public:
   void push(const InputEvent& event);
-  // Some events came too late for the frame that feed() was last called for: another frame is due.
+  // Whether events are left that the last frame of feed() could not take. Another frame is due
+  // then.
   bool waiting() const { return !events_.empty(); }
 
-  // Hands the next frame of the current ImGui context its events and its DeltaTime. `now` in
-  // seconds, of any steady clock. While events wait, time goes by as they came.
+  // Gives the next frame of the current ImGui context its events and its DeltaTime. `now` is in
+  // seconds, on any steady clock. While events wait, frames get the events' own times.
   void feed(double now);
 
  private:
-  // What a frame has been given so far.
+  // Events that a frame has been given so far.
   struct Frame {
     bool moved = false, button = false, wheel = false, text = false;
-    bool press = false;      // of a key that is no modifier, or a button
+    bool press = false;      // of a button, or of a key that is not a modifier
     bool printing = false;   // the key pressed writes a character
-    std::bitset<512> keys;   // changed
-    std::bitset<3> buttons;  // changed
+    std::bitset<512> keys;   // keys that changed
+    std::bitset<3> buttons;  // buttons that changed
     bool takes(const InputEvent& event) const;
     void note(const InputEvent& event);
   };
@@ -45,7 +46,7 @@ class InputQueue {
   void apply(const InputEvent& event, ImGuiIO& io);
 
   std::deque<InputEvent> events_;
-  double time_ = -1;  // of the last frame
+  double time_ = -1;  // of the last frame, seconds
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Makes a context whose driver threads have a low priority.
 #include "ui/window/quiet_context.hpp"
 
 #include <exception>
@@ -25,7 +25,7 @@ class QuietContext final : public BackgroundContext {
 std::unique_ptr<BackgroundContext> make_quiet_context() {
   std::unique_ptr<BackgroundContext> context;
   std::exception_ptr failure;
-  // The driver's threads take over what the thread that starts them has.
+  // The driver's threads inherit the priority of the thread that starts them.
   std::thread([&] {
     try {
       give_way_to_others(Share::third);

@@ -1,5 +1,5 @@
-// An OpenGL context in software for work in the background of a window: with threads of its own,
-// which give way to the window's.
+// An OpenGL context in software for background work of a window. Its threads give way to the
+// window's.
 #pragma once
 
 #include <memory>
@@ -8,10 +8,9 @@
 
 namespace alphascope {
 
-// Mesa's software driver has one pool of threads for each display, and one context's picture waits
-// until the other's is done. This context is of a display of its own, and so is its pool. Another
-// context that is current on this thread stays current. Throws std::runtime_error when there is no
-// EGL.
+// Makes a context with a display of its own. Mesa's software driver has a pool of threads for each
+// display; in one pool, a context waits until pictures of the other are finished. The thread's
+// current context stays current. Throws std::runtime_error if there is no EGL.
 std::unique_ptr<BackgroundContext> make_quiet_context();
 
 }  // namespace alphascope

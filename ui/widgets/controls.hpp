@@ -1,4 +1,4 @@
-// What the user can set: plain data that the panels change and the program reads.
+// Sets alpha within its bounds, for everything that counts it up and down.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace alphascope {
 
-// For what counts alpha up and down: stops at the bounds.
+// Sets alpha; values beyond kAlphaRule's bounds become the nearest bound.
 inline void set_alpha(Request& request, const Alpha& angstrom2) {
   request.alpha_angstrom2 = std::clamp(angstrom2, Alpha(kAlphaRule.least), Alpha(kAlphaRule.most));
 }

@@ -1,4 +1,4 @@
-// See the header.
+// Draws axes, lines, marks and the cursor of a CurvePlot.
 #include "ui/widgets/curve_plot.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace alphascope {
 namespace {
 
 struct Place {
-  ImVec2 from, to;  // pixels: the top left and bottom right corner
+  ImVec2 from, to;  // pixels: top left and bottom right corners of the chart's area
   PlotRange x, y;
 
   float x_of(double value) const {
@@ -35,7 +35,8 @@ const std::vector<ChartSeries>& series_of(const CurvePlot& plot) {
   return plot.chart->chart.series;
 }
 
-// Where any line has a value, and the present setting; all models.
+// The x range covers the present setting and all samples with a value other than 0. For models it
+// covers all samples. The y range begins at 0.
 void set_ranges(const CurvePlot& plot, Place& place) {
   place.x.take(plot.shown);
   place.y.take(0);
@@ -70,7 +71,7 @@ void frame(PanelContext& ctx, const CurvePlot& plot, const Place& place) {
   const int most_x = static_cast<int>((place.to.x - place.from.x) / ctx.px(70));
   double step = tick_step(place.x, most_x);
   if (plot.axis == CurveAxis::model) step = std::max(std::round(step), 1.0);
-  const double offset = plot.axis == CurveAxis::model ? 1 : 0;  // models are counted from 1
+  const double offset = plot.axis == CurveAxis::model ? 1 : 0;  // models are numbered from 1
   const PlotRange labels{place.x.low + offset, place.x.high + offset};
   for_ticks(labels, step, [&](double value) {
     const float x = place.x_of(value - offset);
@@ -81,7 +82,7 @@ void frame(PanelContext& ctx, const CurvePlot& plot, const Place& place) {
   });
   draw->AddRect(place.from, place.to, to_u32(ctx.palette.border));
   const Chart& chart = plot.chart->chart;
-  // Curves fall to the right, so there is room for words.
+  // Curves fall to the right, so the top right has room for the label.
   const float of_values = ImGui::CalcTextSize(chart.value_label.c_str()).x;
   draw->AddText({place.to.x - of_values - ctx.px(6), place.from.y + ctx.px(3)}, muted,
                 chart.value_label.c_str());
@@ -124,7 +125,7 @@ void marks(PanelContext& ctx, const CurvePlot& plot, const Place& place) {
   }
 }
 
-// The sample nearest to the mouse.
+// Index of the sample nearest to `at`, a position on the x axis.
 std::size_t sample_at(const CurvePlot& plot, double at) {
   const std::vector<double>& x = series_of(plot).front().x;
   const auto nearer = [&](double a, double b) { return std::fabs(a - at) < std::fabs(b - at); };

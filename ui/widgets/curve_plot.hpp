@@ -1,4 +1,5 @@
-// A chart of lines with a cursor: tells at which sample the mouse is, and where it was clicked.
+// A chart of lines with a cursor. It shows the values at the sample nearest to the mouse, and
+// returns the position of a click.
 #pragma once
 
 #include <optional>
@@ -17,10 +18,10 @@ struct CurvePlot {
   double shown = 0;        // the present setting
   std::string unit;        // of x: "Å"
   std::string value_unit;  // "Å³"
-  const char* click = "";  // what a click does
+  const char* click = "";  // sentence on the effect of a click
 };
 
-// In all room that is left. A click or a drag: the place on the axis.
+// Draws the plot into all remaining room. Returns the position on the x axis of a click or drag.
 std::optional<double> draw_curve_plot(PanelContext& ctx, const CurvePlot& plot);
 
 }  // namespace alphascope

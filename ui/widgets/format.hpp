@@ -1,4 +1,4 @@
-// Numbers as people read them. Pure text, no ImGui.
+// Formats times, bytes, shares and ratios for reading. Pure text, no ImGui.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace alphascope {
 std::string with_separators(long long value);        // "58,674"
 std::string milliseconds_text(double milliseconds);  // "0.042 ms", "12.3 ms", "1.24 s"
 std::string bytes_text(std::size_t bytes);           // "340 MB"
-// What the whole window takes with an assembly's complex: at alpha 0, and at most.
+// Memory of the whole window with an assembly's complex: at alpha 0, and the upper bound.
 struct MemoryRange {
   std::uint64_t least = 0, most = 0;  // bytes
 };

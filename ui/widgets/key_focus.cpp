@@ -1,4 +1,5 @@
-// See the header. What ImGui 1.86 offers for pressing an item by its id is not in imgui.h.
+// Follows the keyboard between fields and buttons. imgui.h of ImGui 1.86 has no function to press
+// an item by its id, so this uses imgui_internal.h.
 #include "ui/widgets/key_focus.hpp"
 
 #include <imgui_internal.h>
@@ -18,7 +19,7 @@ KeyMemory& keys_of(PanelContext& ctx) {
   return ctx.state.memory.keys;
 }
 
-// A menu or list is the topmost popup; dialogs are popups as well.
+// Whether the topmost popup is a menu or list; dialogs are popups as well.
 bool list_on_top() {
   const ImVector<ImGuiPopupData>& open = GImGui->OpenPopupStack;
   if (open.empty()) return false;
@@ -42,7 +43,7 @@ bool anything_but_alt() {
   return ImGui::IsAnyMouseDown() || io.MouseWheel != 0 || io.MouseWheelH != 0;
 }
 
-// Alt goes down and up with nothing between: Alt+Tab and Alt with the mouse are other things.
+// Whether Alt was pressed and released alone; Alt+Tab and Alt with the mouse do not count.
 bool alt_tapped(KeyMemory& keys) {
   const bool down = went_down(key::kLeftAlt) || went_down(key::kRightAlt);
   if (down) keys.alt_alone = true;
@@ -51,7 +52,7 @@ bool alt_tapped(KeyMemory& keys) {
   return up && std::exchange(keys.alt_alone, false);
 }
 
-// They open the menu bar, and close what is open of it.
+// Alt and F10 open the menu bar, or close its open menus.
 void menu_keys(KeyMemory& keys) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool tapped = alt_tapped(keys);
@@ -66,7 +67,8 @@ void menu_keys(KeyMemory& keys) {
   }
 }
 
-// Each dialog has a place of its own; the one below is there again when that on top is closed.
+// Each dialog remembers its own stop. When the topmost dialog closes, the stop of the one below
+// counts again.
 void follow_dialogs(KeyMemory& keys, std::size_t dialogs) {
   if (dialogs + 1 > keys.at.size()) keys.fresh = true;
   if (dialogs + 1 < keys.at.size()) keys.fresh = false;
@@ -88,7 +90,8 @@ bool types(KeyStop kind) {
   return kind == KeyStop::type || kind == KeyStop::path || kind == KeyStop::type_when_asked;
 }
 
-// ImGui drops what is typed in the frame in which a field begins: the next frame has it.
+// ImGui drops characters typed in the frame in which a field begins. So they are kept for the next
+// frame.
 void hold_characters(KeyMemory& keys) {
   ImGuiIO& io = ImGui::GetIO();
   keys.held.assign(io.InputQueueCharacters.begin(), io.InputQueueCharacters.end());
@@ -123,7 +126,8 @@ void go_to_stop(PanelContext& ctx, const KeyMemory::Stop& stop) {
   if (types(stop.kind)) start_typing(keys_of(ctx), stop);
 }
 
-// A dialog that has just come: what it asks for can be typed at once.
+// A dialog that has just opened begins with its first field for typing, so that the user can type
+// at once.
 void enter_dialog(PanelContext& ctx) {
   KeyMemory& keys = keys_of(ctx);
   const auto on_top = [&](const auto& stop) { return of_top(keys, stop); };
@@ -212,7 +216,7 @@ void prepare_list_keys() {
   } else {
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   }
-  // For ImGui 1.86, Enter only types.
+  // In ImGui 1.86 Enter activates only text fields, so this lets it activate entries of lists.
   const bool enter = io.KeysDown[key::kEnter] || io.KeysDown[key::kKeypadEnter];
   if (list && enter) io.NavInputs[ImGuiNavInput_Activate] = 1;
 }
@@ -242,7 +246,7 @@ void begin_key_focus(PanelContext& ctx) {
 void end_key_focus(PanelContext& ctx) {
   KeyMemory& keys = keys_of(ctx);
   keys.list_at_end = list_on_top();
-  // In a menu of the bar, these two lead to the next menu (menu_bar.cpp).
+  // In a menu of the bar, Left and Right lead to the neighbouring menu (menu_bar.cpp).
   const bool of_bar = keys.bar_menu >= 0 && !keys.in_submenu;
   ImGuiIO& io = ImGui::GetIO();
   io.KeyMap[ImGuiKey_LeftArrow] = of_bar ? -1 : key::kLeft;
@@ -289,7 +293,8 @@ ImGuiInputTextFlags caret_flags(const PanelContext& ctx, const char* name) {
   return ctx.state.memory.keys.caret == name ? ImGuiInputTextFlags_CallbackAlways : 0;
 }
 
-// Of "/data/frame-%04d.png": "frame".
+// Places the caret; for a path it selects the file's name without ending and number: in
+// "/data/frame-%04d.png" "frame".
 int place_caret(ImGuiInputTextCallbackData* data) {
   KeyMemory& keys = *static_cast<KeyMemory*>(data->UserData);
   keys.caret.clear();

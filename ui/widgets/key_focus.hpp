@@ -1,6 +1,7 @@
-// The keyboard among fields and buttons: Tab leads from one to the next, Space and Enter press
-// them, Alt and F10 open the menu bar. ImGui 1.86 leads Tab to text fields only, and with its own
-// navigation the arrow keys would no longer be alpha's, so that is on in menus and lists alone.
+// Keyboard control of fields and buttons. Tab goes from one to the next, Space and Enter press
+// them, Alt and F10 open the menu bar. ImGui 1.86 leads Tab to text fields only, and its own
+// navigation would take the arrow keys from alpha. So that navigation is on in menus and lists
+// only.
 #pragma once
 
 #include "ui/widgets/key_memory.hpp"
@@ -8,26 +9,26 @@
 
 namespace alphascope {
 
-// Before ImGui's NewFrame: whether arrow keys choose in a menu or list.
+// Call before ImGui's NewFrame: turns on ImGui's navigation while a menu or list is open.
 void prepare_list_keys();
 
-// After NewFrame and before all widgets; behind them.
+// Call begin_key_focus() after NewFrame and before all widgets, end_key_focus() after them.
 void begin_key_focus(PanelContext& ctx);
 void end_key_focus(PanelContext& ctx);
 
-// The last item is one that Tab leads to.
+// Makes the last item a stop of Tab.
 void key_stop(PanelContext& ctx, const char* name, KeyStop kind = KeyStop::press);
-// Once, when Enter or Space wants this slider to be a field.
+// Whether Enter or Space has asked this slider to become a field. Returns true once.
 bool wants_typing(PanelContext& ctx, const std::string& name);
-// By how many steps an arrow key moves this slider in this frame.
+// Number of steps by which arrow keys move this slider in this frame.
 int key_steps(PanelContext& ctx, const std::string& name);
-// What is typed from the next frame on goes to the end of this field, which must have been drawn in
-// the last.
+// Directs typing, from the next frame on, to the end of this field. It must have been drawn in the
+// last frame.
 void type_into(PanelContext& ctx, const std::string& name);
-// For ImGui::InputText(): its flags and callback that place the caret where KeyMemory::caret says.
+// Flags and callback for ImGui::InputText(), which place the caret in the field KeyMemory::caret.
 ImGuiInputTextFlags caret_flags(const PanelContext& ctx, const char* name);
-int place_caret(ImGuiInputTextCallbackData* data);  // its user data: the KeyMemory
-// Whatever was being typed is over.
+int place_caret(ImGuiInputTextCallbackData* data);  // data->UserData must be the KeyMemory
+// Ends any typing in a field.
 void stop_typing();
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Reads key names and chords, and asks ImGui for them.
 #include "ui/widgets/keys.hpp"
 
 #include <imgui.h>

@@ -1,5 +1,5 @@
-// Keys that the panels react to, as the codes that reach ImGui 1.86 (it has no names of its own for
-// them): GLFW's, checked where GLFW is included.
+// Keys that the panels use, as codes that reach ImGui 1.86, which has no names for them. They are
+// GLFW's codes; glfw_host.cpp checks that.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kR
 inline constexpr int kMenu = 348;
 inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;
 
-// Keys that are pressed together.
+// Keys pressed together.
 struct Chord {
   int code = 0;
   bool control = false, shift = false;
@@ -29,11 +29,11 @@ struct Chord {
   bool arrow() const { return code >= kRight && code <= kUp; }
 };
 
-// "Ctrl+Shift+Z", "esc", "PageUp", "F1", "7": upper and lower case count as equal. Nothing where
-// there is no such key.
+// Reads "Ctrl+Shift+Z", "esc", "PageUp", "F1" or "7", in upper or lower case. Empty if there is no
+// such key.
 std::optional<Chord> read_chord(std::string_view text);
 
-// This frame, by ImGui. Arrow keys repeat while they are held.
+// Whether the chord was pressed in this frame. Arrow keys repeat while they are held.
 bool pressed(const Chord& chord);
 
 }  // namespace alphascope::key

@@ -1,4 +1,4 @@
-// See the header.
+// Fields and sliders for numbers: typing, refusal of invalid input, and the reason below the field.
 #include "ui/widgets/number_field.hpp"
 
 // Needs imgui.h first.
@@ -15,7 +15,7 @@
 namespace alphascope {
 namespace {
 
-// Over what is below, so that nothing moves.
+// Shows the reason over the widgets below, so that nothing moves.
 void reason(PanelContext& ctx, const char* name, const std::string& text) {
   const WidgetRect field = ctx.rects[name];
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoInputs |
@@ -25,7 +25,7 @@ void reason(PanelContext& ctx, const char* name, const std::string& text) {
   ImGui::SetNextWindowPos({field.x0, field.y1 + ctx.px(3)});
   ImGui::Begin("##number_reason", nullptr, kFlags);
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(280));  // for what has no blanks
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(280));  // for text without blanks
   ImGui::TextUnformatted(broken_lines(text, ctx.px(280)).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
@@ -37,7 +37,7 @@ RefusedNumber* refused_in(PanelContext& ctx, const std::string& name) {
   auto& all = ctx.state.memory.number.refused;
   const auto at = all.find(name);
   if (at == all.end()) return nullptr;
-  if (at->second.frame + 1 < ImGui::GetFrameCount()) {  // the field has been away
+  if (at->second.frame + 1 < ImGui::GetFrameCount()) {  // the field was not drawn in the last frame
     all.erase(at);
     return nullptr;
   }
@@ -45,7 +45,7 @@ RefusedNumber* refused_in(PanelContext& ctx, const std::string& name) {
   return &at->second;
 }
 
-// True when the typing is over.
+// Draws the text field. Returns true when typing has ended.
 bool type(PanelContext& ctx, const char* name, const std::string& shown, std::string& text) {
   NumberTyping& typing = ctx.state.memory.number;
   const bool mine = typing.name == name;
@@ -73,8 +73,9 @@ bool type(PanelContext& ctx, const char* name, const std::string& shown, std::st
   return ImGui::IsItemDeactivated();
 }
 
-// A click elsewhere takes away the reason, which covers what is below; on a page, what was typed as
-// well, as does Escape. In a dialog it stays: what is confirmed is what the fields show.
+// A click elsewhere hides the reason, which covers widgets below. On a page, that click or Escape
+// also discards the typed text. In a dialog the text stays, because confirming uses what the fields
+// show.
 void tell_reason(PanelContext& ctx, const char* name, RefusedNumber& refused) {
   const bool over = ImGui::IsItemHovered(), elsewhere = !over && ImGui::IsMouseClicked(0);
   const bool escaped = !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key::kEscape, false);
@@ -83,7 +84,7 @@ void tell_reason(PanelContext& ctx, const char* name, RefusedNumber& refused) {
   if (refused.told || over) reason(ctx, name, refused.error);
 }
 
-// `read` makes the value of the text, or says why not.
+// `read` converts the text to a value, or gives the reason why it cannot.
 template <class Number, class Read>
 bool field(PanelContext& ctx, const char* name, Number& value, const Read& read) {
   NumberTyping& typing = ctx.state.memory.number;
@@ -113,7 +114,7 @@ bool field(PanelContext& ctx, const char* name, Number& value, const Read& read)
   return true;
 }
 
-// True when a click with Ctrl, or Enter, has made it a field.
+// Whether the widget is a field now, after a Ctrl+click or Enter.
 template <class Number>
 bool is_field(PanelContext& ctx, const char* name, const Number& value) {
   NumberTyping& typing = ctx.state.memory.number;
@@ -181,7 +182,7 @@ bool number_slider(PanelContext& ctx, const char* name, double& value, double lo
   ImGui::PopID();
   record(ctx, name);
   key_stop(ctx, name, KeyStop::slide);
-  constexpr double kSteps = 50;  // from one end to the other
+  constexpr double kSteps = 50;  // from one end of the slider to the other
   if (const int steps = key_steps(ctx, name); steps != 0) {
     value = std::clamp(value + steps * (high - low) / kSteps, low, high);
     changed = true;

@@ -1,5 +1,5 @@
-// Fields for typed numbers. ImGui's own drop characters that they do not know, so that "1,4" would
-// become 14, and know no bounds.
+// Fields for typed numbers. ImGui's own fields drop unknown characters, so that "1,4" would become
+// 14, and have no bounds.
 #pragma once
 
 #include <string>
@@ -9,28 +9,31 @@
 
 namespace alphascope {
 
-// Enter, Tab or a click elsewhere takes what was typed; Escape takes it back. What is no number
-// within the rule changes nothing: it stays in the field to be mended, with the reason below it,
-// until its value changes; on a page, until a click elsewhere or Escape as well.
-// Width as ImGui::SetNextItemWidth(). True when the value changed.
+// Enter, Tab or a click elsewhere accepts the typed text; Escape discards it. Text that is not a
+// number within the rule does not change the value. It stays in the field, with the reason below,
+// until it is corrected or the value changes. On a page a click elsewhere or Escape discards it
+// too. The width is that of ImGui::SetNextItemWidth(). Returns true if the value changed.
 bool number_field(PanelContext& ctx, const char* name, double& value, const NumberRule& rule);
 bool number_field(PanelContext& ctx, const char* name, int& value, const NumberRule& rule);
-bool number_field(PanelContext& ctx, const char* name, Alpha& value);  // by kAlphaRule, exactly
+bool number_field(PanelContext& ctx, const char* name, Alpha& value);  // kAlphaRule applies; all
+                                                                       // digits are kept
 
-// Does a field of this dialog have what is no number ("save": fields "save.width", …)?
+// Whether a field of this dialog has a refused text. The fields of dialog "save" are named
+// "save.width", ….
 bool has_refused_number(PanelContext& ctx, const std::string& dialog);
-// The field shows its value again.
+// Discards a refused text: the field shows its value again.
 void forget_typing(PanelContext& ctx, const std::string& name);
 
-// A slider or a drag that becomes a field upon Ctrl+click. Call before it: true while it is a
-// field, which is then drawn in its place; `changed` tells whether the value changed.
+// For a slider or a drag that becomes a field after Ctrl+click or Enter; call this before drawing
+// it. While it is a field, this draws the field instead and returns true. `changed` tells whether
+// the value changed.
 bool typed_instead(PanelContext& ctx, const char* name, double& value, const NumberRule& rule,
                    bool& changed);
 
 bool typed_instead(PanelContext& ctx, const char* name, Alpha& value, bool& changed);
 
-// As ImGui::SliderScalar, without text on it, and with typing as above. The value may be typed
-// beyond `low` and `high`, but within the rule.
+// Like ImGui::SliderScalar, without text on it, and with typing as above. The typed value may lie
+// outside `low` and `high`, but not outside the rule.
 bool number_slider(PanelContext& ctx, const char* name, double& value, double low, double high,
                    const NumberRule& rule);
 

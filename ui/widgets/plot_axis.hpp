@@ -1,4 +1,4 @@
-// What an axis of a chart covers, and where its ticks are.
+// The range of a chart's axis, and its ticks.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct PlotRange {
   double share(double value) const { return (value - low) / (high - low); }
 };
 
-// 1, 2 or 5 times a power of ten, for at most so many steps.
+// Distance of ticks: 1, 2 or 5 times a power of ten, with at most `most` distances in the range.
 inline double tick_step(const PlotRange& range, int most) {
   const double least = (range.high - range.low) / std::max(most, 1);
   const double power = std::pow(10, std::floor(std::log10(least)));

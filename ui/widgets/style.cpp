@@ -1,4 +1,5 @@
-// See the header. The only file with sizes in pixels at scale 1; all others multiply by the scale.
+// Sets fonts, spacing and colours. Only this file has sizes in pixels without a scale; all others
+// multiply by the scale.
 #include "ui/widgets/style.hpp"
 
 #include <imgui.h>
@@ -16,7 +17,8 @@ ImVec4 vec4(const Colour& c, float alpha = 1.0f) {
   return {c.r, c.g, c.b, c.a * alpha};
 }
 
-// Latin-1, Greek (α), punctuation, superscripts, arrows, mathematical operators (≤, √).
+// Ranges of characters: Latin-1, Greek (α), punctuation, superscripts, arrows, mathematical
+// operators (≤, √).
 constexpr ImWchar kGlyphRanges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2044,
                                     0x2070, 0x209f, 0x2190, 0x21ff, 0x2200, 0x22ff,
                                     0x25a0, 0x25ff, 0x2713, 0x2717, 0};
@@ -32,7 +34,7 @@ ImFontConfig font_config() {
 
 ImFont* add_font(std::span<const unsigned char> file, float pixels) {
   ImFontConfig config = font_config();
-  config.FontDataOwnedByAtlas = false;  // so the atlas only reads it
+  config.FontDataOwnedByAtlas = false;  // because the atlas must not free it
   void* data = const_cast<unsigned char*>(file.data());
   return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(data, static_cast<int>(file.size()), pixels,
                                                     &config, kGlyphRanges);

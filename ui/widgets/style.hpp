@@ -1,4 +1,4 @@
-// Fonts, spacing and colours of the window in ImGui's terms.
+// Fonts, spacing and colours of the window for ImGui.
 #pragma once
 
 #include <filesystem>
@@ -20,9 +20,8 @@ struct PanelFonts {
 // Sets colours and, for a display of `scale` (1 = 96 dpi), spacing of the current ImGui context.
 void apply_style(Theme theme, float scale);
 
-// Fills the font atlas of the current context with Inter, which the program brings along, and for
-// hashes with DejaVu's monospaced font where it is installed; the atlas is built. Call between
-// frames only.
+// Fills the font atlas of the current context with Inter, which is part of the program. Hashes get
+// DejaVu's monospaced font if it is installed. Builds the atlas. Call it between frames only.
 PanelFonts load_fonts(float scale, const std::filesystem::path& installed = "/usr/share/fonts");
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Cells of tables: numbers at the right, and buttons in rows.
 #include "ui/widgets/table_cells.hpp"
 
 #include <imgui.h>

@@ -1,4 +1,4 @@
-// Cells of tables of numbers.
+// Cells of tables of numbers, for all panels.
 #pragma once
 
 #include <string>
@@ -9,13 +9,14 @@ struct PanelContext;
 
 std::string measure_text(double value);  // Å³ or Å²: "12,345.67"
 
-// Pixels that a column's title needs, with the arrow of the one that rows are sorted by.
+// Width of a column's title in pixels, with the arrow of the sorted column.
 float title_width(const char* title);
-// At the right of the present cell.
+// Writes text at the right of the present cell.
 void right_text(const std::string& text);
-// A quiet button as high as a line of text, in a row that is itself clickable; width at scale 1.
+// A quiet button as high as a line of text, for rows that react to clicks themselves. `width` is in
+// pixels at scale 1.
 bool row_button(PanelContext& ctx, const char* name, const char* label, float width);
-// The next cell, its text at the right.
+// Goes to the next cell and writes text at its right.
 void number_cell(const std::string& text);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Where every named widget was drawn in the last frame, in pixels. Plain data.
+// Rectangles of all named widgets in the last frame, in pixels. Plain data.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@ namespace alphascope {
 
 struct WidgetRect {
   float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool visible = true;  // its middle is not scrolled out of sight
+  bool visible = true;  // false: its middle is scrolled out of sight
 };
 
 using WidgetRects = std::map<std::string, WidgetRect>;

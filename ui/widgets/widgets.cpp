@@ -1,4 +1,4 @@
-// See the header.
+// Draws the common widgets, and records the rectangle of each by its name.
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui_internal.h>
@@ -81,7 +81,8 @@ bool text_field(PanelContext& ctx, const char* name, std::string& text, const ch
   KeyMemory& keys = ctx.state.memory.keys;
   const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | caret_flags(ctx, name);
   ImGui::PushID(name);
-  // ImGui would write its own text over one that the program has set meanwhile.
+  // If the program has changed the text meanwhile, ImGui would overwrite it with its own; so typing
+  // ends.
   const bool active = GImGui->ActiveId == ImGui::GetID("##text");
   if (active && keys.field == name && keys.field_text != text) ImGui::ClearActiveID();
   const bool entered = ImGui::InputTextWithHint("##text", hint, &text, flags, &place_caret, &keys);
@@ -152,7 +153,7 @@ bool value_slider(PanelContext& ctx, const char* name, double& value, double low
   const float right = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + text_width;
   ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
   ImGui::TextUnformatted(text.c_str());
-  GImGui->LastItemData = slider;  // tooltips are the slider's
+  GImGui->LastItemData = slider;  // tooltips refer to the slider
   return changed;
 }
 
@@ -202,7 +203,8 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, to_imgui(ctx.palette.field));
   ImGui::PushStyleColor(ImGuiCol_HeaderActive, to_imgui(ctx.palette.field));
   const bool wanted = ctx.state.memory.go_to_section == name;
-  auto& closed = ctx.state.window.closed_sections;  // not ImGui's: sessions hold it
+  auto& closed = ctx.state.window.closed_sections;  // ImGui's own state would not be saved in
+                                                    // sessions
   if (wanted) closed.erase(name);
   ImGui::SetNextItemOpen(!closed.contains(name));
   const bool open = ImGui::CollapsingHeader(title);
@@ -224,8 +226,8 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
 
 namespace {
 
-// Not over what it is about: below a field or button, beside a menu or list. What is large, such as
-// the view, is spoken of where the mouse is.
+// Places a tooltip below a field or button, or beside a menu or list, so that it covers neither.
+// For large items, such as the view, it stays at the mouse.
 void place_tooltip(const PanelContext& ctx, ImVec2 size) {
   const ImGuiLastItemData& item = GImGui->LastItemData;
   const ImGuiWindow* const window = GImGui->CurrentWindow;

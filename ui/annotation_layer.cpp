@@ -1,4 +1,5 @@
-// See the header.
+// Draws measurements, marks, labels and the power diagram into a Layer, and writes measured
+// numbers.
 #include "ui/annotation_layer.hpp"
 
 #include <algorithm>
@@ -13,15 +14,18 @@
 namespace alphascope {
 namespace {
 
-constexpr double kDash = 0.18;           // Å: of a line, and the gap behind it
-constexpr double kMostDashes = 60;       // longer lines have longer ones
-constexpr double kLongestArc = 1.0;      // Å, from the corner of an angle
-constexpr double kShareOfArc = 0.4;      // of its shorter side
-constexpr double kLeastCross = 0.12;     // Å: half a line of a marked point
-constexpr double kShareOfCross = 0.006;  // of the diagonal of a large molecule
-constexpr double kBorder = 0.03;         // Å: radius of the lines around a border between cells
+constexpr double kDash = 0.18;           // Å: length of a dash, and of the gap after it
+constexpr double kMostDashes = 60;       // longer lines have longer dashes
+constexpr double kLongestArc = 1.0;      // Å: radius of the arc at an angle
+constexpr double kShareOfArc = 0.4;      // same radius, as a share of the angle's shorter side
+constexpr double kLeastCross = 0.12;     // Å: half the length of a line of a marked point's cross
+constexpr double kShareOfCross = 0.006;  // same length, as a share of the diagonal of a large
+                                         // molecule
+constexpr double kBorder = 0.03;         // Å: radius of the tubes around a border between power
+                                         // cells
 
-// Å. Seen in a picture of the whole, and no larger than it need be.
+// Half the length of a cross' lines (Å): visible in a picture of the whole molecule, and no larger
+// than necessary.
 double half_of_cross(const BallSet& balls) {
   if (balls.size() == 0) return kLeastCross;
   LatticePoint low = balls.centres[0], high = low;
@@ -46,7 +50,8 @@ class Drawing {
     }
     for (std::size_t n = 0; n + 1 < at.size(); ++n) add_dashes(at[n], at[n + 1]);
     if (at.size() == 3) return add_angle(at, text);
-    const std::size_t half = at.size() / 2;  // of the line that a dihedral angle turns about
+    const std::size_t half = at.size() / 2;  // half: middle of the bond that a dihedral angle turns
+                                             // about
     layer_.labels.push_back({0.5 * (at[half - 1] + at[half]), text});
   }
 
@@ -60,7 +65,7 @@ class Drawing {
     } else {
       layer_.lines.push_back({from, to});
     }
-    // Above a point, whatever is upwards; it would hide it.
+    // The text of a point stands beside its cross, since it would hide the cross.
     const RealPoint aside = m.is_point() ? 2.5 * RealPoint{0, cross_, cross_} : RealPoint{};
     if (!m.text.empty()) layer_.labels.push_back({0.5 * (from + to) + aside, m.text});
   }
@@ -77,7 +82,7 @@ class Drawing {
   }
 
  private:
-  // Begins and ends with a dash.
+  // The line begins and ends with a dash.
   void add_dashes(const RealPoint& from, const RealPoint& to) {
     const RealPoint along = to - from;
     const double dashes = std::clamp(std::round(length(along) / (2 * kDash)), 1.0, kMostDashes);
@@ -88,7 +93,7 @@ class Drawing {
     }
   }
 
-  // The number stands on an arc between both sides.
+  // Draws an arc between both sides of the angle, with the number on it.
   void add_angle(const std::vector<RealPoint>& at, const std::string& text) {
     const RealPoint corner = at[1], u = at[0] - corner, v = at[2] - corner;
     const double radius = std::min(kLongestArc, kShareOfArc * std::min(length(u), length(v)));
@@ -117,7 +122,7 @@ std::string measured_text(const Measurement& m, const std::optional<Measured>& o
   if (!of->value) return "undefined";
   if (m.atoms.size() == 2) return number_text(*of->value, 3) + " Å";
   std::string text = number_text(*of->value, 1);
-  if (text == "−180.0") text = "180.0";  // a dihedral angle is above −180°, rounded or not
+  if (text == "−180.0") text = "180.0";  // a dihedral angle is above −180°, so its text is as well
   return text + "°";
 }
 

@@ -1,5 +1,5 @@
 // Labels, distances, angles, marks and the power diagram as a layer, for the window and for saved
-// pictures alike; and what such a number says. No ImGui, no VTK.
+// pictures. Also the texts of measured numbers. No ImGui, no VTK.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace alphascope {
 
-// "3.812 Å", "109.5°", "−57.3°", "undefined"; of none, "not in this molecule".
+// "3.812 Å", "109.5°", "−57.3°", "undefined". Without `of`: "not in this molecule".
 std::string measured_text(const Measurement& m, const std::optional<Measured>& of);
 
 // "Distance A:HIS 87:NE2 – A:HEM 142:FE: 2.143 Å".
@@ -21,14 +21,15 @@ std::string measurement_text(const Molecule& molecule, const Measurement& m);
 struct AnnotatedPicture {
   const BallReferences& atoms;
   std::shared_ptr<const BallSet> balls;  // of the complex in the picture
-  // By index into the molecule's atoms. A measurement is drawn when all of its atoms are.
+  // Whether an atom is drawn, by index into the molecule's atoms. A measurement is drawn if all of
+  // its atoms are.
   std::function<bool(std::size_t)> is_drawn;
-  Colour colour;  // of lines
+  Colour colour;  // of the lines
   std::uint64_t key = 0;
-  // Of the power diagram, with the solvent radius; null: `balls` have it.
+  // Balls of the power diagram, with the solvent radius; null: `balls` have it already.
   std::shared_ptr<const BallSet> grown = nullptr;
 };
-// Null: there is nothing to draw.
+// Null if there is nothing to draw.
 std::shared_ptr<const Layer> make_annotation_layer(const Annotations& annotations,
                                                    const AnnotatedPicture& picture);
 

@@ -1,6 +1,6 @@
-// What panels and commands ask the program to do, as four small interfaces. A call made while a
-// frame is drawn is carried out after it, in the order of calls; of two equal ones the later
-// replaces the earlier. Nothing here blocks: what takes long shows its share done elsewhere.
+// Calls from panels and commands to the program, as four small interfaces. A call made while a
+// frame is drawn is carried out after it, in the order of calls. Of two equal calls the later
+// replaces the earlier. No call blocks: a long job reports its progress elsewhere.
 #pragma once
 
 #include <array>
@@ -23,11 +23,12 @@ class FileCalls {
  public:
   virtual ~FileCalls() = default;
   virtual void open(
-      const std::filesystem::path& file) = 0;  // a molecule, or a session by its ending
+      const std::filesystem::path& file) = 0;  // a molecule, or a session by its name's ending
   virtual void open_session(const std::filesystem::path& file) = 0;
   virtual void save_session(const std::filesystem::path& file) = 0;
-  // The session that waits for an answer (ViewState::session_problem): opened with this molecule in
-  // place of the one that it names, or with the files as they are where the path is empty.
+  // Opens the session that waits for an answer (ViewState::session_problem). It is opened with
+  // `molecule` instead of the molecule that it names. If the path is empty, it is opened with the
+  // files as they are.
   virtual void go_on_with_session(const std::filesystem::path& molecule) = 0;
   virtual void give_session_up() = 0;
   virtual void forget_recent() = 0;
@@ -42,22 +43,23 @@ class ViewCalls {
  public:
   virtual ~ViewCalls() = default;
   virtual void reset() = 0;                                       // shows the whole molecule
-  virtual void zoom(double factor) = 0;                           // how many times as large
-  virtual void look_from(const std::array<double, 3>& side) = 0;  // from the middle to the viewer
-  virtual void look_across(
-      const RealPoint& line) = 0;  // a line; the view turns no more than it must
+  virtual void zoom(double factor) = 0;                           // factor on the size in the view
+  virtual void look_from(const std::array<double, 3>& side) = 0;  // direction from the middle to
+                                                                  // the viewer
+  virtual void look_across(const RealPoint& line) = 0;  // turns the view, as little as possible,
+                                                        // until it looks across this line
   virtual void zoom_to_selection() = 0;
-  virtual void zoom_to(const RefSet& items) = 0;    // they fill the view
-  virtual void centre_on(const RefSet& items) = 0;  // they become its middle, at the same size
-  virtual void save(const std::string& name) = 0;   // in place of a camera of that name
+  virtual void zoom_to(const RefSet& items) = 0;    // the items fill the view
+  virtual void centre_on(const RefSet& items) = 0;  // the items move to the middle at the same size
+  virtual void save(const std::string& name) = 0;   // replaces a camera of that name
   virtual void go_to(const std::string& name) = 0;
-  virtual void open_context_menu() = 0;  // of what is under the mouse
+  virtual void open_context_menu() = 0;  // for the thing under the mouse
 };
 
-// computing: opening, computing and comparing; where nothing of it goes on, saving.
+// computing: opening, computing and comparing; if none of these runs, saving.
 enum class Job : std::uint8_t { computing, comparing, saving, benchmark };
 
-// Work that takes long.
+// Jobs that take long.
 class JobCalls {
  public:
   virtual ~JobCalls() = default;
@@ -66,7 +68,7 @@ class JobCalls {
   virtual void save_table(const SaveTableRequest& request) = 0;
   virtual void export_complex(const ExportRequest& request) = 0;
   virtual void compare() = 0;
-  virtual void compute_anew() = 0;  // set-up included, for its cold time
+  virtual void compute_anew() = 0;  // includes the set-up, to measure its cold time
   virtual void run_benchmark() = 0;
   virtual void export_benchmark() = 0;
   virtual void cancel(Job job) = 0;

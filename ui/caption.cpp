@@ -1,4 +1,4 @@
-// See the header.
+// Words of a caption: one function for each part.
 #include "ui/caption.hpp"
 
 #include <cstdint>
@@ -19,7 +19,8 @@ std::string counts_text(const AlphaComplex& c) {
          counted(c.triangles.size(), "triangle", "triangles") + ", " + tetrahedra;
 }
 
-// All digits that were typed: of a rounded alpha a reader makes another complex.
+// Shows all digits that were typed, because a reader could not reproduce the complex from a rounded
+// alpha.
 std::string alpha_text(const Alpha& alpha) {
   constexpr int kDecimals = 6;
   constexpr std::int64_t kBeyondThem = Alpha::kParts / 1000000;

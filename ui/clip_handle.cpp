@@ -1,4 +1,4 @@
-// See the header.
+// Geometry of the clip's handle: its shape in the picture, and drags of it.
 #include "ui/clip_handle.hpp"
 
 #include <algorithm>
@@ -13,8 +13,9 @@ using Vector = std::array<double, 3>;
 
 constexpr int kRingPoints = 64;
 constexpr double kArrowShare = 0.7;  // of the ring's radius
-// Pixels for each Å along the normal, as a share of those across the line of sight: below, the cut
-// is seen from the front, and its normal has no direction in the picture.
+// Limit on the pixels for each Å along the normal, as a share of those across the line of sight.
+// Below it the cut is seen almost from the front, and its normal has no useful direction in the
+// picture.
 constexpr double kFacing = 0.2;
 
 RealPoint real(const Vector& v) {
@@ -51,7 +52,7 @@ Clip moved(const Clip& clip, const ClipHandle& h, const PicturePoint& by) {
   return result;
 }
 
-// As a ball of the ring's size turns under the hand. Rodrigues' formula.
+// Turns the clip like a ball of the ring's size under the hand, by Rodrigues' formula.
 Clip turned_by(const Clip& clip, const ClipHandle& h, const PicturePoint& by) {
   const double angle = size(by) / std::max(1.0, h.ring_radius);
   const RealPoint axis = unit_vector(by[0] * real(h.view.up) + by[1] * real(h.view.right));

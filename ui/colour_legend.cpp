@@ -1,4 +1,4 @@
-// See the header.
+// Makes legends from the keys of balls and simplices.
 #include "ui/colour_legend.hpp"
 
 #include "ui/rgb8.hpp"

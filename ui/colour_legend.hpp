@@ -1,4 +1,4 @@
-// The legends of a picture: what the colours of its balls and of its simplices mean.
+// The legends of a picture: meanings of the colours of its balls and simplices.
 #pragma once
 
 #include <optional>
@@ -10,25 +10,26 @@
 
 namespace alphascope {
 
-// Of a quantity, `stops`; of categories, and of what has no value, `entries`.
+// A legend of a quantity has `stops`. A legend of categories has `entries`; so has a quantity for
+// objects without a value.
 struct ColourLegend {
   struct Stop {
     Colour colour;
-    double value = 0;  // in the unit that the title says
+    double value = 0;  // in the unit stated in the title
   };
   struct Entry {
     Colour colour;
     std::string name;
   };
   std::string title;        // "alpha value (Å²), square-root scale"
-  std::vector<Stop> stops;  // evenly along the colour map, smallest value first
+  std::vector<Stop> stops;  // evenly spaced on the colour map, smallest value first
   std::vector<Entry> entries = {};
 };
 
 ColourLegend legend_of(const PaintKey& key);
 
-// None of what is not drawn, or drawn in one colour. One legend where both mean the same; where
-// they do not, each says whose it is. Those of the balls come first.
+// Legends of balls and of simplices, in this order. Without a key there is no legend. If both keys
+// are equal there is one legend; otherwise each title begins with "balls: " or "simplices: ".
 std::vector<ColourLegend> legends_of(const std::optional<PaintKey>& balls,
                                      const std::optional<PaintKey>& simplices);
 

@@ -1,4 +1,4 @@
-// See the header.
+// Shortens texts in their middle, at boundaries of UTF-8 characters.
 #include "ui/fitted_text.hpp"
 
 namespace alphascope {

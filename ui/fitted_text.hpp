@@ -1,4 +1,4 @@
-// Texts that are too long for their place. Pure text.
+// Shortens texts that are too long for their place. Pure text.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,8 @@ namespace alphascope {
 
 using TextWidth = std::function<float(const std::string&)>;
 
-// The text, or as much of its beginning and end as fits, with "…" between.
+// Returns the text if it fits. Otherwise it keeps as much of beginning and end as fits, with "…"
+// between.
 std::string fitted_text(const std::string& text, float width, const TextWidth& width_of);
 
 }  // namespace alphascope

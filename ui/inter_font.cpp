@@ -1,5 +1,4 @@
-// See the header. The assembler takes the files in as they are; as C++ arrays they took seconds to
-// compile.
+// Includes the font files through the assembler. As C++ arrays they took seconds to compile.
 #include "ui/inter_font.hpp"
 
 #define ALPHASCOPE_BYTES_OF(name, file)                       \

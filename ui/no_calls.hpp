@@ -1,4 +1,4 @@
-// Calls that nobody carries out: for lists of commands that are only printed.
+// Calls without any effect, for lists of commands that are only printed.
 #pragma once
 
 #include "ui/calls.hpp"

@@ -1,4 +1,4 @@
-// See the header.
+// Formats numbers with a fixed number of decimals, shortens them, and replaces minus signs.
 #include "ui/number_text.hpp"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace alphascope {
 
 std::string number_text(double value, int decimals) {
-  constexpr double kLongest = 1e9;  // beyond, digits are counted, not read
+  constexpr double kLongest = 1e9;  // beyond this, nobody reads single digits
   if (std::fabs(value) < kLongest) return readable_number(fixed_digits(value, decimals));
   char text[64];
   std::snprintf(text, sizeof text, "%.4g", value);

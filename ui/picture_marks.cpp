@@ -1,4 +1,4 @@
-// See the header.
+// Lays out legends, labels, scale bar and caption, in pixels.
 #include "ui/picture_marks.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ bool fits(const float (&room)[2], float width, float height, float unit) {
   return width >= room[0] * unit && height >= room[1] * unit;
 }
 
-// Of a value along the legend's bar, 0 to 1. Values ascend with the stops.
+// Position of a value along the legend's bar, 0 to 1. Values must ascend with the stops.
 float share_of(const std::vector<ColourLegend::Stop>& stops, double value) {
   std::size_t i = 1;
   while (i + 1 < stops.size() && stops[i].value < value) ++i;
@@ -36,21 +36,21 @@ float share_of(const std::vector<ColourLegend::Stop>& stops, double value) {
 }
 
 struct Tick {
-  float x = 0;     // of the tick, from the bar's left
+  float x = 0;     // position of the tick, from the bar's left end
   float text = 0;  // left end of its number
   std::string number;
 };
 
-// With `step` between them.
+// Ticks at multiples of `step`.
 std::vector<Tick> ticks_at(const ColourLegend& legend, double step, float width,
                            const MarkType& type) {
-  constexpr int kDecimals = 9;  // of multiples of a step, which has one digit
+  constexpr int kDecimals = 9;  // for multiples of a step with one digit
   std::vector<Tick> ticks;
   const ColourRange range{legend.stops.front().value, legend.stops.back().value};
   for (const double value : round_values(range, step)) {
     Tick tick{width * share_of(legend.stops, value), 0, short_number_text(value, kDecimals)};
     const float length = type.text_width(tick.number);
-    // Those at the bar's ends stick out a little, but not out of the margin.
+    // Numbers at the bar's ends may extend beyond it by kStickOut, but not beyond the margin.
     const float out = kStickOut * type.unit;
     tick.text = std::clamp(tick.x - length / 2, -out, std::max(-out, width + out - length));
     ticks.push_back(std::move(tick));
@@ -58,7 +58,8 @@ std::vector<Tick> ticks_at(const ColourLegend& legend, double step, float width,
   return ticks;
 }
 
-// As many round numbers as stand apart; of a range without two of them, its ends.
+// Ticks at as many round numbers as fit without touching. If fewer than two fit, ticks are at the
+// ends of the range.
 std::vector<Tick> ticks_of(const ColourLegend& legend, float width, const MarkType& type) {
   const double low = legend.stops.front().value, high = legend.stops.back().value;
   constexpr int kMost = 9;
@@ -77,7 +78,7 @@ std::vector<Tick> ticks_of(const ColourLegend& legend, float width, const MarkTy
   return {{0, 0, first}, {width, std::max(0.0f, width - type.text_width(last)), last}};
 }
 
-// Returns where the bar begins whose numbers end at `bottom`.
+// Returns the top of the bar whose numbers end at `bottom`.
 float lay_out_bar(const ColourLegend& legend, float bottom, const MarkType& type,
                   LegendLayout& layout) {
   const float u = type.unit, left = kMargin * u;
@@ -93,7 +94,7 @@ float lay_out_bar(const ColourLegend& legend, float bottom, const MarkType& type
   return top;
 }
 
-// Patches and names in rows from (0, 0); false when these are more than there may be.
+// Places patches and names in rows from (0, 0). Returns false if these are more than kMostRows.
 bool lay_out_rows(const std::vector<ColourLegend::Entry>& entries, std::size_t shown, float width,
                   const MarkType& type, LegendLayout& rows) {
   const float u = type.unit, patch = kPatch * u, line = type.line_height + kRowGap * u;
@@ -117,7 +118,7 @@ bool lay_out_rows(const std::vector<ColourLegend::Entry>& entries, std::size_t s
   return y < kMostRows * line - line / 2;
 }
 
-// Returns where the rows begin that end at `bottom`.
+// Returns the top of the rows that end at `bottom`.
 float lay_out_entries(const ColourLegend& legend, float bottom, float width, const MarkType& type,
                       LegendLayout& layout) {
   const float u = type.unit;
@@ -150,7 +151,8 @@ MarkBox shifted(MarkBox box, float down) {
   return box;
 }
 
-// The nearest of a few heights at which the box covers no other.
+// The nearest position, moved by a few heights of the box at most, at which the box covers no
+// other.
 std::optional<MarkBox> free_place(const MarkBox& box, const std::vector<MarkBox>& others,
                                   float height) {
   constexpr int kMostSteps = 4;
@@ -196,7 +198,7 @@ std::vector<LegendLayout> lay_out_legends(const std::vector<ColourLegend>& legen
   for (auto legend = legends.rbegin(); legend != legends.rend(); ++legend) {
     auto layout = lay_out_legend(*legend, width, height, type);
     if (!layout) break;
-    // The next one's margin is from this one's title.
+    // The next legend's margin counts from the title of this one.
     height = layout->whole.y0 + (kMargin - kTickGap - kLegendGap) * type.unit;
     layouts.insert(layouts.begin(), *std::move(layout));
   }
@@ -212,7 +214,7 @@ LabelLayout lay_out_labels(const std::vector<PictureLabel>& labels, float width,
     const bool inside = label.x >= 0 && label.x <= width && label.y >= 0 && label.y <= height;
     if (!inside || label.text.empty()) continue;
     const float half = type.text_width(label.text) / 2 + rim, up = type.line_height / 2 + rim;
-    // Words near an edge are moved into the picture, if it is wide enough for them.
+    // Texts near an edge are moved into the picture, if it is wide enough for them.
     const float x = std::max(half, std::min(label.x, width - half));
     const float y = std::max(up, std::min(label.y, height - up));
     const auto place = free_place({x - half, y - up, x + half, y + up}, taken, height);

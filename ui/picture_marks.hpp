@@ -1,6 +1,5 @@
-// What lies over a picture so that it can be read: the legend of its colours, the scale bar and
-// words at places, laid out for whatever can draw boxes and texts. The same in the window and in
-// saved pictures; knows neither ImGui nor VTK.
+// Marks over a picture: the legend of its colours, the scale bar, the caption and labels. They are
+// laid out as boxes and texts, for the window and for saved pictures alike. Neither ImGui nor VTK.
 #pragma once
 
 #include <array>
@@ -24,14 +23,14 @@ struct MarkText {
 };
 
 struct MarkType {
-  float unit = 1;          // pixels of the picture that are one at scale 1
+  float unit = 1;          // pixels of the picture for each pixel at scale 1
   float line_height = 14;  // pixels
   TextWidth text_width;
 };
 
-// At the bottom left. Of a quantity: its name and unit above a bar of the colours, and below that
-// round values at ticks. Of categories, and of what has no value: a patch of colour before each
-// name, in a few rows; those that find no room there are counted.
+// A legend at the bottom left. For a quantity it has name and unit above a bar of the colours, and
+// round values at ticks below. For categories it has a patch of colour before each name, in a few
+// rows; names without room are counted. Objects without a value have a patch and a name as well.
 struct LegendLayout {
   struct Patch {
     MarkBox box;
@@ -43,51 +42,51 @@ struct LegendLayout {
   std::vector<Patch> patches;
   MarkBox whole;
 };
-// None when the picture is smaller than kLegendRoom, or there are no colours.
+// None if the picture is smaller than kLegendRoom, or if there are no colours.
 inline constexpr float kLegendRoom[2] = {420, 90};  // width and height at scale 1
 std::optional<LegendLayout> lay_out_legend(const ColourLegend& legend, float width, float height,
                                            const MarkType& type);
-// One above the other, the last one lowest; those that have no room are left out.
+// Legends above one another, the last one lowest. Legends without room are left out.
 std::vector<LegendLayout> lay_out_legends(const std::vector<ColourLegend>& legends, float width,
                                           float height, const MarkType& type);
 
-// Words around a place of the picture.
+// Text around a point of the picture.
 struct PictureLabel {
-  float x = 0, y = 0;  // pixels, of the middle of the words
+  float x = 0, y = 0;  // pixels, of the middle of the text
   std::string text;
 };
-// Those whose place is in the picture, as they come: the first stay where they are, later ones make
-// way upwards or downwards by a few lines. What finds no room there is left out: words on words can
-// not be read.
+// Labels whose points are in the picture. In the given order each is moved up or down by a few
+// lines, until it covers no earlier one. Labels without room are left out, because overlapping text
+// cannot be read.
 struct LabelLayout {
   std::vector<MarkText> texts;
   std::size_t left_out = 0;
 };
 LabelLayout lay_out_labels(const std::vector<PictureLabel>& labels, float width, float height,
                            const MarkType& type);
-// "3 labels have no room here: zoom in"; empty for none.
+// "3 labels have no room here: zoom in"; empty for 0.
 std::string left_out_text(std::size_t labels);
-// Pixels at scale 1 by which an outline in the background's colour surrounds marks.
+// Pixels at scale 1 by which marks have an outline in the background's colour.
 inline constexpr float kMarkOutline = 2;
 
-// At the bottom right: a round length of 52 to 130 pixels at scale 1.
+// A scale bar at the bottom right: a round length of 52 to 130 pixels at scale 1.
 struct ScaleBarLayout {
-  std::array<MarkBox, 3> lines;  // the length, and its ends
+  std::array<MarkBox, 3> lines;  // the length, and a line at each end
   MarkText text;                 // "10 Å"
   double angstrom = 0;
 };
-// None when the picture is smaller than kScaleBarRoom, or nothing has a size.
+// None if the picture is smaller than kScaleBarRoom, or if `angstrom_per_pixel` is not positive.
 inline constexpr float kScaleBarRoom[2] = {180, 60};
 std::optional<ScaleBarLayout> lay_out_scale_bar(double angstrom_per_pixel, float width,
                                                 float height, const MarkType& type);
 
-// At the top left: the words of a caption (ui/caption.hpp), as many on a line as fit. Words that
-// are longer than a line are cut in their middle.
+// A caption at the top left: words (ui/caption.hpp), as many on a line as fit. Words longer than a
+// line are shortened in their middle.
 struct CaptionLayout {
   std::vector<MarkText> lines;
 };
-// None when the picture is smaller than kCaptionRoom, when the lines would take more than half of
-// its height, or when there are no words.
+// None if the picture is smaller than kCaptionRoom, if the lines would take more than half of its
+// height, or if there are no words.
 inline constexpr float kCaptionRoom[2] = {180, 60};
 std::optional<CaptionLayout> lay_out_caption(const std::vector<std::string>& words, float width,
                                              float height, const MarkType& type);

@@ -1,4 +1,4 @@
-// Colours of the core as those of window and pictures, and back.
+// Converts colours between Rgb8 (core) and Colour (window and pictures).
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The two palettes. Text colours were checked against WCAG 2.1: at least 4.5 : 1 on their panel.
+// The two palettes. Text colours have at least the contrast 4.5 : 1 of WCAG 2.1 on their panel.
 #include "ui/theme.hpp"
 
 namespace alphascope {

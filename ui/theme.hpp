@@ -1,5 +1,5 @@
-// The colours of the window, dark and light, for panels and scene alike. Knows neither ImGui nor
-// VTK; each turns a Colour into its own type.
+// Colours of the window, dark and light, for panels and scene. Knows neither ImGui nor VTK; each
+// converts a Colour into its own type.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ struct Palette {
   Colour success_fill, warning_fill, error_fill;  // behind that text, as a badge
   Colour scene;                                   // background of the 3-D view
   Colour complex_single;                          // simplices in one colour
-  Colour selected;                                // what is selected in the picture
-  // Stages of our engine, of CGAL, and the share of either that is paid once per molecule.
+  Colour selected;                                // selected objects in the picture
+  // Bars of the stages of our engine and of CGAL, and of the set-up of both.
   Colour bar_ours, bar_cgal, bar_ours_setup, bar_cgal_setup;
 };
 

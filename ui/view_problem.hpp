@@ -1,4 +1,4 @@
-// What makes a view useless although there is something to see.
+// Reasons why a view shows nothing useful although there are balls.
 #pragma once
 
 #include <cstdint>

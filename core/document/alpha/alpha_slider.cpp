@@ -1,4 +1,4 @@
-// See the header.
+// Scales of the slider and steps of playback, and ranges and histograms from a signature.
 #include "core/document/alpha/alpha_slider.hpp"
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 namespace alphascope {
 namespace {
 
-constexpr double kLinearWithin = 0.01;  // Å², of the logarithm
-constexpr double kPictures = 260;  // in which playing crosses the slider: 0.05 Å² each at first
+constexpr double kLinearWithin = 0.01;  // Å²; the logarithm is linear below
+constexpr double kPictures = 260;  // number of pictures in which playback crosses the slider: 0.05
+                                   // Å² each for the default range
 
 double scaled(AlphaScaling scaling, double alpha) {
   const double size = std::fabs(alpha);
@@ -39,7 +40,7 @@ double unscaled(AlphaScaling scaling, double value) {
   return value;
 }
 
-// Without rounding, and beyond the ends as well.
+// Alpha (Å²) at a position on the slider, without rounding; positions beyond the ends are allowed.
 double exact_alpha(const AlphaSlider& s, double place) {
   const double low = scaled(s.scaling, s.low), high = scaled(s.scaling, s.high);
   return unscaled(s.scaling, low + place * (high - low));
@@ -58,7 +59,7 @@ double alpha_at_place(const AlphaSlider& s, double place, double step) {
   const double alpha = exact_alpha(s, place);
   const double apart = std::fabs(exact_alpha(s, place + step) - alpha);
   const double digits = std::clamp(-std::floor(std::log10(apart)), -12.0, 6.0);
-  const double units = std::pow(10.0, digits);  // a division by it is the nearest decimal number
+  const double units = std::pow(10.0, digits);  // dividing by it gives the nearest decimal number
   const double rounded = std::round(alpha * units) / units;
   return std::clamp(rounded == 0 ? 0 : rounded, s.low, s.high);
 }
@@ -67,12 +68,12 @@ NextAlpha next_alpha(const AlphaSlider& s, double alpha, bool backwards) {
   const double end = backwards ? s.low : s.high, start = backwards ? s.high : s.low;
   const bool over = backwards ? alpha <= end : alpha >= end;
   if (over) return {s.loop ? start : alpha, !s.loop};
-  // From outside of the slider to its nearer end.
+  // An alpha outside the slider goes to the nearer end.
   if (backwards ? alpha > start : alpha < start) return {start, false};
   const double step = s.speed / kPictures;
   const double place = place_of_alpha(s, alpha) + (backwards ? -step : step);
   double next = std::clamp(alpha_at_place(s, place, step / 10), s.low, s.high);
-  // Near 0 of a root, rounding must not hold it where it is.
+  // Near 0 of the root scale, rounding must not stop the playback.
   if (next == alpha) next = exact_alpha(s, place);
   return {next, false};
 }

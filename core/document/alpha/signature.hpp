@@ -1,5 +1,5 @@
-// The signature of a molecule: how many simplices of each dimension the alpha complex has, and its
-// Euler number, as functions of alpha. Made of the filtration, for all alphas at once.
+// The signature of a molecule: numbers of simplices of each dimension, and the Euler number, as
+// functions of alpha. It is made from the filtration, for all alphas at once.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace alphascope {
 
 struct Signature {
   Lattice lattice;
-  // Of the simplices of dimension 0 to 3: their alpha values, ascending, in square lattice units.
+  // Alpha values of the simplices of dimension 0 to 3, ascending, in square lattice units.
   std::array<std::vector<float>, 4> values;
 
-  // How many simplices of one dimension have an alpha value of at most `alpha` (Å²). Alpha values
-  // are rounded to floats here: of simplices within that rounding of alpha, the count is not
-  // certain. The complex itself decides them exactly.
+  // Number of simplices of one dimension with an alpha value of at most `alpha` (Å²). Alpha values
+  // are rounded to floats here. So simplices within that rounding of alpha may be counted wrongly;
+  // the complex itself decides them exactly.
   std::size_t count(int dimension, double alpha) const {
     const std::vector<float>& v = values[static_cast<std::size_t>(dimension)];
     const auto limit = lattice.alpha_on_lattice(alpha).nearest_float();
@@ -32,7 +32,7 @@ struct Signature {
     }
     return number;
   }
-  // The alpha (Å²) from which on there is anything.
+  // The least alpha (Å²) with a nonempty complex; 0 without balls.
   double least_alpha() const {
     return values[0].empty() ? 0 : lattice.square_angstrom(values[0].front());
   }

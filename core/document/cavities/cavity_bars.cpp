@@ -1,4 +1,4 @@
-// See the header.
+// Sorts lives of cavities by length, and writes them as text and CSV.
 #include "core/document/cavities/cavity_bars.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ CsvRow csv_row(const CavityBar& bar, const std::string& name) {
 
 CavityBars longest_bars(const CavityLives& lives, const Lattice& lattice, double from_angstrom2,
                         std::size_t most) {
-  // Only what is kept is converted: there may be hundreds of thousands.
+  // Only bars that are kept are converted; there may be hundreds of thousands.
   struct Length {
     double square_units;
     std::size_t life;

@@ -1,5 +1,6 @@
-// When each cavity is there, for all alphas at once, as bars to draw and as a table. Of voids these
-// are the bars of persistent homology in dimension 2; before a void there may be its pocket.
+// Bars of cavities for all alphas at once: from birth to filling, for drawing and as a table. For
+// voids they are the bars of persistent homology in dimension 2. A void's bar may begin as a
+// pocket.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +13,10 @@
 
 namespace alphascope {
 
-// CavityLife in Å²: a pocket from `born` on, a void from `closed` on (where that is before `gone`),
-// filled at `gone`. born <= closed.
+// A CavityLife in Å²: a pocket from `born` on, a void from `closed` on if closed < gone, filled at
+// `gone`. born <= closed.
 struct CavityBar {
-  std::uint32_t sink = 0;     // its deepest one, a tetrahedron of the triangulation
+  std::uint32_t sink = 0;     // the deepest sink, a tetrahedron of the triangulation
   double born_angstrom2 = 0;  // may be minus infinity
   double closed_angstrom2 = 0, gone_angstrom2 = 0;
 
@@ -26,23 +27,24 @@ struct CavityBar {
 };
 
 struct CavityBars {
-  std::vector<CavityBar> longest;  // the longest first
-  std::size_t all = 0;             // how many there are
+  std::vector<CavityBar> longest;  // longest first
+  std::size_t all = 0;             // number of all bars
 };
 
-// Only what is after `from_angstrom2` counts.
+// The `most` longest bars. Lengths count from `from_angstrom2` on.
 CavityBars longest_bars(const CavityLives& lives, const Lattice& lattice, double from_angstrom2,
                         std::size_t most);
 
-// An alpha at which the cavity is there: the middle of what is after `from_angstrom2`, rounded to
-// hundredths where that is still within.
+// An alpha (Å²) at which the cavity exists: the middle of its bar after `from_angstrom2`. It is
+// rounded to hundredths if the result is still inside the bar.
 double alpha_within(const CavityBar& bar, double from_angstrom2);
 
 // "a pocket from −0.52 Å², a void from 1.20 Å², filled at 4.85 Å²".
 std::string bar_text(const CavityBar& bar);
 
-// Lines of commas: the three alphas (empty: at every smaller one, or never) and the name of each,
-// which is the atoms of its deepest sink. `comments` stand above, with "# " before each.
+// A CSV table: three alphas and a name for each bar. An alpha is empty if it is minus infinity, or
+// if the cavity never closes. The name is the atoms of the deepest sink. `comments` come first,
+// each after "# ".
 std::string bars_csv(const std::vector<CavityBar>& bars, const Triangulation& triangulation,
                      const BallReferences& references, const std::vector<std::string>& comments);
 

@@ -1,4 +1,4 @@
-// See the header.
+// Makes charts of cavity curves, finds splits and joins on them, and writes them as CSV.
 #include "core/document/cavities/cavity_chart.hpp"
 
 #include <optional>
@@ -40,7 +40,7 @@ const char* unit_of(CurveAxis axis) {
   return axis == CurveAxis::alpha ? " Å²" : axis == CurveAxis::solvent ? " Å" : "";
 }
 
-// What happens to one cavity from sample to sample.
+// Finds the samples at which a cavity splits, joins others, begins or ends.
 class Marks {
  public:
   Marks(const CavityCurves& curves, const std::vector<std::uint32_t>& line, std::size_t series,

@@ -1,4 +1,4 @@
-// Curves of cavities as a chart: what the window plots, and what a table of them says.
+// Curves of cavities as a chart, for the window's plot and for tables.
 #pragma once
 
 #include <cstdint>
@@ -10,41 +10,41 @@
 
 namespace alphascope {
 
-// SA volume, Å³; SA area, Å²; exact volume, Å³, of curves that have it.
+// SA volume (Å³), SA area (Å²), exact volume (Å³; only on curves that have it).
 enum class CurveQuantity { volume, area, exact_volume };
 CurveNumbers numbers_for(CurveQuantity quantity);
 
-// A cavity of a table to be plotted.
+// A cavity of the table that is plotted.
 struct ChartedCavity {
-  std::uint32_t cavity = 0;  // of found.cavities
+  std::uint32_t cavity = 0;  // index in found.cavities
   std::string name;          // "pocket 4"
 };
 
-// Where a cavity splits, or is joined with another one.
+// A sample at which a cavity splits, or is joined with another.
 struct CurveMark {
   std::size_t series = 0, sample = 0;
   std::string text;  // "Between 1.3 and 1.4 Å it splits into 3 cavities."
 };
 
 struct CavityChart {
-  Chart chart;  // lines; a gap where the cavity is not there
+  Chart chart;  // lines; a gap where the cavity does not exist
   std::vector<CurveMark> marks;
 };
 
-// With unit: "SA volume (Å³)", "solvent radius (Å)".
+// Labels with units: "SA volume (Å³)", "solvent radius (Å)".
 std::string quantity_label(CurveQuantity quantity);
 std::string axis_label(CurveAxis axis);
-// A place on an axis, without unit: "1.4"; a model's number, counted from 1.
+// A position on the axis, without unit: "1.4"; for models the number, counted from 1.
 std::string axis_text(CurveAxis axis, double at);
 
-// Of each chosen cavity, where `links` says that it is on the curves.
+// A series for each chosen cavity, at the samples where `links` identifies it.
 CavityChart chart_of_cavities(const CavityCurves& curves, CurveQuantity quantity,
                               const CurveLinks& links, const std::vector<ChartedCavity>& chosen);
-// All voids together, and all pockets.
+// Sums over all voids, and over all pockets.
 CavityChart chart_of_totals(const CavityCurves& curves, CurveQuantity quantity);
 
-// Lines of commas: x, then each series; nothing in a gap. All digits. `comments` stand above, with
-// "# " before each.
+// A CSV table with all digits: x, then each series; empty in a gap. `comments` come first, each
+// after "# ".
 std::string chart_csv(const Chart& chart, const std::vector<std::string>& comments);
 
 }  // namespace alphascope

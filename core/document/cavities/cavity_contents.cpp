@@ -1,4 +1,4 @@
-// See the header.
+// Assigns left-out atoms to cavities, residue by residue.
 #include "core/document/cavities/cavity_contents.hpp"
 
 #include <algorithm>
@@ -26,8 +26,9 @@ std::vector<std::uint32_t> cavities_of_left_out(const BallReferences& atoms,
   return cavities_at(table, places, cancel);
 }
 
-// The left out atoms of one residue, as [begin, end) of the list. Files that run out of numbers
-// give many waters the same one: the next begins where the first atom's name comes again.
+// Calls use(begin, end) for the left-out atoms of each residue; hydrogens of the body are skipped.
+// Files that run out of numbers give many waters the same one. So a new residue begins where the
+// first atom's name comes again.
 template <class Use>
 void for_residues(const BallReferences& atoms, const Use& use) {
   const std::vector<LeftOutAtom>& out = atoms.prepared().left_out;
@@ -47,7 +48,7 @@ HeldResidue held_residue(const LeftOutAtom* begin, const LeftOutAtom* end,
                          const std::uint32_t* cavities, const std::vector<std::size_t>& row_of) {
   HeldResidue residue{begin->atom, begin->reason, Cavities::kNone,
                       static_cast<std::uint32_t>(end - begin), 0};
-  std::map<std::size_t, std::uint32_t> count;  // by rows: the larger volume first
+  std::map<std::size_t, std::uint32_t> count;  // keys are rows, which begin with the largest volume
   for (std::size_t n = 0; n < residue.atoms; ++n) {
     if (cavities[n] == Cavities::kNone) continue;
     ++count[row_of[cavities[n]]];

@@ -1,4 +1,4 @@
-// See the header.
+// Samples of the curves, their memory and keys, and balls of other models.
 #include "core/document/cavities/cavity_curve_results.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kAlphaHigh = 10;  // Å²
 
-// The larger the triangulation, the fewer samples: each takes about 0.4 microseconds a tetrahedron,
-// with exact volumes up to 20.
+// Large triangulations get fewer samples. A sample takes about 0.4 microseconds for each
+// tetrahedron, with exact volumes up to 20 times as much.
 std::vector<double> alpha_samples(const CavityGround& ground, CurveNumbers numbers) {
   const bool exact = numbers == CurveNumbers::exact;
   const std::size_t tetrahedra = ground.triangulation->tetrahedra.size();
@@ -30,7 +30,8 @@ std::vector<double> alpha_samples(const CavityGround& ground, CurveNumbers numbe
        k <= static_cast<int>(kAlphaHigh) * per_square_angstrom; ++k) {
     samples.push_back(static_cast<double>(k) / per_square_angstrom);
   }
-  constexpr std::size_t kMost = 1000;  // sinks of flat balls are as far away as a float can say
+  constexpr std::size_t kMost = 1000;  // sinks of flat balls may have alpha values near the largest
+                                       // float
   while (samples.back() < last && samples.size() < kMost) {
     samples.push_back(std::round(samples.back() * kGrowth * 100) / 100);
   }
@@ -47,7 +48,7 @@ std::vector<double> solvent_samples() {
   return radii;
 }
 
-// About 7 tetrahedra a ball. Of 51 samples of 4HHB 2.2 bytes a tetrahedron are kept on average.
+// Assumes 7 tetrahedra a ball. For 51 samples of 4HHB, 2.2 bytes a tetrahedron are kept on average.
 MemoryNeed curve_memory(std::size_t balls, std::size_t samples, bool regions) {
   const std::uint64_t tetrahedra = 7 * std::uint64_t{balls};
   constexpr std::uint64_t kTable = 700;  // bytes a tetrahedron: two triangulations and tables

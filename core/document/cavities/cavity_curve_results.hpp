@@ -8,31 +8,34 @@
 
 namespace alphascope {
 
-// Where curves against alpha begin, Å².
+// First sample of curves against alpha, Å².
 inline constexpr double kCurveAlphaLeastAngstrom2 = -3;
-// Of the balls on screen, whatever alpha is: from there to 10 Å² as the slider of alpha, and on in
-// growing steps until the last cavity is filled. With exact volumes there are fewer samples.
+// Curves against alpha for the balls on screen; the present alpha does not matter. Samples go to 10
+// Å² in even steps, like the alpha slider, and on in growing steps until the last cavity is filled.
+// With exact volumes there are fewer samples.
 const Definition<CavityCurves>& curves_over_alpha(CurveNumbers numbers = CurveNumbers::sums);
 
-// Of the atoms on screen at their alpha, whatever the solvent radius is: from 0 to 5 Å.
+// Curves against the solvent radius (0 to 5 Å) for the atoms on screen, at the present alpha.
 const Definition<CavityCurves>& curves_over_solvent(CurveNumbers numbers = CurveNumbers::sums);
 inline constexpr double kCurveSolventStepAngstrom = 0.1, kCurveSolventMostAngstrom = 5;
 
-// Of the atoms on screen in every model, at their alpha and solvent radius, whichever model is on
-// screen.
+// Curves over all models for the atoms on screen, at the present alpha and solvent radius. They are
+// the same whichever model is on screen.
 const Definition<CavityCurves>& curves_over_models(CurveNumbers numbers = CurveNumbers::sums);
-// Why there can be none, as a sentence; empty: there can.
+// The reason why there is no model curve, as a sentence; empty if there is one.
 std::string why_no_model_curve(const Inputs& inputs);
-// The index of the model on screen; there must be a model curve.
+// Index of the model on screen. Requires that there is a model curve.
 std::size_t shown_model(const BallReferences& atoms);
 
-// The balls of another model, without solvent radius: those of the atoms at the same places in it,
-// with the radii of the atoms on screen. Null where the atoms there have other names.
+// Balls of another model, without solvent radius: the same atoms at their positions in that model,
+// with the radii of the atoms on screen. Null if atoms of that model have other names or other
+// positions in the list.
 std::shared_ptr<const BallSet> balls_in_model(const BallReferences& atoms, std::size_t model);
-// Another number for other atoms or radii, and the same in each model.
+// A number that depends on atoms and radii, and is the same for each model. 0 if there is no model
+// curve.
 std::uint64_t key_of_frames(const BallReferences& atoms);
 
-// Where the cavities on screen are on those curves. Of each curve another number in `curve`.
+// Identifies the cavities on screen on a curve. `curve` must differ between curves.
 Definition<CurveLinks> curve_links(std::shared_ptr<const CavityCurves> curves, const Key& curve);
 
 }  // namespace alphascope

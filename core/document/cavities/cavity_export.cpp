@@ -1,4 +1,4 @@
-// See the header.
+// Writes surfaces, spheres and scripts of cavities.
 #include "core/document/cavities/cavity_export.hpp"
 
 #include <array>
@@ -111,7 +111,7 @@ Definition<FileWriter> cavity_export(const ShapeExportInfo& format, const Cavity
                       const Inputs& in) { return key_of_written(in, rows, *prepared); },
            .memory =
                [](const Inputs&) {
-                 return MemoryNeed{0, 0};  // the table's, which is there
+                 return MemoryNeed{0, 0};  // uses the table, which exists already
                },
            .keep_stale = false},
           [rows, source, format = format.format](const Inputs& in, const RunContext&) {

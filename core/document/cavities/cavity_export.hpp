@@ -1,5 +1,5 @@
-// What can be written of cavities for other programs: surfaces, spheres that fill them, scripts.
-// The same for window and command line.
+// Exports of cavities for other programs: surfaces, spheres that fill them, scripts. Window and
+// command line both use them.
 #pragma once
 
 #include <span>
@@ -14,26 +14,26 @@ namespace alphascope {
 
 std::span<const ShapeExportInfo> cavity_exports();
 
-// Of the rows of the facts, in their order. `header`: printable; where it comes from.
+// Exports the rows of `facts`, in their order. `header` states their provenance in printable text.
 struct CavityExportSource {
   const CavityFacts& facts;
   ShapeHeader header;
 };
 
-// A mesh for each cavity, in its colour. `glb`: else a PLY file. Does not commit. Throws
-// WriteError.
+// Writes a mesh for each cavity, in its colour, as GLB if `glb` is true, otherwise as PLY. Does not
+// commit. Throws WriteError.
 void write_cavity_surfaces(const CavityExportSource& source, bool glb, AtomicFile& file);
-// As atoms of a PQR file. In the caller's task arena. Does not commit. Throws WriteError,
-// Cancelled.
+// Writes spheres as atoms of a PQR file. Uses the caller's task arena. Does not commit. Throws
+// WriteError and Cancelled.
 void write_cavity_spheres(const CavityExportSource& source, AtomicFile& file,
                           const CancelToken& cancel);
 
-// `format`: chimerax or pymol. Throws std::invalid_argument, a sentence, for a name that ChimeraX
-// cannot read.
+// A script for ChimeraX or PyMOL, by `format`. Throws std::invalid_argument with a sentence if
+// ChimeraX cannot read a file's name.
 std::string cavity_script(const CavityExportSource& source, ShapeExport format,
                           const ShapeScriptFiles& files);
 
-// Of the table on screen. Not without Inputs::atoms, which are those of `source`.
+// Writes the table on screen. Requires Inputs::atoms, which must be those of `source`.
 Definition<FileWriter> cavity_export(const ShapeExportInfo& format, const CavityRowsWanted& rows,
                                      const RecordSource& source);
 

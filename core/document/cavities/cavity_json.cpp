@@ -1,4 +1,4 @@
-// See the header.
+// Converts CavityFacts into JSON.
 #include "core/document/cavities/cavity_json.hpp"
 
 #include "core/selection/atom_address.hpp"
@@ -41,7 +41,7 @@ Json residues_json(const CavityFacts& facts, std::size_t row) {
   return residues;
 }
 
-// Null where it is not known, or is no network.
+// Null if the end is unknown, or if the cavity is not a network.
 Json falls_apart_json(const NetworkEnd* end) {
   if (!end) return {};
   Json json{{"alpha_angstrom2", nullptr},
@@ -62,7 +62,7 @@ Json falls_apart_json(const NetworkEnd* end) {
   return json;
 }
 
-// Those that are listed as their parts.
+// The networks that are listed as their parts.
 Json split_networks_json(const CavityTable& table) {
   Json networks = Json::array();
   for (std::size_t n = 0; n < table.found.networks.size(); ++n) {
@@ -76,7 +76,7 @@ Json split_networks_json(const CavityTable& table) {
   return networks;
 }
 
-// A number that is none is null in JSON.
+// Numbers that do not exist are null in JSON.
 Json cavity_json(const CavityFacts& facts, std::size_t row) {
   const Cavity& cavity = facts.table().cavity(row);
   const CavityMeasures& m = facts.table().measure(row);

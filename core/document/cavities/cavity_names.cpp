@@ -1,4 +1,5 @@
-// See the header.
+// Names cavities by their sinks, collects lining residues, and writes sentences on mouths and
+// networks.
 #include "core/document/cavities/cavity_names.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ std::size_t atom_of(const BallReferences& references, BallIndex ball) {
   return references.prepared().atom_of_ball.at(ball);
 }
 
-// use(atom, ball, whether another residue begins) for each of these.
+// Calls use(atom, ball, begins_residue) for each ball of the lining.
 template <class Use>
 void for_lining(const BallReferences& references, std::span<const BallIndex> lining,
                 const Use& use) {
@@ -70,7 +71,7 @@ std::vector<LiningResidue> residues_of_lining(const BallReferences& references,
 LiningCounts lining_counts(const BallReferences& references, const CavityTable& table,
                            std::size_t row) {
   const std::vector<Atom>& atoms = references.molecule().atoms;
-  std::vector<std::pair<NameId, std::size_t>> chains;  // and its residues
+  std::vector<std::pair<NameId, std::size_t>> chains;  // chains with their numbers of residues
   LiningCounts counts;
   for_lining(references, table.measure(row).lining, [&](std::size_t atom, BallIndex, bool next) {
     if (!next) return;

@@ -1,4 +1,4 @@
-// Cavities in the words of the molecule: what a cavity is called, and which residues line it.
+// Names of cavities, and the residues that line them.
 #pragma once
 
 #include <span>
@@ -11,43 +11,43 @@
 
 namespace alphascope {
 
-// `references` are of the same balls without solvent radius, which have the same indices.
+// `references` refer to the same balls without solvent radius, which have the same indices.
 
-// The four atoms of the deepest sink, "A:LEU 24:CD1 A:ILE 50:O …". It stays while alpha moves and
-// does not depend on the order of the table, so a paper can use it.
+// The four atoms of the deepest sink, "A:LEU 24:CD1 A:ILE 50:O …". The name does not change with
+// alpha or with the order of the table, so a paper can use it.
 std::string cavity_name(const BallReferences& references, const CavityTable& table,
                         std::size_t row);
-// The same of the balls of a sink.
+// The name of a cavity with this sink.
 std::string sink_name(const BallReferences& references, std::span<const BallIndex> sink);
-// The same as a reference.
+// The deepest sink as a reference.
 SimplexRef cavity_sink(const BallReferences& references, const CavityTable& table, std::size_t row);
 
 struct LiningResidue {
   std::string address;           // "A:HIS 87"
-  std::vector<BallIndex> balls;  // its atoms that line the cavity, ascending
+  std::vector<BallIndex> balls;  // its atoms in the lining, ascending
   friend bool operator==(const LiningResidue&, const LiningResidue&) = default;
 };
 
-// In the order of the molecule.
+// Lining residues of a cavity, in the order of the molecule.
 std::vector<LiningResidue> lining_residues(const BallReferences& references,
                                            const CavityTable& table, std::size_t row);
-// Of these balls, which ascend.
+// The residues of these balls, which must ascend.
 std::vector<LiningResidue> residues_of_lining(const BallReferences& references,
                                               std::span<const BallIndex> lining);
-// How many those are, without their addresses.
+// Numbers of residues and chains in a lining.
 struct LiningCounts {
   std::size_t residues = 0, chains = 0;
-  std::size_t of_second = 0;  // residues of the chain that has the most but one
+  std::size_t of_second = 0;  // residues of the chain with the second-most
 
-  // Between two chains, and not in one of which another is near: each has a fifth of the residues.
+  // Whether the cavity is at an interface of two chains: each has at least a fifth of the residues.
   bool at_interface() const { return chains == 2 && 5 * of_second >= residues; }
 };
 LiningCounts lining_counts(const BallReferences& references, const CavityTable& table,
                            std::size_t row);
 
-// Sentences on what so many mouths mean; empty of one and of none.
+// Sentences on the meaning of this number of mouths; empty for fewer than 2.
 std::string mouths_text(std::size_t mouths);
-// Where it falls apart, as sentences.
+// Sentences on the solvent radius and the alpha at which the network falls apart.
 std::string falls_apart_text(const NetworkEnd& end, double solvent_radius_angstrom);
 
 }  // namespace alphascope

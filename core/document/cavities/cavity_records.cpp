@@ -1,4 +1,4 @@
-// See the header.
+// Makes the CSV row, the header and derived facts of a cavity.
 #include "core/document/cavities/cavity_records.hpp"
 
 #include <algorithm>

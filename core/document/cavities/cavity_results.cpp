@@ -1,4 +1,4 @@
-// See the header.
+// Definitions of the results on cavities, with their memory and keys.
 #include "core/document/cavities/cavity_results.hpp"
 
 #include "core/cavity/cavity_depth.hpp"
@@ -9,21 +9,21 @@
 namespace alphascope {
 namespace {
 
-// So many bytes for each row, and what is small.
+// Memory of a table with `bytes` for each row, and a constant for small objects.
 MemoryNeed row_memory(const CavityTable& table, std::size_t bytes) {
   const std::uint64_t all = table.size() * bytes + 1'000'000;
   return {all, all};
 }
 
-// Of a tetrahedron: its triangles (16 bytes), two triangles with their tetrahedra and edges (64),
-// 1.2 edges (10), marks and value of the flow (5). While incidences are collected, as much again.
+// Bytes for each tetrahedron: its triangles (16), two triangles with their tetrahedra and edges
+// (64), 1.2 edges (10), marks and value of the flow (5). Collecting incidences takes as much again.
 MemoryNeed ground_memory(std::size_t tetrahedra) {
   constexpr std::uint64_t kHeld = 100, kPeak = 200;  // bytes a tetrahedron
   return {kHeld * tetrahedra, kPeak * tetrahedra};
 }
 
-// Marks of all simplices and labels of all tetrahedra. To split networks takes a filtration (120
-// bytes a tetrahedron), and the cavities at another alpha.
+// Memory for marks of all simplices and labels of all tetrahedra. Splitting networks needs a
+// filtration (120 bytes a tetrahedron), and the cavities at another alpha.
 MemoryNeed table_memory(std::size_t tetrahedra, bool splits) {
   constexpr std::uint64_t kHeld = 30, kPeak = 60, kSplitPeak = 300;
   return {kHeld * tetrahedra, (splits ? kSplitPeak : kPeak) * tetrahedra};
@@ -100,7 +100,8 @@ const Definition<CavityTable>& cavity_table() {
        .key =
            [](const Inputs& in) {
              Key key = key_of_balls_and_alpha(in);
-             constexpr std::uint64_t kSplit = 0x73706c69745f6e65;  // no other definition's number
+             constexpr std::uint64_t kSplit = 0x73706c69745f6e65;  // differs from the numbers of
+                                                                   // other definitions
              key.more = in.split_networks ? kSplit : 0;
              return key;
            },
@@ -150,7 +151,7 @@ Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before
     return all;
   };
   const auto memory = [before](const Inputs& in) {
-    constexpr std::size_t kNumber = 100;  // bytes: a number, and a node of the known sinks
+    constexpr std::size_t kNumber = 100;  // bytes: a number, and a node in the map of known sinks
     MemoryNeed need = row_memory(in.of(cavity_table()), sizeof(CavityLine) + kNumber);
     const std::uint64_t known = before ? kNumber * before->known.size() : 0;
     return MemoryNeed{need.held + known, need.peak + known};
@@ -189,8 +190,8 @@ const Definition<CavityLives>& whole_cavity_lives() {
        .key = key_of_balls,
        .memory =
            [](const Inputs& in) {
-             // Of a tetrahedron, while they are made: its life and that of its sets, and two gates.
-             // Hardly one in twenty is a sink.
+             // Bytes for each tetrahedron while lives are made: its life, that of its sets, and two
+             // gates. Fewer than one in twenty is a sink.
              constexpr std::uint64_t kHeld = 2, kPeak = 60;
              const std::uint64_t n = in.of(cavity_ground()).triangulation->tetrahedra.size();
              return MemoryNeed{kHeld * n, kPeak * n};

@@ -1,4 +1,4 @@
-// See the header.
+// Writes cavities as CSV and JSON.
 #include "core/document/cavities/cavity_tables.hpp"
 
 #include "core/document/cavities/cavity_json.hpp"

@@ -1,4 +1,4 @@
-// See the header.
+// Collects shapes, lining and contents of the selected cavities.
 #include "core/document/cavities/chosen_cavities.hpp"
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace alphascope {
 namespace {
 
-// Without the solvent radius, for spheres: made when they are wanted.
+// Clearance of the balls without solvent radius. Only spheres need it, so it is made when first
+// asked for.
 using ClearanceOf = std::function<const Clearance&()>;
 
 ChosenCavity draw(const CavityTable& table, std::size_t row, const CavityParts& parts,
@@ -33,7 +34,7 @@ ChosenCavity draw(const CavityTable& table, std::size_t row, const CavityParts& 
   return drawn;
 }
 
-// Those of one chain follow each other, as they do in the file.
+// Lists residues by chain; residues of one chain must follow each other, as in the file.
 void list_residues(const BallReferences& atoms, const std::vector<BallIndex>& lining,
                    std::vector<ChainLining>& chains) {
   const Molecule& molecule = atoms.molecule();
@@ -63,7 +64,7 @@ void add_held(const BallReferences& atoms, const CavityContents& contents, std::
   }
 }
 
-// Ligands and ions of the body among these balls, each with all balls of its residue.
+// Adds ligands and ions of the body that are among these balls, with all balls of their residues.
 void add_lining_ligands(const BallReferences& references, const std::vector<BallIndex>& lining,
                         std::vector<HeldAtom>& held) {
   const std::vector<Atom>& all = references.molecule().atoms;
@@ -153,8 +154,8 @@ Definition<ChosenCavities> chosen_cavities(const CavitySinks& sinks, const Cavit
                },
            .memory =
                [](const Inputs& in) {
-                 // Half of a cavity's triangles may be on its surface: 12 bytes each, 16 for its
-                 // tetrahedra, 40 for spheres.
+                 // Bytes for each tetrahedron: half of its triangles on the surface (12 bytes
+                 // each), 16 for itself, 40 for spheres.
                  constexpr std::uint64_t kBytes = 90;
                  const std::uint64_t all =
                      kBytes * in.of(cavity_table()).ground->triangulation->tetrahedra.size();

@@ -1,5 +1,5 @@
-// The cavities that are chosen: their shapes for the picture, and what lines them, as one derived
-// result of the table and the choice.
+// The selected cavities: shapes for the picture, lining and contents, as one derived result of
+// table and selection.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace alphascope {
 
-// Of what is chosen, what is to be drawn.
+// The parts of selected cavities that are drawn.
 struct CavityParts {
   bool surfaces = true, tetrahedra = false, spheres = false, rims = true, numbers = false;
   friend bool operator==(const CavityParts&, const CavityParts&) = default;
@@ -24,20 +24,20 @@ struct ChosenCavity {
   Simplices<3> surface;
   Simplices<4> tetrahedra;
   std::vector<FillingSphere> spheres;
-  Simplices<2> rims;         // of its mouths
-  RealPoint place_angstrom;  // within it: where its number belongs
+  Simplices<2> rims;         // rims of its mouths
+  RealPoint place_angstrom;  // a point inside it, for its number
 };
 
-// Residues of one chain, "HIS 87, VAL 93"; without a chain, of atoms that have none.
+// Residues of one chain, "HIS 87, VAL 93". `chain` is empty for atoms without a chain.
 struct ChainLining {
   std::string chain, residues;
   std::size_t count = 0;
 };
 
-// Of a ligand, an ion or a water that a cavity holds; or of a ligand or an ion that is part of the
-// body and lines it.
+// An atom of a ligand, ion or water inside a cavity, or of a ligand or ion that is part of the body
+// and lines it.
 struct HeldAtom {
-  std::uint32_t atom = 0;                // of Molecule::atoms
+  std::uint32_t atom = 0;                // index in Molecule::atoms
   DropReason kind = DropReason::ligand;  // or ion, water
   bool in_body = false;
   friend auto operator<=>(const HeldAtom&, const HeldAtom&) = default;
@@ -45,23 +45,24 @@ struct HeldAtom {
 
 struct ChosenCavities {
   std::shared_ptr<const CavityTable> table;
-  std::vector<ChosenCavity> of;  // by rows
-  std::vector<Ref> atoms;        // that line any of them, each once; at most Selection::kMostItems
+  std::vector<ChosenCavity> of;  // in the order of rows
+  std::vector<Ref> atoms;        // lining atoms of all selected cavities, each once; at most
+                                 // Selection::kMostItems
   std::vector<ChainLining> residues;
-  std::vector<HeldAtom> held;  // of whole residues, each once, ascending
+  std::vector<HeldAtom> held;  // atoms of whole residues, each once, ascending
 };
 
-// `sinks`: the deepest ones of cavities, ascending; those that the table has not are left out.
-// `key`: another number for other arguments, never 0. Not without Inputs::atoms.
+// Shapes and lining of the cavities with these deepest sinks (ascending). Sinks that are not in the
+// table are skipped. `key` must differ for other arguments and not be 0. Requires Inputs::atoms.
 using CavitySinks = std::vector<std::array<BallIndex, 4>>;
 Definition<ChosenCavities> chosen_cavities(const CavitySinks& sinks, const CavityParts& parts,
                                            std::uint64_t key);
 
-// The rows of the cavities that have been chosen by these deepest sinks, now or in a table before,
-// and of those that they have merged into: ascending.
+// Rows, ascending, of cavities selected by these deepest sinks, now or in an earlier table. A
+// cavity that has merged into another is represented by that one.
 struct ChosenRows {
   std::vector<std::size_t> rows;
-  std::vector<std::size_t> merged_into;  // of them, those that a chosen one has merged into
+  std::vector<std::size_t> merged_into;  // subset of `rows` into which a selected cavity has merged
 };
 ChosenRows rows_of_cavities(const CavityLines& lines, const RefSet& cavities);
 

@@ -1,4 +1,4 @@
-// See the header.
+// Writes surfaces, spheres and scripts of channels.
 #include "core/document/channels/channel_export.hpp"
 
 #include <array>
@@ -84,7 +84,8 @@ void write_channel_spheres(const FoundChannel& found, const RecordSource& source
   for (const ChannelSample& sample : found.channel->samples) {
     const RealPoint& p = sample.position_angstrom;
     const RealPoint written{nearest(p.x), nearest(p.y), nearest(p.z)};
-    // Around the place that is written no larger one is certain to be free.
+    // The sphere's centre is rounded, so its radius is reduced by the shift to stay inside the
+    // channel.
     const double radius = sample.radius_angstrom - length(written - p);
     if (radius >= lattice.unit_angstrom()) group.spheres.push_back({written, radius});
   }
@@ -116,7 +117,7 @@ Definition<FileWriter> channel_export(const ShapeExportInfo& format,
            .key = [found](const Inputs&) { return key_of_channel(*found); },
            .memory =
                [](const Inputs&) {
-                 return MemoryNeed{0, 0};  // the channel's, which is there
+                 return MemoryNeed{0, 0};  // uses the channel, which exists already
                },
            .keep_stale = false},
           [found, source, format = format.format](const Inputs&, const RunContext&) {

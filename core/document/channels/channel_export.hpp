@@ -1,5 +1,5 @@
-// What can be written of a channel for other programs: its surface, spheres along its line,
-// scripts. The same for window and command line.
+// Exports of a channel for other programs: its surface, spheres along its line, scripts. Window and
+// command line both use them.
 #pragma once
 
 #include <memory>
@@ -15,23 +15,23 @@ namespace alphascope {
 
 std::span<const ShapeExportInfo> channel_exports();
 
-// Where a channel comes from, printable, with the notes of the molecule's reader. `found` has a
-// channel.
+// Provenance of a channel in printable text, with the notes of the molecule's reader. Requires
+// found.channel.
 ShapeHeader channel_header(const FoundChannel& found, const RecordSource& source);
 
-// A tube in the colours of the profile's bands. `glb`: else a PLY file. Does not commit. Throws
-// WriteError.
+// Writes a tube in the colours of the profile's bands, as GLB if `glb` is true, otherwise as PLY.
+// Does not commit. Throws WriteError.
 void write_channel_surface(const FoundChannel& found, const RecordSource& source, bool glb,
                            AtomicFile& file);
-// The samples as atoms of a PQR file, each with its clearance; those that a point does not pass are
-// left out. Does not commit. Throws WriteError.
+// Writes the samples as atoms of a PQR file, each with its clearance. Samples with no room for a
+// point are skipped. Does not commit. Throws WriteError.
 void write_channel_spheres(const FoundChannel& found, const RecordSource& source, AtomicFile& file);
-// Colours the atoms that touch at the bottleneck. `format`: chimerax or pymol. Throws
-// std::invalid_argument, a sentence, for a name that ChimeraX cannot read.
+// A script for ChimeraX or PyMOL, by `format`. It colours the atoms that touch at the bottleneck.
+// Throws std::invalid_argument with a sentence if ChimeraX cannot read a file's name.
 std::string channel_script(const FoundChannel& found, const RecordSource& source,
                            ShapeExport format, const ShapeScriptFiles& files);
 
-// Of what is there already, so that it depends on nothing on screen.
+// Writes a channel that exists already, so the result does not depend on the complex on screen.
 Definition<FileWriter> channel_export(const ShapeExportInfo& format,
                                       const std::shared_ptr<const FoundChannel>& found,
                                       const RecordSource& source);

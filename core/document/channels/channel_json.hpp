@@ -10,13 +10,13 @@ namespace alphascope {
 
 // Keys widest_angstrom, step_angstrom, open, limit, bottleneck, length_angstrom, samples.
 Json channel_json(const BallReferences& atoms, const Channel& channel);
-// What was asked: kind, point_angstrom, to_angstrom, along, end_radius_angstrom.
+// The request: kind, point_angstrom, to_angstrom, along, end_radius_angstrom.
 Json channel_request_json(const ChannelEnds& ends);
-// The same of a channel that may be a way through, of which only its number was asked.
+// The same. If the channel is a way through, the request is only the number of that way.
 Json channel_request_json(const FoundChannel& found);
-// Keys way (null of what is none), covered_angstrom, whole_angstrom, is_whole.
+// Adds keys way (null if the channel is not one), covered_angstrom, whole_angstrom, is_whole.
 void add_cover_json(const FoundChannel& found, Json& json);
-// The list of ways: of each what add_cover_json() says, its bottleneck and its length.
+// The list of ways: for each the keys of add_cover_json(), its bottleneck and its length.
 Json ways_json(const FoundWays& ways);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the headers.
+// Writes channels as CSV and JSON; also the functions of channel_json.hpp.
 #include "core/document/channels/channel_records.hpp"
 
 #include "core/document/channels/channel_json.hpp"

@@ -1,5 +1,4 @@
-// A channel as programs read it (docs/output-files.md): what the command line and the window write
-// of it.
+// A channel as records for programs (docs/output-files.md), written by command line and window.
 #pragma once
 
 #include "core/document/channels/channel_results.hpp"
@@ -11,10 +10,10 @@ namespace alphascope {
 CsvRow channel_csv_row(const ChannelSample& sample, const RecordSource& source,
                        const Provenance& provenance);
 
-// Of what is written of a channel that is there already: it depends on nothing on screen.
+// Key of text on a channel that exists already. It does not depend on the complex on screen.
 Key key_of_channel(const FoundChannel& found);
 
-// The samples as CSV, and all of it as JSON, each with where it comes from. `found` has a channel.
+// The samples as CSV, or the whole channel as JSON, both with provenance. Requires found->channel.
 Definition<std::string> channel_csv(const std::shared_ptr<const FoundChannel>& found,
                                     const RecordSource& source);
 Definition<std::string> channel_as_json(const std::shared_ptr<const FoundChannel>& found,

@@ -1,4 +1,4 @@
-// See the header.
+// Definitions of channels, bottlenecks and ends, with progress, memory and keys.
 #include "core/document/channels/channel_results.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace alphascope {
 namespace {
 
-// Of all that a channel depends on beside the balls.
+// A number for everything that a channel depends on, except the balls.
 std::uint64_t number_of(const ChannelEnds& ends) {
   std::uint64_t number = static_cast<std::uint64_t>(ends.kind) + 1;
   for (const RealPoint& p : {ends.from, ends.to, ends.along}) {
@@ -22,8 +22,8 @@ std::uint64_t number_of(const ChannelEnds& ends) {
   return Key{number, std::bit_cast<std::uint64_t>(ends.end_radius_angstrom), 0}.number();
 }
 
-// How far a search is that does not know how many triangulations it takes: each one of what may be
-// left takes half. Then the line.
+// Progress of a search with an unknown number of triangulations. Each triangulation advances by
+// half of the remaining share; the centre line follows.
 class SearchShare {
  public:
   static constexpr double kSearch = 0.8;
@@ -67,7 +67,7 @@ std::shared_ptr<const FoundChannel> make_channel(const Inputs& in, const Channel
   return found;
 }
 
-// A search holds the widest open scene and the two that are asked next.
+// A search holds the widest open scene, and the next two that it tests.
 MemoryNeed search_memory(const Inputs& in) {
   constexpr std::uint64_t kScenes = 3, kProfile = 1'000'000;
   return {kProfile, kScenes * triangulation_memory(in.balls->size()).peak + kProfile};
@@ -133,7 +133,7 @@ Definition<FoundCavityEnds> cavity_ends(const std::array<BallIndex, 4>& sink) {
            .key = [sink](const Inputs& in) { return key_of_cavity(in, sink); },
            .memory =
                [](const Inputs& in) {
-                 constexpr std::uint64_t kBytesOfBall = 60;  // sorted into grids
+                 constexpr std::uint64_t kBytesOfBall = 60;  // for sorting balls into grids
                  return MemoryNeed{1'000'000, 1'000'000 + kBytesOfBall * in.balls->size()};
                }},
           [sink](const Inputs& in, const RunContext&) { return make_found_ends(in, sink); }};

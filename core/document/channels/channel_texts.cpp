@@ -1,4 +1,4 @@
-// See the header.
+// Texts and colours on channels.
 #include "core/document/channels/channel_texts.hpp"
 
 #include <cstdio>
@@ -37,7 +37,7 @@ const char* water_band_text(WaterBand band) {
 }
 
 ChartColour water_band_colour(WaterBand band) {
-  // Red, green and blue of Okabe and Ito, told apart by colour-blind people.
+  // Red, green and blue of Okabe and Ito, which colour-blind people can distinguish.
   return band == WaterBand::none  ? ChartColour{213, 94, 0}
          : band == WaterBand::one ? ChartColour{0, 158, 115}
                                   : ChartColour{0, 114, 178};

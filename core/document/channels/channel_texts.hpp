@@ -1,4 +1,4 @@
-// Channels in words, for window and command line.
+// Texts on channels, for window and command line.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,24 @@ namespace alphascope {
 const char* channel_limit_text(ChannelLimit limit);  // the end of a sentence: "between …"
 const char* channel_limit_id(ChannelLimit limit);
 
-// How many waters pass side by side, by the limits of HOLE's colours (O. S. Smart, J. G. Neduvelil,
-// X. Wang, B. A. Wallace, M. S. P. Sansom, J. Mol. Graph. 14, 1996): red, green, blue.
+// Number of waters that pass side by side. The limits are those of HOLE's colours red, green and
+// blue: O. S. Smart, J. G. Neduvelil, X. Wang, B. A. Wallace, M. S. P. Sansom, J. Mol. Graph. 14,
+// 1996.
 enum class WaterBand : std::uint8_t { none, one, several };
 inline constexpr double kOneWaterAngstrom = 1.15, kTwoWatersAngstrom = 2.30;
 WaterBand water_band(double radius_angstrom);
 const char* water_band_text(WaterBand band);  // "no water passes"
-// Of the tube and of the profile's bands.
+// Colour of the tube and of the profile's bands.
 ChartColour water_band_colour(WaterBand band);
 
-// What passes, of what leads through the whole; of a part, that nothing is said.
+// The waters that can pass, if the channel leads through the whole molecule; otherwise a text that
+// there is no verdict.
 std::string passing_text(const FoundChannel& found);
 // "84.8 of 116.2 Å of the molecule"
 std::string cover_text(const WayCover& cover);
 // "A, B, C, D"
 std::string chains_text(const std::vector<std::string>& chains);
-// "4 ions, 12 atoms of ligands"; empty where there is nothing
+// "4 ions, 12 atoms of ligands"; empty if there are none
 std::string guests_text(const WayNote& way);
 
 // "A:VAL 1:CA, A:GLY 2:O"

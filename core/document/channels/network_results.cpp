@@ -1,4 +1,4 @@
-// See the header.
+// Definition of the end of a network, with its memory.
 #include "core/document/channels/network_results.hpp"
 
 #include <memory>
@@ -24,9 +24,10 @@ std::shared_ptr<const FoundNetworkEnd> make_end(const Inputs& in,
   throw std::invalid_argument("there is no such cavity");
 }
 
-// One triangulation with its tables, and before that a filtration of the one there is.
+// Memory for a triangulation with its tables, and for a filtration of the present triangulation
+// before it.
 MemoryNeed end_memory(const Inputs& in) {
-  constexpr std::uint64_t kTables = 300, kHeld = 10'000;  // bytes a tetrahedron; all
+  constexpr std::uint64_t kTables = 300, kHeld = 10'000;  // bytes a tetrahedron; bytes in all
   const std::uint64_t tetrahedra = in.of(cavity_table()).ground->triangulation->tetrahedra.size();
   return {kHeld, triangulation_memory(in.balls->size()).peak + kTables * tetrahedra + kHeld};
 }

@@ -1,4 +1,5 @@
-// Where a network of the table on screen falls apart, as a derived result.
+// The solvent radius and alpha at which a network of the table on screen falls apart, as a derived
+// result.
 #pragma once
 
 #include <array>
@@ -12,8 +13,8 @@ struct FoundNetworkEnd {
   std::array<BallIndex, 4> sink;  // of the network
   NetworkEnd end;
 };
-// Of the cavity of this deepest sink, which is a network in the table; else it fails. In the
-// background: a few triangulations of all balls.
+// The end of the network with this deepest sink. Fails if the table has no such cavity. Runs in the
+// background; it takes a few triangulations of all balls.
 Definition<FoundNetworkEnd> network_end(const std::array<BallIndex, 4>& sink);
 
 }  // namespace alphascope

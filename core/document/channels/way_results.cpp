@@ -1,4 +1,4 @@
-// The ways through a molecule: which parts it has, and what was found of them in their names.
+// Ways through a molecule: parts to search, and the names of chains in the results.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -12,14 +12,14 @@ namespace {
 
 struct NamedPart {
   std::string name;
-  WayPart balls;  // of the walls
+  WayPart balls;  // indices into Walls::balls
 };
 
-// The balls that ways lead between, and which of all they are.
+// The balls between which ways are searched, and their indices among all balls.
 struct Walls {
   BallSet balls;
   std::vector<BallIndex> original;
-  std::vector<bool> is_wall;  // of all balls
+  std::vector<bool> is_wall;  // by index among all balls
 };
 
 Walls walls_of(const Molecule& molecule, const PreparedBalls& prepared) {
@@ -45,7 +45,7 @@ struct Chain {
   WayPart balls;
 };
 
-// In the order of the file.
+// Chains in the order of the file.
 std::vector<Chain> chains_of(const Molecule& molecule, const PreparedBalls& prepared,
                              const Walls& walls) {
   std::vector<Chain> chains;
@@ -78,7 +78,8 @@ std::string names_text(const std::vector<std::string>& names) {
   return names.size() > kMostNamed ? text + "…" : text;
 }
 
-// The whole, equal chains together unless they are the whole, and each of several chains.
+// The parts: the whole, each group of equal chains that is not the whole, and each of several
+// chains.
 std::vector<NamedPart> parts_of(const Walls& walls, const std::vector<Chain>& chains) {
   std::vector<NamedPart> parts(1);
   parts[0].name = "the whole molecule";
@@ -115,12 +116,13 @@ std::vector<std::string> lining_chains(const std::vector<Chain>& chains,
   return names;
 }
 
-// Balls that are no walls, and into which the spheres along its line cut. An ion on the axis of an
-// assembly is there in every copy, and is one.
+// Counts balls that are not walls and that overlap the channel's spheres. An ion on the axis of an
+// assembly occurs in every copy but is counted once.
 void count_guests(const Molecule& molecule, const PreparedBalls& prepared, const Walls& walls,
                   const Channel& channel, WayNote& note) {
   const BallSet& all = *prepared.balls;
-  constexpr double kOnePlace = 0.5;  // Å: nearer than two atoms can be, farther than copies round
+  constexpr double kOnePlace = 0.5;  // Å; less than the distance of two atoms, more than the
+                                     // rounding of copies
   std::vector<RealPoint> counted;
   for (BallIndex ball = 0; ball < all.size(); ++ball) {
     if (walls.is_wall[ball]) continue;
@@ -182,7 +184,7 @@ const Definition<FoundWays>& found_ways() {
        .key = [](const Inputs& in) { return in.atoms ? key_of_balls(in) : Key{}; },
        .memory =
            [](const Inputs& in) {
-             // Corners and widths of all tetrahedra beside the triangulation.
+             // Bytes for corners and widths of all tetrahedra, beside the triangulation.
              constexpr std::uint64_t kWays = 2'000'000, kBytesOfBall = 700;
              return MemoryNeed{kWays, triangulation_memory(in.balls->size()).peak +
                                           kBytesOfBall * in.balls->size() + kWays};

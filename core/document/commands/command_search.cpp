@@ -1,4 +1,4 @@
-// See the header.
+// Scores commands by the words that a user types.
 #include "core/document/commands/command_search.hpp"
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 namespace alphascope {
 namespace {
 
-// What a word costs by where it was found; the least sum comes first.
+// Cost of a word by the place of its match. The least sum comes first.
 constexpr int kIdItself = 0, kWordOfTitle = 1, kStartInTitle = 2, kStartInId = 3, kInside = 4,
               kStartInHelp = 6, kInOrder = 8;
 constexpr int kSynonym = 2, kStartOfSynonym = 3;
-constexpr int kWithArguments = 3;  // a synonym is more likely meant
+constexpr int kWithArguments = 3;  // larger than kSynonym, since a synonym is more likely meant
 
 bool part_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;
@@ -53,14 +53,14 @@ std::optional<int> cost(const CommandSpec& spec, const std::string& word) {
   if (in_id >= Found::at_start) return kStartInId;
   if (in_title == Found::inside || in_id == Found::inside) return kInside;
   if (find_word(lower_case(spec.help), word) >= Found::at_start) return kStartInHelp;
-  // One letter is in order in nearly everything.
+  // A single letter would match nearly everything.
   if (word.size() > 1 && (in_order(title, word) || in_order(id, word))) return kInOrder;
   return std::nullopt;
 }
 
 struct Word {
   std::string text;
-  std::size_t begin;  // in what was typed
+  std::size_t begin;  // position in the typed text
 };
 
 std::vector<Word> typed_words(std::string_view typed) {
@@ -79,7 +79,7 @@ bool looks_like_a_number(const std::string& word) {
          word.starts_with("−");
 }
 
-// A wrong number is an argument too: the command says what is wrong with it.
+// A wrong number counts as an argument too, since the command explains the mistake.
 bool may_be_arguments(const CommandSpec& spec, std::string_view text, const std::string& first) {
   if (spec.parameters.empty()) return false;
   if (spec.parameters[0].kind == Parameter::Kind::number && looks_like_a_number(first)) return true;
@@ -112,7 +112,7 @@ std::optional<Scored> match(const CommandSpec& spec, std::string_view typed,
   return Scored{{&spec, {}}, sum};
 }
 
-// One word at least is a synonym's, the others may be the command's own.
+// At least one word must match a synonym; the others may match the command itself.
 std::optional<Scored> match(const CommandSpec& spec, const Synonym& synonym,
                             const std::vector<Word>& words) {
   const std::string synonyms = lower_case(synonym.words);

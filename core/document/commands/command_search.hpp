@@ -1,4 +1,4 @@
-// Finds commands by what a person types of them: the command palette without its window.
+// Finds commands by typed text, for the command palette.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace alphascope {
 
 struct CommandMatch {
   const CommandSpec* command = nullptr;
-  std::string arguments;  // what was typed behind the name: "3.2" of "alpha 3.2"
+  std::string arguments;  // text typed after the name: "3.2" of "alpha 3.2"
 };
 
-// Best first; equally good ones in the order of the list. Each typed word must begin a word of the
-// title, the id, a synonym or the help, or its letters must come in this order in title or id
-// ("rv": Reset view). What follows may be arguments, where the command takes them. Nothing typed:
-// all.
+// Best matches first; equal ones in the order of the list. Each typed word must begin a word of the
+// title, the id, a synonym or the help. Or its letters must occur in this order in title or id
+// ("rv": Reset view). Words after the match may be arguments, if the command takes them. Without
+// text all commands match.
 std::vector<CommandMatch> search_commands(const Commands& commands, std::string_view typed);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Checks commands, reads their arguments and runs them.
 #include "core/document/commands/commands.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ bool is_quote(char c) {
   return c == '"' || c == '\'';
 }
 
-// Takes the first word off `rest`. False: its quotes do not end.
+// Removes the first word from `rest`. Returns false if its quote has no end.
 bool take_word(std::string_view& rest, std::string& word) {
   rest = without_blanks(rest);
   std::size_t end = rest.find_first_of(" \t");
@@ -62,7 +62,7 @@ std::string what_is_needed(const Parameter& p) {
          (unit.empty() ? "" : " in " + unit);
 }
 
-// "on|off"; the name of the parameter where that would be long.
+// "on|off", or the name of the parameter if that would be long.
 std::string choice_usage(const Parameter& p) {
   constexpr std::size_t kMostShown = 6;
   const std::vector<Choice> choices = p.choices();
@@ -89,7 +89,8 @@ std::string too_many(const CommandSpec& spec, const std::string& word) {
          ": \"" + word + "\" is too much. Write " + spec.usage() + ".";
 }
 
-// The text as what the parameter is; a sentence that says why not.
+// Reads the text as a value of the parameter. Returns a sentence with the reason if that fails,
+// otherwise an empty string.
 std::string read_value(const CommandSpec& spec, const Parameter& p, Arguments::Value& value) {
   if (p.kind == Kind::number) {
     const NumberInput input = read_number(value.text, *p.rule);

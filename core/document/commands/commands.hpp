@@ -1,6 +1,5 @@
-// The one list of what a user can ask the program to do. Menus, keyboard shortcuts, the cheat
-// sheet, the command palette and scripts are made from it: a new command costs one call of add().
-// No GUI type.
+// The list of all commands of the window. Menus, keyboard shortcuts, the cheat sheet, the command
+// palette and scripts are made from it. So a new command needs one call of add(). No GUI type.
 #pragma once
 
 #include <array>
@@ -16,13 +15,13 @@
 
 namespace alphascope {
 
-// The menus, from left to right; one without commands is not shown.
+// The menus, from left to right. Menus without commands are not shown.
 inline constexpr std::array<std::string_view, 5> kMenus{"File", "Edit", "View", "Tools", "Help"};
 
 struct Choice {
-  std::string id, title;    // "cpu" as it is typed, "Dual-edge engine, CPU" for people
+  std::string id, title;    // "cpu" as typed, "Dual-edge engine, CPU" as shown
   std::string detail = {};  // shown beside the title
-  bool chosen = false;      // it is what is set now
+  bool chosen = false;      // it is the present setting
 };
 
 struct Parameter {
@@ -30,18 +29,18 @@ struct Parameter {
   enum class Kind : std::uint8_t { number, text, choice, path, flag };
   std::string name;  // "alpha": one word
   Kind kind = Kind::text;
-  std::string help = {};  // what it is; a sentence without full stop
+  std::string help = {};  // meaning of the value; a sentence without full stop
   std::string example = {};
   bool optional = false;
   std::optional<NumberRule> rule = {};                // a number's bounds and unit
-  std::function<std::vector<Choice>()> choices = {};  // what a choice chooses from, now
+  std::function<std::vector<Choice>()> choices = {};  // the present options of a choice
 
   const char* unit() const { return rule ? rule->unit : ""; }
-  // The help with unit and example, where it has none: "Alpha, in Å², such as 1.4".
+  // The help with unit and example, if it does not contain them: "Alpha, in Å², such as 1.4".
   std::string what_to_type() const;
 };
 
-// What was given for the parameters, checked.
+// The given values of the parameters, already checked.
 class Arguments {
  public:
   struct Value {
@@ -58,7 +57,7 @@ class Arguments {
 };
 
 struct Outcome {
-  // refused: nothing was tried; failed: it was tried.
+  // refused: nothing was tried. failed: it was tried without success.
   enum class State : std::uint8_t { done, refused, failed, cancelled };
   State state = State::done;
   std::string why = {};  // a sentence; empty when done
@@ -74,7 +73,7 @@ struct Shortcut {
   std::string arguments = {};
 };
 
-// Words that people may look for it by, perhaps with the arguments that they mean.
+// Words by which users may search the command, and arguments that these words imply.
 struct Synonym {
   std::string words;  // "image screenshot"
   std::string arguments = {};
@@ -86,26 +85,27 @@ struct CommandSpec {
   std::string help;   // a sentence without full stop
   std::vector<Synonym> synonyms = {};
   std::vector<Shortcut> shortcuts = {};
-  // Keys that it takes, as long as it can run, from a command that has them as shortcuts.
+  // Keys that this command takes while it can run, although they are shortcuts of another command.
   std::vector<Shortcut> keys_before_others = {};
-  bool works_everywhere = false;  // its shortcuts work while text is typed and above dialogs
+  bool works_everywhere = false;  // shortcuts also work while text is typed, and above dialogs
   std::string menu = {};          // one of kMenus; empty: in no menu
-  bool line_above = false;        // in the menu
+  bool line_above = false;        // in the menu, a line above the entry
   std::vector<Parameter> parameters = {};
-  std::function<std::string()> why_not = {};  // a sentence; empty result or none: it can run
-  std::function<bool()> checked = {};         // of a switch: whether it is on
+  std::function<std::string()> why_not = {};  // returns a sentence; empty result or no function: it
+                                              // can run
+  std::function<bool()> checked = {};         // for a switch: returns whether it is on
   std::function<Outcome(const Arguments&)> run = {};
 
-  // Can be set to on and off.
+  // A switch can be set to on and off.
   bool is_switch() const { return checked && !parameters.empty(); }
   std::string reason_against() const { return why_not ? why_not() : std::string(); }
-  // The first that must be given; null: none.
+  // The first required parameter; null: none.
   const Parameter* first_required() const;
   std::string usage() const;           // "file.save_picture [PATH] [WIDTH] [transparent]"
-  std::string shortcuts_text() const;  // "Ctrl+Shift+Z, Ctrl+Y", of those without arguments
+  std::string shortcuts_text() const;  // "Ctrl+Shift+Z, Ctrl+Y": the shortcuts without arguments
 };
 
-// A line, taken apart.
+// A line of a script, split into words.
 struct CommandLine {
   std::string id;
   std::vector<std::string> words;
@@ -114,15 +114,14 @@ struct CommandLine {
 
 class Commands {
  public:
-  // Throws std::logic_error for an id or shortcut that is taken, and for a spec that lacks
-  // something.
+  // Throws std::logic_error if the id or a shortcut exists already, or if the spec is incomplete.
   void add(CommandSpec spec);
 
   const std::vector<CommandSpec>& all() const { return specs_; }  // in the order of add()
   const CommandSpec* find(std::string_view id) const;
 
-  // What the words mean for this command's parameters. An argument that is missing and required is
-  // named in `missing`.
+  // The words as values of this command's parameters. `missing` is the first required parameter
+  // without a value.
   struct Reading {
     Arguments arguments;
     std::string error;  // a sentence with an example; empty: none
@@ -130,12 +129,12 @@ class Commands {
   };
   static Reading read(const CommandSpec& spec, const std::vector<std::string>& words);
 
-  // "alpha.set 1.4", "file.save_picture "my picture.png" 800 600". The last parameter takes what is
-  // left of the line, so that a path with blanks needs no quotes there.
+  // Splits a line such as "alpha.set 1.4" or "file.save_picture "my picture.png" 800 600". The last
+  // parameter takes the rest of the line, so that a path with blanks needs no quotes there.
   CommandLine parse_line(std::string_view line) const;
   static CommandLine parse_words(const CommandSpec& spec, std::string_view arguments);
 
-  // Never throws: what the command throws is its failure.
+  // Never throws: an exception of the command becomes its failure.
   Outcome run(std::string_view id, const std::vector<std::string>& words = {}) const;
   Outcome run_line(std::string_view line) const;
 

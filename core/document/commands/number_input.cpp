@@ -1,4 +1,4 @@
-// See the header.
+// Reads numbers and their units, and writes error messages with remedies.
 #include "core/document/commands/number_input.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void trim(std::string& text) {
   text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), blank));
 }
 
-// How the unit is written on keyboards without its letters.
+// Spellings of the unit, also on keyboards without its letters.
 std::vector<std::string_view> spellings(std::string_view unit) {
   if (unit == "Å") return {unit, "A"};
   if (unit == "Å²") return {unit, "Å2", "Å^2", "A²", "A2", "A^2"};
@@ -31,7 +31,8 @@ std::vector<std::string_view> spellings(std::string_view unit) {
   return {unit};
 }
 
-// "Å" where a square is wanted, and so on: what is meant is not to be guessed.
+// An error message if the text ends with a unit of another dimension, such as "Å" for an area;
+// otherwise empty.
 std::string unit_error(const std::string& typed, const std::string& text, const NumberRule& rule) {
   struct Size {
     std::string_view unit, name;
@@ -65,14 +66,15 @@ void use_plain_marks(std::string& text) {
   std::replace(text.begin(), text.end(), ',', '.');
 }
 
-// Digits with at most one decimal point, then perhaps an exponent. from_chars knows "inf" too.
+// Reads digits with at most one decimal point and perhaps an exponent. Other text of from_chars,
+// such as "inf", is refused.
 std::optional<double> number_in(const std::string& text) {
   const bool digits = std::any_of(text.begin(), text.end(), is_digit);
   const bool known = text.find_first_not_of("0123456789.eE+-") == std::string::npos;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (!digits || !known || end != text.data() + text.size()) return std::nullopt;
-  // Too large or too small for a double: beyond every bound, or nothing.
+  // Beyond the range of double: an infinity, which every rule refuses, or 0.
   if (error == std::errc::result_out_of_range) {
     return text.find("e-") == std::string::npos && text.find("E-") == std::string::npos
                ? std::optional(text.front() == '-' ? -HUGE_VAL : HUGE_VAL)
@@ -101,7 +103,7 @@ std::string syntax_error(const std::string& typed, const NumberRule& rule) {
   return quoted + "is not a number. Write a number such as " + example + unit + ".";
 }
 
-// Without blanks around it, with a minus sign that programs read, without its unit.
+// The text without surrounding blanks and unit, and with an ASCII minus sign.
 std::string number_part(const std::string& typed, const NumberRule& rule) {
   std::string text = typed;
   trim(text);
@@ -131,7 +133,7 @@ NumberInput read_number(const std::string& typed, const NumberRule& rule) {
   if (rule.whole && *value != std::round(*value)) {
     return {{}, "“" + typed + "” is not a whole number. Write digits only, such as 20."};
   }
-  return {*value == 0 ? 0 : *value, {}};  // no minus zero
+  return {*value == 0 ? 0 : *value, {}};  // not minus zero
 }
 
 AlphaInput read_alpha(const std::string& typed) {

@@ -1,5 +1,5 @@
-// Numbers that people type, in the window and after the program's name: one reader, one place for
-// the bounds. Pure text.
+// Numbers that users type, in the window and on the command line: one reader and one place for the
+// bounds. Pure text.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace alphascope {
 
 struct NumberRule {
-  const char* name;  // begins a sentence: "Alpha"
+  const char* name;  // the beginning of a sentence: "Alpha"
   double least, most;
   const char* unit = "";  // may be typed after the number: "Å", "Å²", "%"
   bool whole = false;
@@ -31,8 +31,8 @@ struct NumberInput {
   std::string error;            // a sentence with the remedy; empty when there is a value
 };
 
-// "1.4", "1,4" (a decimal comma), "-2e3", " 1.4 Å ", "−3". Whatever else is refused: nothing that
-// was typed is dropped.
+// Reads "1.4", "1,4" (a decimal comma), "-2e3", " 1.4 Å " or "−3". Any other text is refused; no
+// character is dropped silently.
 NumberInput read_number(const std::string& text, const NumberRule& rule);
 
 struct AlphaInput {
@@ -40,7 +40,7 @@ struct AlphaInput {
   std::string error;  // as above
 };
 
-// Alpha by kAlphaRule, with every digit. More than 18 behind the point are refused.
+// Reads alpha by kAlphaRule, with all digits. More than 18 digits after the point are refused.
 AlphaInput read_alpha(const std::string& text);
 
 }  // namespace alphascope

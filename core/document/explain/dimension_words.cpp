@@ -1,4 +1,4 @@
-// See the header.
+// Texts on the dimension of the centres.
 #include "core/document/explain/dimension_words.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-// Of the faces of the largest simplices: which of them are the boundary.
+// Class counts of the faces of the largest simplices.
 std::string classes_text(const ClassCounts& n) {
   return " (" + grouped(n.regular) + " on the boundary, " + grouped(n.interior) + " interior, " +
          grouped(n.singular) + " singular)";

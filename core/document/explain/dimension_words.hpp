@@ -1,5 +1,5 @@
-// What a complex is called whose centres all lie in a plane, on a line or at one point, where
-// triangles, edges or vertices are the largest simplices (core/complex/own_dimension.hpp).
+// Texts on complexes whose centres all lie in a plane, on a line or at one point. Triangles, edges
+// or vertices are the largest simplices there (core/complex/own_dimension.hpp).
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace alphascope {
 
-// "in the plane", "on the line", "at the point"; of 3 "in space".
+// "at the point", "on the line", "in the plane", "in space" for dimensions 0 to 3.
 const char* where_text(int dimension);
-// "in a plane", "on a line", "at one point"; of 3 "in space".
+// "at one point", "on a line", "in a plane", "in space" for dimensions 0 to 3.
 const char* lie_text(int dimension);
 
-// "In the plane: 4 of 5 centres (4 on the boundary, 0 inside, 0 alone), 5 edges (…), 2 triangles,
-// Euler number 1". Empty in space, of no balls, and where only tetrahedra were computed.
+// "In the plane: 4 of 5 centres, 5 edges (4 on the boundary, 1 interior, 0 singular), 2 triangles,
+// Euler number 1". Empty in space, without balls, and if only tetrahedra were computed.
 std::string own_counts_text(const BallSet& balls, const AlphaComplex& complex);
 
 }  // namespace alphascope

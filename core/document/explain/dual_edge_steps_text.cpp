@@ -1,4 +1,4 @@
-// The steps of the dual-edge engine in sentences; those that every engine has are in
+// Sentences on the steps of the dual-edge engine. Steps that every engine has are in
 // steps_text.cpp.
 #include "core/document/explain/step_words.hpp"
 #include "core/text/short_number.hpp"

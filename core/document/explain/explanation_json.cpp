@@ -1,4 +1,4 @@
-// See the header.
+// Converts an Explanation into JSON.
 #include "core/document/explain/explanation_json.hpp"
 
 #include "core/document/session/alpha_json.hpp"

@@ -1,4 +1,4 @@
-// See the header.
+// Definitions of explained simplices, and the reading of a selection.
 #include "core/document/explain/explanation_results.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace alphascope {
 namespace {
 
-// One pass over all balls for each point, and some hundred balls that are triangulated.
+// Memory for one pass over all balls for each point, and for a triangulation of some hundred balls.
 MemoryNeed explanation_memory(const Inputs&) {
   return {50'000, 20'000'000};
 }

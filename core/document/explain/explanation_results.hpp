@@ -1,4 +1,4 @@
-// Why what is selected is in the complex, as a derived result.
+// Explanations of selected simplices as derived results.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace alphascope {
 
-// One to four balls, or a sentence that says why there are none.
+// One to four balls, or a sentence with the reason why there are none.
 struct AskedSimplex {
   std::vector<BallIndex> balls;  // ascending
   std::string why_not;
 };
-// What a selection asks about: the one atom or simplex in it, or the simplex of two to four atoms,
-// whether it is there or not.
+// The simplex that a selection stands for: its only atom or simplex, or the simplex of two to four
+// atoms. The simplex need not be in the complex.
 AskedSimplex asked_simplex(const RefSet& selection, const BallReferences& atoms);
 
 struct ExplainedSimplex {
@@ -23,7 +23,7 @@ struct ExplainedSimplex {
   std::vector<ExplanationLine> lines;
 };
 
-// At the alpha of the inputs, whose atoms must be known.
+// Explains the simplex at the alpha of the inputs. Requires Inputs::atoms.
 Definition<ExplainedSimplex> explained_simplex(const std::vector<BallIndex>& simplex);
 
 }  // namespace alphascope

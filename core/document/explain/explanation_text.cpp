@@ -1,3 +1,4 @@
+// Sentences on an Explanation, under headings.
 #include "core/document/explain/explanation_text.hpp"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ class Sentences {
   std::string the() const { return std::string("this ") + simplex_kind_name(e_.simplex.size()); }
   std::string ball(BallIndex b) const { return ball_text(b, name_); }
 
-  // With all digits where a rounded one would look like alpha.
+  // Shows all digits if the rounded value would look equal to alpha.
   std::string value_beside(const Alpha& alpha) const {
     const std::string value = square(e_.appears.angstrom2);
     return value == square(alpha) ? shortest_number(e_.appears.angstrom2) + " Å²" : value;

@@ -1,4 +1,4 @@
-// An explanation (core/explain/explanation.hpp) in sentences for somebody who has never seen a
+// An explanation (core/explain/explanation.hpp) in sentences, for readers who have never seen a
 // power diagram.
 #pragma once
 
@@ -12,11 +12,11 @@ namespace alphascope {
 
 using BallName = std::function<std::string(BallIndex)>;  // "A:HIS 87:NE2"
 
-// Some sentences about one thing.
+// Sentences under one heading.
 struct ExplanationLine {
   std::string heading;  // one or two words
   std::string text;
-  // The simplex or the ball that decides, as something to go to; empty: none.
+  // The simplex or ball that decides, so that the user can go to it; empty: none.
   std::vector<BallIndex> about = {};
 };
 std::vector<ExplanationLine> explanation_lines(const Explanation& e, const BallName& name);

@@ -1,4 +1,4 @@
-// See the header.
+// Collects facts on a simplex from the lists of a complex.
 #include "core/document/explain/simplex_details.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 using Balls = std::vector<BallIndex>;
 
-// How many of the balls, which ascend as the simplex does, are corners of it.
+// Number of the balls that are corners of the simplex.
 template <std::size_t N>
 std::size_t common(const std::array<BallIndex, N>& simplex, const Balls& balls) {
   std::size_t found = 0;

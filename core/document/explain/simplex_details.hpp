@@ -1,5 +1,5 @@
-// What there is around an atom or a simplex in the complex on screen, as a derived result: one pass
-// over the lists of simplices.
+// Facts on an atom or a simplex and its surroundings in the complex on screen, as a derived result.
+// It takes one pass over the lists of simplices.
 #pragma once
 
 #include <array>
@@ -18,19 +18,19 @@ struct NeighbourBall {
 
 struct SimplexDetails {
   std::vector<BallIndex> balls;  // 1 to 4, ascending
-  // False also of a vertex, edge or triangle where only tetrahedra were computed, unless one of
-  // them has it as a face.
+  // If only tetrahedra were computed, a vertex, edge or triangle counts as in the complex only if
+  // it is a face of a tetrahedron.
   bool in_complex = false;
   std::optional<double> alpha_value_angstrom2;  // none: not in the complex, or not computed
-  // In the dimension of all centres (core/complex/own_dimension.hpp).
+  // Class in the dimension of all centres (core/complex/own_dimension.hpp).
   std::optional<SimplexClass> simplex_class;
-  // How many simplices of the complex have it as a face, by their number of balls less one; those
-  // of its own dimension are not counted.
+  // Numbers of larger simplices of the complex that have it as a face. Index: number of their balls
+  // less one.
   std::array<std::size_t, 4> cofaces{};
-  // Of a vertex: the ends of its edges, nearest first. Where only tetrahedra were computed, their
+  // For a vertex: the ends of its edges, nearest first. If only tetrahedra were computed, their
   // edges count.
   std::vector<NeighbourBall> neighbours;
-  // Of an edge or a triangle: the simplices with one ball more. Of a tetrahedron: those that share
+  // For an edge or triangle: the simplices with one ball more. For a tetrahedron: those that share
   // a triangle with it. At most kMostListed.
   std::vector<std::vector<BallIndex>> beside;
   static constexpr std::size_t kMostListed = 1000;

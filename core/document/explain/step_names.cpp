@@ -1,4 +1,4 @@
-// See the header.
+// Tables of the names.
 #include "core/document/explain/step_names.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ constexpr std::pair<std::string_view, const char*> kCounts[] = {
     {id::kAttached, "attached"},
 };
 
-// Where "kept" and "dropped" would not say it.
+// Names of marks where "kept" and "dropped" would be unclear.
 constexpr std::pair<std::pair<StepKind, StepMark>, const char*> kMarks[] = {
     {{StepKind::grid, StepMark::kept}, "in its cell"},
     {{StepKind::cube, StepMark::kept}, "in the cube"},

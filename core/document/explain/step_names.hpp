@@ -1,5 +1,5 @@
-// What the parts of a step (core/explain/ball_steps.hpp) are called: its counts, and what is drawn
-// of it. For tables and legends.
+// Names of the parts of a step (core/explain/ball_steps.hpp), for tables and legends: its counts,
+// and its drawn boxes and marks.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace alphascope {
 
-// Of the list step_count: "balls in its cell", "with a ball in conflict". An id that is not there
-// is shown with blanks.
+// Name of a count in the list step_count: "balls in its cell", "in conflict". An unknown id is
+// returned with blanks for underscores.
 std::string step_count_name(std::string_view id);
 const char* step_mark_name(StepKind kind, StepMark mark);  // "kept", "valid", "in the cube"
 const char* step_box_name(StepKind kind, StepMark mark);   // "cells that the cube meets"

@@ -1,4 +1,4 @@
-// Words with numbers for the sentences about steps. Inner header of core/document.
+// Words with numbers for sentences on steps. Internal header of core/document.
 #pragma once
 
 #include <cstdint>
@@ -25,13 +25,13 @@ inline std::string left_of(const Step& step) {
   return grouped(step.count(step_count::kKept).all) + " of " +
          grouped(step.count(step_count::kMade).all) + " left";
 }
-// How many of them the engine makes at this ball.
+// The number of these simplices that the engine makes at this ball; empty if none or all are.
 inline std::string made_here(const StepCount& count) {
   if (count.all == 0 || count.here == count.all) return "";
   return " (" + grouped(count.here) + " made here)";
 }
 
-// What only the dual-edge engine has.
+// The text of a step that only the dual-edge engine has.
 StepText dual_edge_step_text(const BallSteps& steps, const Step& step, const BallName& name);
 
 }  // namespace alphascope

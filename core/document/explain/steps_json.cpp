@@ -1,4 +1,4 @@
-// See the header.
+// Converts BallSteps into JSON.
 #include "core/document/explain/steps_json.hpp"
 
 #include "core/document/session/alpha_json.hpp"

@@ -1,4 +1,4 @@
-// See the header.
+// Definitions of steps, the reading of a selection, and sentences on the effect of optimisations.
 #include "core/document/explain/steps_results.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr StepsEngineSpec kEngines[] = {
     {StepsEngine::tuples, "Tuple engine (thesis)", true, tuple_steps},
     {StepsEngine::dual_edges, "Dual-edge engine", false, dual_edge_steps_of}};
 
-// A grid of all balls, for two runs one after the other; the lists of a ball are bounded.
+// Memory for a grid of all balls, in two runs one after the other. The lists of a ball are bounded.
 MemoryNeed steps_memory(const Inputs& in) {
   return {4'000'000, 60'000'000 + 120 * in.balls->size()};
 }
@@ -35,12 +35,12 @@ std::uint64_t with_bits(std::uint64_t number, const AskedSteps& asked) {
          (o.alpha_optimisation ? 1u : 0u);
 }
 
-// Of a count of 4-tuples with all optimisations and with those at hand.
+// Compares a number of 4-tuples (`now`) with that of a run with all optimisations (`before`).
 std::string growth_of(const std::string& now, const std::string& before) {
   return now == before ? "the same " + now : now + " instead of " + before;
 }
 
-// 4-tuples that kernel I looks at beyond the edge optimisation; empty: it does not come so far.
+// Number of 4-tuples in kernel I after the edge optimisation; empty if the steps end before.
 std::string made_text(const BallSteps& steps) {
   if (steps.find(StepKind::too_many)) return "more than " + grouped(kMostTuplesOfBall);
   const Step* tuples = steps.find(StepKind::tuples);
@@ -54,7 +54,9 @@ std::string tested_text(const BallSteps& steps) {
 std::string growth_text(const BallSteps& now, const BallSteps& optimised) {
   const std::string made = made_text(now), made_before = made_text(optimised);
   if (made.empty() || made_before.empty()) return {};
-  if (optimised.find(StepKind::too_many)) return {};  // neither was counted
+  if (optimised.find(StepKind::too_many))
+    return {};  // the steps ended before, so nothing was
+                // counted
   std::string text = growth_of(made, made_before) + " 4-tuples in kernel I";
   const std::string tested = tested_text(now), tested_before = tested_text(optimised);
   if (!tested.empty() && !tested_before.empty()) {

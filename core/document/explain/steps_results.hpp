@@ -1,5 +1,5 @@
-// The steps of one ball (core/explain/ball_steps.hpp) with their sentences, as a derived result;
-// and of which ball and engine.
+// The steps of one ball (core/explain/ball_steps.hpp) with their sentences, as a derived result.
+// Also the ball and the engine to be shown.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace alphascope {
 
-// One for each StepsEngine.
+// An entry for each StepsEngine.
 struct StepsEngineSpec {
   StepsEngine engine;
   const char* title;       // "Tuple engine (thesis)"
-  bool has_optimisations;  // of TupleOptions, that can be switched off
+  bool has_optimisations;  // optimisations of TupleOptions that can be switched off
   BallSteps (*make)(const BallSet& balls, BallIndex ball, const LatticeAlpha& alpha_on_lattice,
                     const TupleOptions& options, const RunContext& context);
 };
@@ -31,31 +31,31 @@ struct AskedSteps {
   friend bool operator==(const AskedSteps&, const AskedSteps&) = default;
 };
 
-// The ball that a selection asks about: its first atom, or the first vertex of its first simplex.
+// The ball that a selection stands for: its first atom, or the first vertex of its first simplex.
 struct AskedBall {
   std::optional<BallIndex> ball;
-  std::string why_not;  // a sentence; empty: there is one
+  std::string why_not;  // a sentence; empty if there is a ball
 };
 AskedBall asked_ball(const Selection& selection, const BallReferences& atoms);
 
-// The ball whose centre is nearest to the mean of all centres; none: there are no balls.
+// The ball whose centre is nearest to the mean of all centres; none if there are no balls.
 std::optional<BallIndex> middle_ball(const BallSet& balls);
 
 struct ToldSteps {
   BallSteps steps;
-  std::vector<StepText> texts;  // of each step
-  // Where an optimisation is switched off: the same with all of them on.
+  std::vector<StepText> texts;  // one for each step
+  // If an optimisation is switched off: the same steps with all of them on.
   std::optional<BallSteps> optimised;
   // "4,495 instead of 39 4-tuples in kernel I, 4,495 instead of 12 in kernel II."; empty without
   // `optimised`.
   std::string growth;
 
-  // The same count of the same step with all optimisations on; null: there is none.
+  // The same count of the same step with all optimisations on; null if there is none.
   const StepCount* optimised_count(const Step& step, std::string_view id) const;
 };
 
-inline constexpr std::string_view kStepsId = "steps";  // of the definition
-// At the alpha of the inputs, whose atoms must be known.
+inline constexpr std::string_view kStepsId = "steps";  // id of the definition
+// Makes the steps at the alpha of the inputs. Requires Inputs::atoms.
 Definition<ToldSteps> told_steps(const AskedSteps& asked);
 
 }  // namespace alphascope

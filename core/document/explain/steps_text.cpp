@@ -1,3 +1,4 @@
+// Sentences on the steps of the tuple engine, and on steps that every engine has.
 #include "core/document/explain/steps_text.hpp"
 
 #include <iterator>

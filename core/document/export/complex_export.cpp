@@ -1,4 +1,4 @@
-// See the header.
+// The table of formats, and one Exporter that writes them all.
 #include "core/document/export/complex_export.hpp"
 
 #include <algorithm>
@@ -50,8 +50,8 @@ constexpr std::array kFormats{
     ExportFormatInfo{pymol, "pml", "PyMOL script", "balls and boundary", true, true},
     ExportFormatInfo{vmd, "tcl", "VMD script", "balls and boundary", true, true}};
 
-// A viewer draws each object of a GLB or OBJ file by itself; a large molecule at a small alpha has
-// hundreds of thousands of solids.
+// Most objects in a GLB or OBJ file, since viewers draw each object by itself. A large molecule at
+// a small alpha has hundreds of thousands of solids.
 constexpr std::size_t kMostObjects = 1000;
 
 Mesh::Colour bytes(const Rgb8& c) {
@@ -146,7 +146,8 @@ class Exporter {
     return solid.volume_cubic_units / std::pow(10.0, 3 * complex_.lattice.digits);
   }
 
-  // `most`: smaller solids are one mesh together, the last one.
+  // Makes at most `most` meshes, one for each solid. The last mesh contains all remaining, smaller
+  // solids.
   std::vector<Mesh> meshes(std::size_t most) {
     std::vector<Rgb8> colours;
     if (source_.colours != ExportColours::solid) {
@@ -199,7 +200,7 @@ class Exporter {
                 " vertices, " + number_text(volume) + " Å³"};
     if (b.solids.empty()) lines[0] = "no boundary: the complex has no tetrahedra";
     if (complex_.tetrahedra_only) return lines;
-    // Singular in space, where surfaces enclose something.
+    // Counts of space, since only there a surface encloses something.
     const auto [vertices, edges, triangles, all] = class_counts(source_.answer.complex);
     if (triangles.singular + edges.singular + vertices.singular > 0) {
       const bool in_space = own_.dimension() == 3;
@@ -212,12 +213,12 @@ class Exporter {
     return lines;
   }
 
-  // These formats know no unit.
+  // For formats without a unit.
   static Lines with_unit(Lines lines) {
     lines.emplace_back("1 unit of the file is 1 Å");
     return lines;
   }
-  // For a printer, which makes each solid by itself.
+  // For printers, which make each solid separately.
   Lines with_pieces(Lines lines) {
     const std::size_t solids = boundary().solids.size();
     if (solids > 1) {
@@ -256,7 +257,8 @@ class Exporter {
     return {text};
   }
 
-  // Of all balls; a script names the first of each kind as the molecule has them.
+  // A group for each chain or element among all balls, with its colour. A script refers to them by
+  // the molecule's names.
   std::vector<ComplexScript::Group> groups() const {
     const bool chains = source_.colours == ExportColours::chain;
     const auto& atoms = source_.prepared.atom_of_ball;
@@ -273,7 +275,7 @@ class Exporter {
     return groups;
   }
 
-  // One row for each number: stages have names of their own in every engine.
+  // One row for each number, because the names of stages differ between engines.
   void write_counts(AtomicFile& file) {
     std::vector<CsvRow> rows;
     const auto add = [&rows](std::string quantity, std::string value, const char* unit) {

@@ -1,5 +1,5 @@
-// What writes files of a result, as a derived result: for formats that are no text, or more files
-// than one.
+// A function that writes files of a result, as a derived result. It is for formats that are not
+// text or need several files.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,9 @@
 namespace alphascope {
 
 struct FileWriter {
-  // To `files`, which are open, the first at `path`. In the caller's task arena. Does not commit.
-  // Throws WriteError, Cancelled, and std::invalid_argument, a sentence, for what cannot be written
-  // so.
+  // Writes to `files`, which must be open; the first is the one at `path`. Uses the caller's task
+  // arena. Does not commit. Throws WriteError, Cancelled, and std::invalid_argument with a sentence
+  // if the format cannot hold the result.
   std::function<void(const std::filesystem::path& path, const std::vector<AtomicFile*>& files,
                      const RunContext& context)>
       write;

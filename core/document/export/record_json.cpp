@@ -1,4 +1,4 @@
-// See the header.
+// Converts programs, inputs, requests and complexes into JSON.
 #include "core/document/export/record_json.hpp"
 
 #include "core/document/session/json_fields.hpp"
@@ -131,7 +131,7 @@ void leave_out_run(Json& json) {
 std::string json_text(const Json& json) {
   try {
     return json_file_text(json);
-  } catch (const Json::type_error&) {  // names of files, chains and atoms are any bytes
+  } catch (const Json::type_error&) {  // names of files, chains and atoms may be any bytes
     Json exact = json;
     write_bytes(exact);
     return json_file_text(exact);

@@ -1,4 +1,4 @@
-// Results with their provenance as JSON (docs/output-files.md), for window and command line.
+// JSON of results with their provenance (docs/output-files.md), for window and command line.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -16,15 +16,15 @@ using Json = nlohmann::ordered_json;
 Json program_json(const ProgramName& program);
 Json input_json(const RecordSource& source);
 Json request_json(const Request& request, const Lattice& lattice);
-// Keys counts, euler_characteristic, hash, tetrahedra_hash, engine, timings_ms. What a
-// tetrahedra-only complex does not hold is null.
+// Keys counts, euler_characteristic, hash, tetrahedra_hash, engine, timings_ms. If only tetrahedra
+// were computed, the missing values are null.
 Json complex_json(const AlphaComplex& complex, const std::string& engine_note);
 
-// Leaves out, at any depth, what depends on time and threads: times, device, route, counters.
+// Removes, at any depth, values that depend on time and threads: times, device, route, counters.
 void leave_out_run(Json& json);
 
-// Indented, and a line of its own at the end. A number that is none (NaN, infinite) is null; a text
-// that is no UTF-8 is { "bytes": "c3a4" }, as in sessions.
+// Indented text that ends with a newline. NaN and infinite numbers become null. Text that is not
+// UTF-8 becomes { "bytes": "c3a4" }, as in sessions.
 std::string json_text(const Json& json);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Where the numbers of a table come from, for whatever is written of it.
+// Provenance of results, for files that contain them.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace alphascope {
 
-// Who computed: "alphascope", "0.1.0", "0123456789ab".
+// The program that computed the results: "alphascope", "0.1.0", "0123456789ab".
 struct ProgramName {
   std::string name, version, commit;
   std::string text() const { return name + " " + version + " (" + commit + ")"; }
@@ -20,11 +20,11 @@ struct ProgramName {
 struct RecordSource {
   std::shared_ptr<const Molecule> molecule;       // with an assembly's copies
   std::shared_ptr<const PreparedBalls> prepared;  // its balls, without solvent radius
-  BallOptions options;                            // that they were chosen by
+  BallOptions options;                            // options by which the balls were chosen
   ProgramName program;
-  double open_milliseconds = 0;  // that reading took; 0: not measured
+  double open_milliseconds = 0;  // for reading the file; 0: not measured
 
-  // Of the balls that the numbers are of: a solvent radius may have put them on a finer one.
+  // Lattice of the balls of the results. A solvent radius may have moved them to a finer one.
   std::optional<Lattice> refined = {};
 
   Lattice lattice() const { return refined.value_or(prepared->balls->lattice); }

@@ -1,4 +1,4 @@
-// See the header.
+// Names of files, and the check for scripts.
 #include "core/document/export/shape_export.hpp"
 
 namespace alphascope {

@@ -1,5 +1,4 @@
-// Formats in which shapes, of cavities or channels, are written for other programs, and the files
-// that each of them is.
+// Formats of shapes (cavities or channels) for other programs, and the files of each format.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +17,27 @@ struct ShapeExportInfo {
   ShapeExport format;
   const char* ending;  // ".ply"
   const char* name;    // "PLY: surfaces"
-  const char* what;    // what is in it, and for whom: a phrase
+  const char* what;    // content and target programs, as a phrase
   const char* id;      // of the derived result
 };
 
 bool is_script(ShapeExport format);
 
-// The files that an export to `path` is: itself and, of a script, NAME-spheres.pqr and, for
+// The files of an export to `path`: the file itself. For a script also NAME-spheres.pqr and, for
 // ChimeraX, NAME-surface.glb in the same folder.
 std::vector<std::filesystem::path> shape_export_files(ShapeExport format,
                                                       const std::filesystem::path& path);
 
-// Where a file comes from: keys and values, all printable.
+// Provenance as keys and values, all printable.
 using ShapeHeader = std::vector<std::pair<std::string, std::string>>;
 
-// Files that a script opens besides the molecule's; absolute, or empty for none.
+// Files that a script opens beside the molecule's: absolute paths; empty: none.
 struct ShapeScriptFiles {
   std::filesystem::path spheres, surface;
 };
-// Of what shape_export_files() says.
+// Takes the files from shape_export_files().
 ShapeScriptFiles script_files(ShapeExport format, const std::filesystem::path& path);
-// A sentence where the programs do not open the molecule's file, or there is none; empty: they do.
+// A sentence if the programs cannot open the molecule's file; empty if they can.
 std::string why_no_script(const Molecule& molecule);
 
 }  // namespace alphascope

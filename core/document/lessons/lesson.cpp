@@ -1,4 +1,4 @@
-// See the header. One line after the other; what a line means depends on the part it is in.
+// Reads lessons line by line. The meaning of a line depends on the part that it belongs to.
 #include "core/document/lessons/lesson.hpp"
 
 #include <algorithm>
@@ -176,8 +176,8 @@ class LessonReader {
   }
 
   Lesson lesson_;
-  std::filesystem::path molecule_;   // of steps that name none
-  LessonPart* part_ = nullptr;       // that lines belong to; null: before the first step
+  std::filesystem::path molecule_;   // for steps that name none
+  LessonPart* part_ = nullptr;       // to which lines belong; null before the first step
   LessonParagraph* open_ = nullptr;  // that the next line of text continues
   bool fenced_ = false;
   std::size_t number_ = 0, fence_line_ = 0, answer_line_ = 0;

@@ -1,5 +1,5 @@
-// A lesson: chapters that the window plays step by step, as a text that anybody can write
-// (docs/file-formats.md). Reading such a text; playing it is the window's business.
+// A lesson: steps that the window plays, written as a text (docs/file-formats.md). This reads such
+// texts; app/viewer/lessons plays them.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace alphascope {
 
-// A command of the window, and where the text has it.
+// A command of the window, and its line in the text.
 struct LessonCommand {
   std::string text;      // "alpha.set 1.4"
   std::size_t line = 0;  // from 1
@@ -22,7 +22,7 @@ struct LessonParagraph {
   bool item = false;  // of a list
 };
 
-// Something that is read while the window shows what the commands make of it.
+// A text, and commands that make the window show its subject.
 struct LessonPart {
   std::vector<LessonParagraph> text;
   std::vector<LessonCommand> commands;
@@ -31,19 +31,19 @@ struct LessonPart {
 struct LessonStep {
   std::string title;
   std::size_t line = 0;
-  std::filesystem::path molecule;  // the file that it is about, as the text has it
+  std::filesystem::path molecule;  // the file of the step, as written in the text
   LessonPart shown = {};
-  LessonPart answer = {};  // without text: the step asks nothing
+  LessonPart answer = {};  // empty text: the step has no question
   bool asks() const { return !answer.text.empty(); }
 };
 
 struct Lesson {
   std::filesystem::path file;
   std::string title, summary;
-  std::vector<LessonCommand> commands;  // that every step begins with
+  std::vector<LessonCommand> commands;  // run at the begin of each step
   std::vector<LessonStep> steps;        // at least one
 
-  // Where the step's file is: beside the lesson, unless the text says otherwise.
+  // Path of the step's file. A relative path counts from the lesson's folder.
   std::filesystem::path molecule_of(const LessonStep& step) const;
 };
 
@@ -51,15 +51,15 @@ inline constexpr std::size_t kLargestLesson = 256 << 10;  // bytes
 inline constexpr std::size_t kMostLessonSteps = 100;
 inline constexpr std::size_t kMostLessonCommands = 50;  // of one part
 
-// What is read one after the other: steps, and answers to their questions.
+// The number of parts that are read in turn: steps, and answers to their questions.
 std::size_t count_of_parts(const Lesson& lesson);
 
-// Throws ReadError with file, line, reason and remedy. Whether the window has the commands is not
-// looked at here.
+// Throws ReadError with file, line, reason and remedy. It does not check whether the commands
+// exist.
 Lesson read_lesson(std::string_view text, const std::filesystem::path& file);
 Lesson load_lesson(const std::filesystem::path& file);
 
-// Pieces of a paragraph, in order.
+// A piece of a paragraph; lesson_spans() returns all in order.
 struct LessonSpan {
   std::string text;
   bool bold = false;

@@ -1,4 +1,4 @@
-// See the header.
+// Parses names of facts and writes their values.
 #include "core/document/lessons/lesson_facts.hpp"
 
 #include <algorithm>
@@ -29,11 +29,11 @@ constexpr std::string_view kNumbers[] = {"alpha",   "solvent",    "balls",   "hi
                                          "euler",   "components", "tunnels", "voids",
                                          "pockets", "mouths",     "volume",  "area"};
 
-// A name, taken apart.
+// The parsed name of a fact.
 struct Fact {
   std::string_view word;           // "edges", "alpha", "grown", "value"
-  bool noun = false;               // "n edges": with the noun
-  bool all = false;                // "all edges": of every alpha
+  bool noun = false;               // "n edges": the number with its noun
+  bool all = false;                // "all edges": edges of all alphas
   std::vector<std::size_t> atoms;  // "#1 #2", from 1
 };
 
@@ -52,7 +52,7 @@ std::optional<std::size_t> atom_number(std::string_view word) {
   return number;
 }
 
-// "#1 #2": the words that are left.
+// Reads "#1 #2", the rest of a name.
 bool take_atoms(std::string_view rest, Fact& fact) {
   for (std::string_view word = next_field(rest); !word.empty(); word = next_field(rest)) {
     const auto number = atom_number(word);
@@ -82,7 +82,7 @@ std::optional<Fact> parse(std::string_view name) {
   return known ? std::optional(fact) : std::nullopt;
 }
 
-// With three decimals at most.
+// A number with at most three decimals.
 std::string number_text(double value) {
   const double rounded = std::round(value * 1000) / 1000;
   const std::string digits = short_number(std::fabs(rounded));
@@ -157,8 +157,8 @@ std::string grown_text(const Answer& shown, std::size_t atom) {
   return number_text(grown_radius(radius, 0, shown.request.alpha_angstrom2)) + " Å";
 }
 
-// Components, tunnels and voids: the Betti numbers. Tunnels follow from the other two and Euler's
-// number.
+// Components, tunnels and voids are the Betti numbers. The number of tunnels follows from the
+// others and the Euler number.
 std::string hole_text(std::string_view word, const LessonFacts& facts) {
   const bool of_components = word == "components" || word == "tunnels";
   const auto measured = of_components ? asked(facts.measured) : nullptr;
@@ -180,7 +180,7 @@ std::string measure_text(std::string_view word, const LessonFacts& facts) {
                           : number_text(m.area_angstrom2) + " Å²";
 }
 
-// Of the request and the balls: nothing has to be computed for it.
+// Facts of the request and the balls, which need no computation.
 std::string plain_text(const Fact& fact, const Answer& shown) {
   if (fact.word == "alpha") return number_text(shown.request.alpha_angstrom2) + " Å²";
   if (fact.word == "solvent") return number_text(shown.request.solvent_radius_angstrom) + " Å";
@@ -210,7 +210,7 @@ std::string fact_text(const Fact& fact, const LessonFacts& facts) {
   return count_text(count_in(all ? all->top() : shown.complex, word), fact);
 }
 
-// visit(piece of the text, the fact that it is): words between, and what is in { and }.
+// Calls visit(piece, fact) for each piece of text. `fact` is set if the piece is a fact in { and }.
 template <class Visit>
 void for_pieces(std::string_view text, const Visit& visit) {
   while (!text.empty()) {

@@ -1,5 +1,6 @@
-// What a lesson may say of the complex on screen without writing a number down: {tetrahedra},
-// {n edges}, {alpha}. The facts are the program's own, so a text cannot be wrong about them.
+// Facts that a lesson may state about the complex on screen without numbers of its own:
+// {tetrahedra}, {n edges}, {alpha}. The program computes them, so the text is always right about
+// them.
 #pragma once
 
 #include <functional>
@@ -14,8 +15,8 @@
 
 namespace alphascope {
 
-// All of the complex on screen. What takes work is asked for only when a text mentions it; the
-// functions may be empty, and give null for what is not there yet.
+// Sources of facts on the complex on screen. The functions are called only if a text mentions their
+// facts. They may be empty, and return null until the result is ready.
 struct LessonFacts {
   std::shared_ptr<const Answer> shown;  // null: none
   std::function<std::shared_ptr<const Filtration>()> all;
@@ -23,14 +24,14 @@ struct LessonFacts {
   std::function<std::shared_ptr<const CavityTable>()> cavities;
 };
 
-// "tetrahedra", "n tetrahedra", "grown #1", "value #1 #2".
+// Whether this is the name of a fact: "tetrahedra", "n tetrahedra", "grown #1", "value #1 #2".
 bool is_lesson_fact(std::string_view name);
-std::string lesson_fact_names();  // for people: "alpha, solvent, …"
+std::string lesson_fact_names();  // all names, for users: "alpha, solvent, …"
 
-// The text with each {fact} replaced; "…" stands for what is not known yet. A dimension that a flat
-// set does not have counts as none.
+// The text with each {fact} replaced by its value; "…" if the value is not known yet. Simplices of
+// a dimension that a flat set does not have are counted as none.
 std::string with_facts(std::string_view text, const LessonFacts& facts);
-// Whether there would be no "…".
+// Whether with_facts() would return a text without "…".
 bool has_all_facts(std::string_view text, const LessonFacts& facts);
 
 }  // namespace alphascope

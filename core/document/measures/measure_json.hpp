@@ -6,8 +6,8 @@
 
 namespace alphascope {
 
-// Keys surface, area_angstrom2, volume_angstrom3, components; atoms, residues or chains where the
-// rows are those; measured, those of complex_json(), request, input.
+// Keys surface, area_angstrom2, volume_angstrom3, components, measured, those of complex_json(),
+// request, input. Also atoms, residues or chains, if the rows are those.
 Json measures_json(const MeasureFacts& facts, const MeasureRows& rows);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Names of surfaces.
 #include "core/document/measures/measure_names.hpp"
 
 #include "core/text/short_number.hpp"

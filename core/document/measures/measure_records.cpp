@@ -1,4 +1,4 @@
-// See the headers.
+// Writes areas and volumes as CSV and JSON; also the function of measure_json.hpp.
 #include "core/document/measures/measure_records.hpp"
 
 #include "core/document/measures/measure_json.hpp"
@@ -24,7 +24,7 @@ const char* list_name(MeasuredPer per) {
                                        : nullptr;
 }
 
-// The rows of measure_rows() as another text each.
+// Makes a text from the rows of measure_rows().
 using Written = std::string (*)(const MeasureFacts& facts, const MeasureRows& rows);
 Definition<std::string> written(const MeasureQuery& query, const RecordSource& source,
                                 const std::shared_ptr<const Answer>& answer, Written write) {

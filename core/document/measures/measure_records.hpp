@@ -1,5 +1,5 @@
-// Areas and volumes as programs read them (docs/output-files.md): what the command line and the
-// window write of them.
+// Areas and volumes as records for programs (docs/output-files.md), written by command line and
+// window.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace alphascope {
 
-// Of one complex. Nothing is null.
+// Facts on one complex. No pointer is null.
 struct MeasureFacts {
   RecordSource source;
   std::shared_ptr<const EngineAnswer> answer;
@@ -20,17 +20,17 @@ struct MeasureFacts {
   const UnionMeasures& measures() const { return measured->measures(); }
 };
 
-// `derivatives`: null unless asked for, and of atoms only.
+// `derivatives` may be non-null for rows of atoms only.
 MeasureRows rows_of_measures(const MeasureFacts& facts, const MeasureQuery& query,
                              std::shared_ptr<const UnionDerivatives> derivatives = {},
                              const RunContext& context = {});
 
-// With the lattice that was computed on.
+// Provenance with the lattice of the computation.
 Provenance provenance_of(const MeasureFacts& facts);
 CsvRow measure_csv_row(const MeasureFacts& facts, const MeasureRows& rows, const MeasureRow& row,
                        const Provenance& provenance);
 
-// Rows as they are queried, as CSV and as JSON, each with where it comes from.
+// The rows of a query as CSV or JSON, with provenance.
 Definition<std::string> measure_csv(const MeasureQuery& query, const RecordSource& source,
                                     const std::shared_ptr<const Answer>& answer);
 Definition<std::string> measure_json(const MeasureQuery& query, const RecordSource& source,

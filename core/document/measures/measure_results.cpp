@@ -1,4 +1,4 @@
-// See the header.
+// Definitions of measures and derivatives with their memory, and shares of exposed area.
 #include "core/document/measures/measure_results.hpp"
 
 #include "core/selection/atom_groups.hpp"
@@ -6,8 +6,8 @@
 namespace alphascope {
 namespace {
 
-// Of a ball: area, volume, whole area and component (28 bytes); while they are made, the grown
-// ball, scales, a private sum of each of up to 16 threads and a row of edges.
+// Bytes for each ball: area, volume, whole area and component (28). While they are made: the grown
+// ball, scales, a private sum for each of up to 16 threads, and a row of edges.
 MemoryNeed measures_memory(std::size_t balls) {
   constexpr std::uint64_t kHeld = 28, kPeak = 100 + 16 * 16;
   return {kHeld * balls, kPeak * balls};

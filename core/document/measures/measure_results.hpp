@@ -11,19 +11,18 @@
 namespace alphascope {
 
 struct MeasuredComplex {
-  std::shared_ptr<const MeasuredUnion> by;  // the measures, and what measured
+  std::shared_ptr<const MeasuredUnion> by;  // the measures, and the device that computed them
   Components components;
-  std::vector<double> free_area_angstrom2;  // of each ball's whole grown sphere
+  std::vector<double> free_area_angstrom2;  // area of each ball's whole grown sphere
 
   const UnionMeasures& measures() const { return by->measures; }
 };
-// `by` is null where the CPU is to measure, in the caller's task arena. Throws what measure_union()
-// does.
+// If `by` is null, the CPU measures, in the caller's task arena. Throws as measure_union() does.
 MeasuredComplex measure_complex(const BallSet& balls, const AlphaComplex& complex,
                                 std::shared_ptr<const MeasuredUnion> by, const RunContext& context);
 
-// Of each ball, how much of its whole sphere is on the surface of all, 0 to 1; or of its residue's
-// spheres. 0 where a ball is empty.
+// For each ball: the share of its whole sphere that is on the surface of all balls, 0 to 1. Or the
+// share of the spheres of its residue. 0 if a ball is empty.
 std::vector<float> exposed_shares(const UnionMeasures& measures, const BallSet& balls,
                                   const LatticeAlpha& alpha_on_lattice);
 std::vector<float> exposed_shares_of_residues(const UnionMeasures& measures, const BallSet& balls,
@@ -31,10 +30,11 @@ std::vector<float> exposed_shares_of_residues(const UnionMeasures& measures, con
                                               const Molecule& molecule,
                                               const std::vector<std::uint32_t>& atom_of_ball);
 
-// Made anew at each alpha; not of tetrahedra alone.
+// Measures of the complex on screen, made anew at each alpha. They need all simplices, not
+// tetrahedra alone.
 const Definition<MeasuredComplex>& union_measures();
 
-// Only for those who ask: twice the work.
+// Derivatives double the work, so they are made only on request.
 const Definition<UnionDerivatives>& union_derivatives();
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Makes rows of groups, filters and sorts them.
 #include "core/document/measures/measure_rows.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ double length(const Gradient& g) {
   return std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z);
 }
 
-// In the order of the molecule, with everything but names.
+// Rows in the order of the molecule, complete except for names.
 std::vector<MeasureRow> rows_of(const Groups& groups, const MeasuredComplex& measured) {
   const UnionMeasures& m = measured.measures();
   const auto sums = [&](const std::vector<double>& values) {

@@ -1,5 +1,5 @@
-// Areas and volumes as the rows of a table, by component, chain, residue or atom: the same in the
-// window, in CSV and in JSON.
+// Areas and volumes as rows of a table, by component, chain, residue or atom. The window, CSV and
+// JSON use the same rows.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace alphascope {
 
-// The last four are of atoms with derivatives.
+// The last four columns exist for atoms with derivatives only.
 enum class MeasureColumn : std::uint8_t {
   number,  // in the order of the molecule
   name,
@@ -32,10 +32,10 @@ enum class MeasureColumn : std::uint8_t {
 };
 inline constexpr int kMeasureColumns = 12;
 
-// Which rows, and in which order.
+// A filter for rows, and their order.
 struct MeasureQuery {
   MeasuredPer per = MeasuredPer::residue;
-  std::string filter = {};  // a part of the name, in small or large letters; empty: all rows
+  std::string filter = {};  // part of the name, in upper or lower case; empty: all rows
   MeasureColumn column = MeasureColumn::number;  // to sort by
   bool descending = false;
   bool derivatives = false;  // with MeasuredPer::atom only
@@ -46,33 +46,33 @@ struct MeasureRow {
   std::string name;  // "A:HIS 87"; a component has the name of its first atom
   std::uint32_t group = 0, first_ball = 0, atoms = 0;
   double area_angstrom2 = 0, volume_angstrom3 = 0;
-  double exposed_share = 0;                       // of the area of its whole spheres, 0 to 1
-  double share_of_area = 0, share_of_volume = 0;  // of the total
+  double exposed_share = 0;                       // share of the area of its whole spheres, 0 to 1
+  double share_of_area = 0, share_of_volume = 0;  // shares of the total
 };
 
 struct MeasureRows {
   MeasureQuery query;
   std::vector<MeasureRow> rows;
-  std::size_t all = 0;                                  // how many there are without the filter
+  std::size_t all = 0;                                  // number of rows without the filter
   std::vector<std::uint32_t> group_of_ball;             // MeasureRow::group, or kNoGroup
   std::shared_ptr<const UnionDerivatives> derivatives;  // null unless asked for
 
-  // By which a row is sorted; 0 for its name. Gradients: their lengths.
+  // The value by which rows are sorted: 0 for names, the length for gradients.
   double value(const MeasureRow& row, MeasureColumn column) const;
 };
 
-// Atoms of `molecule` by ball, as in PreparedBalls. Throws Cancelled.
+// `atom_of_ball` as in PreparedBalls. Throws Cancelled.
 MeasureRows make_measure_rows(const MeasureQuery& query, const Molecule& molecule,
                               const std::vector<std::uint32_t>& atom_of_ball,
                               const MeasuredComplex& measured,
                               std::shared_ptr<const UnionDerivatives> derivatives,
                               const RunContext& context = {});
 
-// The numbers of a row under the names that CSV and JSON give them (docs/output-files.md).
+// The numbers of a row, with their names in CSV and JSON (docs/output-files.md).
 std::vector<std::pair<std::string, double>> measure_values(const MeasureRows& rows,
                                                            const MeasureRow& row);
 
-// Of the complex that an answer has, while it is the one on screen.
+// Rows for the complex of `answer`, which must be the one on screen.
 Definition<MeasureRows> measure_rows(const MeasureQuery& query,
                                      const std::shared_ptr<const Answer>& answer);
 

@@ -1,4 +1,4 @@
-// See the header.
+// One function for each colour scheme of balls, and the colours of their values.
 #include "core/document/measures/paint_balls.hpp"
 
 #include <algorithm>
@@ -18,8 +18,9 @@ namespace {
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t kUnseen = 0xffffffff;
 
-// `key_of` an atom is below `keys`; `category` makes one of the first such atom. Categories are
-// numbered as the molecule has them, so that they keep their colours when others are switched off.
+// Categories by a key of atoms. `key_of` returns a number below `keys`; `category` makes a category
+// from its first atom. Categories are numbered in the order of the molecule, so that they keep
+// their colours when others are switched off.
 template <class KeyOf, class Category>
 BallValues by_key(const PaintedMolecule& of, std::size_t keys, const KeyOf& key_of,
                   const Category& category) {
@@ -73,7 +74,7 @@ BallValues by_residue_kind(const PaintedMolecule& of) {
     const auto kind = static_cast<ResidueKind>(k);
     values.categories.push_back({residue_kind_name(kind), residue_kind_colour(kind)});
   }
-  // Kinds are found by their names, of which there are few.
+  // The kind depends on few names, so it is computed once for each name.
   constexpr std::size_t kAtomKinds = 5;
   std::vector<std::uint32_t> known(of.molecule.names.size() * kAtomKinds, kUnseen);
   for (const std::uint32_t index : of.atom_of_ball) {
@@ -86,8 +87,8 @@ BallValues by_residue_kind(const PaintedMolecule& of) {
   return values;
 }
 
-// Of each atom, its residue's place along the chain in percent, of one model. Only polymers have
-// one: ligands and waters carry the chain's name, but are beside it.
+// For each atom of a model: position of its residue along the chain, in percent. Only polymers have
+// one; ligands and waters have the chain's name but do not belong to its sequence.
 void place_along_chains(const Molecule& molecule, const ModelRange& model,
                         std::vector<float>& place) {
   std::vector<std::uint32_t> residues(molecule.names.size(), 0);  // of each chain, so far
@@ -155,7 +156,8 @@ BallValues by_component(const PaintedMolecule& of) {
   for (const std::uint32_t c : found.of_ball) {
     if (c != kNoGroup) ++size[c];
   }
-  // The largest first; of equals the one with the lowest ball, as they are numbered.
+  // The largest component first; among equal ones the one with the lowest ball, which is their
+  // order.
   std::vector<std::uint32_t> order(found.count);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -215,7 +217,7 @@ ColourRange automatic_range(const BallValues& values, const SchemeInfo& scheme) 
   return low <= high ? round_range(low, high) : ColourRange{};
 }
 
-// Those that some ball has.
+// The categories that some ball has.
 std::vector<PaintCategory> used(const BallValues& values) {
   std::vector<bool> is_used(values.categories.size(), false);
   for (const std::uint32_t c : values.category_of) is_used[c] = true;
@@ -228,7 +230,7 @@ std::vector<PaintCategory> used(const BallValues& values) {
 
 std::string lower_case_title(const SchemeInfo& scheme) {
   std::string title = scheme.title;
-  const bool word = title.size() > 1 && title[1] != ' ';  // not of "B factor"
+  const bool word = title.size() > 1 && title[1] != ' ';  // not in "B factor"
   if (word && title[0] >= 'A' && title[0] <= 'Z') title[0] = static_cast<char>(title[0] + 32);
   return title;
 }

@@ -1,5 +1,5 @@
-// The colours that a paint gives to balls, and what they mean. One place for the window, the
-// command line and saved pictures.
+// Colours of balls for a paint, and their meaning, for the window, the command line and saved
+// pictures.
 #pragma once
 
 #include <optional>
@@ -21,18 +21,19 @@ struct PaintCategory {
   friend bool operator==(const PaintCategory&, const PaintCategory&) = default;
 };
 
-// What colours mean: those of a quantity along a scale, or those of categories.
+// Meaning of colours: a quantity along a scale, or categories.
 struct PaintKey {
   std::string title;                      // "B factor (Å²)"
   std::optional<ColourScale> scale;       // in the unit of the title
-  std::vector<PaintCategory> categories;  // of which there are balls; or without a value
+  std::vector<PaintCategory> categories;  // those that some ball has; or one for balls without a
+                                          // value
   friend bool operator==(const PaintKey&, const PaintKey&) = default;
 };
 
 struct PaintedMolecule {
   const Molecule& molecule;
   const std::vector<std::uint32_t>& atom_of_ball;  // as in PreparedBalls
-  // What only some schemes need; null where there is none.
+  // Needed by some schemes only; null: not available.
   const AlphaComplex* complex = nullptr;
   const UnionMeasures* measures = nullptr;  // of `grown`, for exposed areas
   const BallSet* grown = nullptr;           // with the solvent radius
@@ -40,18 +41,18 @@ struct PaintedMolecule {
 
 // A number or a category for each ball.
 struct BallValues {
-  std::vector<float> numbers;              // of a quantity, in its unit; NaN: none
-  std::vector<std::uint32_t> category_of;  // else: index into `categories`
+  std::vector<float> numbers;              // in the unit of the quantity; NaN: no value
+  std::vector<std::uint32_t> category_of;  // if there are no numbers: index into `categories`
   std::vector<PaintCategory> categories;
-  std::string no_number;  // what NaN means: "no B factor in the file"
-  std::string lacks;      // a sentence: why there are no values; empty: there are
+  std::string no_number;  // meaning of NaN: "no B factor in the file"
+  std::string lacks;      // sentence with the reason why there are no values; empty: there are
 };
-// Not of ColourBy::single.
+// Values of all schemes for balls except ColourBy::single.
 BallValues ball_values(const PaintedMolecule& of, ColourBy by);
 
 struct PaintedBalls {
   std::vector<Rgb8> colours;    // one a ball
-  std::optional<PaintKey> key;  // none: they mean nothing
+  std::optional<PaintKey> key;  // none: the colours have no meaning
   std::string lacks;            // as in BallValues
 };
 PaintedBalls paint_balls(const PaintedMolecule& of, const Paint& paint);
@@ -59,7 +60,7 @@ PaintedBalls paint_balls(const PaintedMolecule& of, const Paint& paint);
 // "B factor (Å²)", "exposed area of atoms (%), square-root scale".
 std::string quantity_title(const SchemeInfo& scheme);
 
-// Of simplices by their classes.
+// Colours of simplices by their classes.
 Rgb8 class_colour(SimplexClass of);
 PaintKey class_key();
 

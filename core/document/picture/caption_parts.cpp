@@ -1,4 +1,4 @@
-// See the header.
+// The table of caption parts, and reading and writing of choices.
 #include "core/document/picture/caption_parts.hpp"
 
 #include <algorithm>

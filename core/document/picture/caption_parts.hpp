@@ -1,5 +1,4 @@
-// What a caption in a picture says, by choice: names and words only. The texts are
-// ui/caption.hpp's.
+// Choice of the parts of a picture's caption, by names. ui/caption.hpp makes their texts.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +11,8 @@ enum class CaptionPart : std::uint8_t { file, alpha, solvent, radii, counts, eng
 
 struct CaptionPartInfo {
   CaptionPart part;
-  const char* id;     // as it is typed
-  const char* title;  // for people
+  const char* id;     // as typed
+  const char* title;  // as shown
 };
 std::span<const CaptionPartInfo> caption_parts();
 
@@ -31,11 +30,11 @@ class CaptionParts {
   std::uint8_t bits_ = 0;
 };
 
-// File, alpha, solvent radius (where there is one) and counts.
+// File, alpha, solvent radius (if there is one) and counts.
 CaptionParts usual_caption();
 
-// "usual", "all", "none", or ids with commas between: "alpha,counts". Throws std::invalid_argument,
-// a clause that names the ids.
+// Reads "usual", "all", "none", or ids with commas between: "alpha,counts". Throws
+// std::invalid_argument with a clause that lists the ids.
 CaptionParts read_caption_parts(const std::string& text);
 // The ids with commas between, or "none".
 std::string caption_parts_text(CaptionParts parts);

@@ -1,4 +1,4 @@
-// See the header.
+// Parses patterns of file names.
 #include "core/document/picture/frame_names.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ FrameNames::FrameNames(const std::filesystem::path& pattern) : folder_(pattern.p
       text += name[++i];
       continue;
     }
-    // "%d", or "%0" with digits before the d.
+    // Accepts "%d", or "%0" and a digit from 1 to 9 before the d.
     const std::size_t end = name.find_first_not_of("0123456789", i + 1);
     if (found || end == std::string::npos || name[end] != 'd') refuse(name);
     const std::string digits = name.substr(i + 1, end - i - 1);

@@ -1,4 +1,4 @@
-// Where a recording goes: numbered pictures, or a movie. By the name alone.
+// The destination of a recording, by its name: numbered pictures or a movie.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,22 @@ namespace alphascope {
 
 enum class RecordingFormat : std::uint8_t { frames, mp4, webm };
 
-// By the ending: .png, .mp4 or .webm. Throws std::invalid_argument, a clause that names them.
+// The format by the ending: .png, .mp4 or .webm. Throws std::invalid_argument with a clause that
+// lists them.
 RecordingFormat recording_format(const std::filesystem::path& path);
 
-// A name with one place for a number: "frame-%04d.png", "frame-%d.png"; %% stands for %.
+// A file name with one place for a number: "frame-%04d.png", "frame-%d.png"; %% stands for %.
 class FrameNames {
  public:
-  // Throws std::invalid_argument, a clause, when there is no such place, or more than one.
+  // Throws std::invalid_argument with a clause unless there is exactly one such place.
   explicit FrameNames(const std::filesystem::path& pattern);
-  // Counted from 1.
+  // `number` counts from 1.
   std::filesystem::path name(int number) const;
 
  private:
   std::filesystem::path folder_;
   std::string before_, after_;
-  std::size_t digits_ = 1;  // at least
+  std::size_t digits_ = 1;  // least number of digits
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// What is asked of saved pictures and recordings: plain choices, which sessions keep.
+// Choices for saved pictures and recordings, which sessions keep.
 #pragma once
 
 #include "core/document/picture/caption_parts.hpp"
@@ -9,15 +9,15 @@ namespace alphascope {
 struct PictureOptions {
   int width = 1920, height = 1080;  // pixels
   bool transparent = false;
-  bool legend = true, scale_bar = false;  // legend: where colours mean something
+  bool legend = true, scale_bar = false;  // the legend is drawn if colours have a meaning
   CaptionParts caption = {};
   friend bool operator==(const PictureOptions&, const PictureOptions&) = default;
 };
 
 struct RecordChoices {
   Recording recording;
-  bool of_lesson = false;      // in place of the recording
-  double lesson_seconds = 10;  // of each step, in a movie
+  bool of_lesson = false;      // record a lesson instead
+  double lesson_seconds = 10;  // duration of each step in a movie
   PictureOptions options{.width = 1280, .height = 720, .caption = usual_caption()};
   friend bool operator==(const RecordChoices&, const RecordChoices&) = default;
 };

@@ -1,4 +1,4 @@
-// See the header.
+// Frames of sweeps, turntables and lessons, and their texts on the command line.
 #include "core/document/picture/recording.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::string range_text(const NumberRule& rule) {
   return shortest_number(rule.least) + " to " + shortest_number(rule.most);
 }
 
-// From 0 at one end to 1 at the other. `open`: the other end is not reached.
+// Position of a frame, from 0 at one end to 1 at the other. `open`: the other end is not reached.
 double place_of_frame(const Recording& r, int frame, bool open) {
   const int step = frame < r.frames ? frame : 2 * (r.frames - 1) - frame;
   const int steps = open ? r.frames : r.frames - 1;
@@ -182,7 +182,7 @@ AlphaScaling scaling_from_id(const std::string& id) {
   return AlphaScaling::linear;
 }
 
-// Rodrigues' formula.
+// By Rodrigues' formula.
 std::array<double, 3> turned(const std::array<double, 3>& point,
                              const std::array<double, 3>& centre, const std::array<double, 3>& axis,
                              double degrees) {

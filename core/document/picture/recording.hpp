@@ -1,5 +1,5 @@
-// What a recording is of: a sweep of alpha, each frame a complex of its own, or a turntable, one
-// complex from all around. Plain numbers; knows neither engine nor renderer.
+// Describes a recording: a sweep of alpha (each frame is another complex) or a turntable (one
+// complex from all sides). Plain numbers; knows neither engine nor renderer.
 #pragma once
 
 #include <array>
@@ -12,49 +12,51 @@
 namespace alphascope {
 
 enum class RecordingKind : std::uint8_t { sweep, turntable };
-// Of a turntable: upwards in the view, or an axis of the molecule's file.
+// Axis of a turntable: upwards in the view, or an axis of the molecule's file.
 enum class TurnAxis : std::uint8_t { up, x, y, z };
 
 inline constexpr NumberRule kFramesRule{"The number of frames", 1, 20000, "", true};
 inline constexpr NumberRule kFrameRateRule{"The frame rate", 1, 120, "/ s"};
 inline constexpr NumberRule kTurnRule{"The turn", -36000, 36000, "°"};
 
-// Of a lesson: how long a movie shows each step. Nothing moves meanwhile, so few frames do. As
-// pictures, each step is one.
+// Duration of each step of a lesson in a movie. Nothing moves during it, so few frames are enough.
+// As pictures, each step is a single one.
 inline constexpr NumberRule kHoldRule{"The time of a step", 0.2, 600, "s"};
-inline constexpr double kLessonFrameRate = 5;  // a second
-int frames_held(double seconds);               // at that rate
-// "lesson:10": seconds. Throws std::invalid_argument, a clause.
+inline constexpr double kLessonFrameRate = 5;  // frames a second
+int frames_held(double seconds);               // number of frames at that rate, at least 1
+// Reads "lesson:10" and returns the seconds. Throws std::invalid_argument with a clause.
 double read_lesson_recording(const std::string& text);
 
 struct Recording {
   RecordingKind kind = RecordingKind::sweep;
-  AlphaScaling scaling = AlphaScaling::linear;  // equal steps of alpha, its root, its logarithm
-  double low = -1, high = 10;                   // Å², of the first and the last frame of a sweep
-  double degrees = 360;  // of a turntable; positive: the molecule's front goes to the right
+  AlphaScaling scaling = AlphaScaling::linear;  // equal steps of alpha, of its square root or of
+                                                // its logarithm
+  double low = -1, high = 10;                   // Å², at the first and last frame of a sweep
+  double degrees = 360;  // of a turntable; positive: the front of the molecule moves right
   TurnAxis axis = TurnAxis::up;
   int frames = 120;             // from one end to the other
-  bool there_and_back = false;  // and then back, so that it can be shown in a loop
+  bool there_and_back = false;  // then back again, so that the movie can run in a loop
   double frames_per_second = 30;
   friend bool operator==(const Recording&, const Recording&) = default;
 };
 
-// Why it cannot be, and what can: a sentence; empty when it can.
+// The reason why the recording is impossible, with a remedy, as a sentence; empty if it is
+// possible.
 std::string fault_of(const Recording& recording);
 
-// Of the whole recording; those that follow are of such as have no fault, and of frames from 0 to
-// this.
+// Number of frames of the whole recording. This and the next functions require a recording without
+// fault. Frames count from 0.
 int frame_count(const Recording& recording);
-// Å². Rounded to a power of ten that is less than a tenth of a step, so that it can be written
-// whole; the ends are exact.
+// Alpha of a frame, Å². It is rounded to a multiple of a power of ten below a tenth of a step, so
+// that few digits are needed. The ends are exact.
 double alpha_of_frame(const Recording& recording, int frame);
-// Around the axis. A turntable of whole turns that only goes there has no last frame like the
-// first: it can be shown in a loop.
+// Angle of a frame about the axis. If a turntable makes whole turns in one direction, its last
+// frame differs from the first, so that the movie can run in a loop.
 double degrees_of_frame(const Recording& recording, int frame);
 double seconds_of(const Recording& recording);
 
-// "alpha=-1:10:120" and "360:120": range or turn, and frames. Throws std::invalid_argument, a
-// clause.
+// Read "alpha=-1:10:120" and "360:120": range or angle, and the number of frames. Throw
+// std::invalid_argument with a clause.
 void read_sweep(const std::string& text, Recording& recording);
 void read_turntable(const std::string& text, Recording& recording);
 
@@ -62,10 +64,10 @@ const char* turn_axis_id(TurnAxis axis);       // "up", "x"
 const char* scaling_id(AlphaScaling scaling);  // "linear", "root", "log"
 inline constexpr const char* kTurnAxes = "up|x|y|z";
 inline constexpr const char* kScalings = "linear|root|log";
-TurnAxis turn_axis_from_id(const std::string& id);    // of kTurnAxes
-AlphaScaling scaling_from_id(const std::string& id);  // of kScalings
+TurnAxis turn_axis_from_id(const std::string& id);    // `id` is one of kTurnAxes
+AlphaScaling scaling_from_id(const std::string& id);  // `id` is one of kScalings
 
-// A point turned about an axis of length 1 through a centre, right-handed.
+// A point turned about an axis (unit vector) through `centre`; right-handed.
 std::array<double, 3> turned(const std::array<double, 3>& point,
                              const std::array<double, 3>& centre, const std::array<double, 3>& axis,
                              double degrees);

@@ -1,4 +1,4 @@
-// See the header.
+// Reads annotations from the words of a command line.
 #include "core/document/reference/annotations.hpp"
 
 #include <algorithm>

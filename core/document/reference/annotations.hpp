@@ -1,5 +1,5 @@
-// What somebody writes into the picture: labels of atoms, distances and angles between them, and
-// marks at places of space. A setting: undo, and a session file, know it.
+// Annotations of a picture: labels of atoms, distances and angles between atoms, and marks at
+// points in space. They are a setting, so undo and session files include them.
 #pragma once
 
 #include "core/document/reference/atom_labels.hpp"
@@ -12,16 +12,16 @@ struct Annotations {
   LabelGroups labels;
   Measurements measurements;
   PlacedMarks marks;
-  bool power_diagram = false;  // the borders between the cells of all balls (core/explain)
+  bool power_diagram = false;  // the borders between the power cells of all balls (core/explain)
   bool empty() const {
     return labels.empty() && measurements.empty() && marks.empty() && !power_diagram;
   }
   friend bool operator==(const Annotations&, const Annotations&) = default;
 };
 
-// The words of a command line: `labels` as "resn HEM=residue; name CA=name", and measurements as
-// read_measurement() takes them. Throws SelectionError, and std::invalid_argument for a label that
-// is none, atoms that are not there, or more than is drawn.
+// Words of a command line: `labels` such as "resn HEM=residue; name CA=name", and measurements for
+// read_measurement(). Throws SelectionError. Throws std::invalid_argument for an unknown label,
+// missing atoms, or more than can be drawn.
 struct AnnotationWords {
   std::string labels;
   std::vector<std::string> measurements;

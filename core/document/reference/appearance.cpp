@@ -1,4 +1,4 @@
-// See the header.
+// Reads hidden atoms and colours, and applies them to balls.
 #include "core/document/reference/appearance.hpp"
 
 #include <algorithm>

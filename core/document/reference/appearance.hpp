@@ -1,5 +1,5 @@
-// Which atoms the picture leaves out, and which have a colour of their own. Of the picture only:
-// nothing is computed anew, and no number changes.
+// Atoms that the picture hides, and atoms with a colour of their own. Only the picture changes:
+// nothing is computed anew.
 #pragma once
 
 #include <cstddef>
@@ -24,23 +24,23 @@ struct OwnColour {
 };
 
 struct Appearance {
-  AtomSet hidden;                  // not drawn, nor is a simplex with a corner among them
-  std::vector<OwnColour> colours;  // no atom is in two of them, and none is empty
+  AtomSet hidden;                  // hidden atoms; simplices with such a corner are hidden too
+  std::vector<OwnColour> colours;  // an atom is in at most one; none is empty
   bool plain() const { return hidden.empty() && colours.empty(); }
   friend bool operator==(const Appearance&, const Appearance&) = default;
 };
 
-// Of these atoms; nullopt: the colour that all others have.
+// Gives these atoms a colour; nullopt: they get the colour of their scheme again.
 void set_colour(Appearance& appearance, const AtomSet& atoms, const std::optional<Rgb8>& colour);
 
-// What it means to the balls of one picture.
+// The appearance of the balls of one picture.
 struct BallAppearance {
-  std::vector<bool> hidden;  // one a ball; empty: none is
+  std::vector<bool> hidden;  // one value a ball; empty: none is hidden
   std::size_t hidden_balls = 0;
   std::vector<std::pair<BallIndex, Rgb8>> colours;  // ascending
 
   bool hides(BallIndex ball) const { return !hidden.empty() && hidden[ball]; }
-  // One of the simplex' balls is hidden.
+  // Whether one of the simplex' balls is hidden.
   template <class Simplex>
   bool hides_some(const Simplex& balls) const {
     if (hidden.empty()) return false;
@@ -53,19 +53,20 @@ struct BallAppearance {
     for (const auto& [ball, colour] : colours) colours_of_balls.at(ball) = colour;
   }
 };
-// The words of a command line, as `hide` and `only` (selection expressions; empty: none is hidden,
-// all are shown) and `colours`: "resn HEM=#ff8800; chain A=#888". Throws SelectionError, and
-// std::invalid_argument for a colour that is none and for an expression without any atom.
+// Words of a command line. `hide` and `only` are selection expressions (empty: nothing is hidden;
+// all atoms are shown). `colours` is such as "resn HEM=#ff8800; chain A=#888". Throws
+// SelectionError. Throws std::invalid_argument for a text that is not a colour, or an expression
+// without any atom.
 struct AppearanceWords {
   std::string hide, only, colours;
 };
 Appearance read_appearance(const Molecule& molecule, const AppearanceWords& words);
 
-// The prepared molecule with nothing but the atoms that are no balls and not hidden.
+// A PreparedBalls that contains only the left-out atoms that are not hidden.
 PreparedBalls left_out_and_shown(const Molecule& molecule, const PreparedBalls& prepared,
                                  const AtomSet& hidden);
 
-// Null looks change nothing.
+// If `looks` is null, both return their argument unchanged.
 std::vector<Rgb8> painted(std::vector<Rgb8> colours, const BallAppearance* looks);
 std::vector<float> shown_radii(std::vector<float> radii, const BallAppearance* looks);  // hidden: 0
 

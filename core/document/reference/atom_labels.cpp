@@ -1,4 +1,4 @@
-// See the header.
+// Sets, counts and places labels of atoms.
 #include "core/document/reference/atom_labels.hpp"
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 namespace alphascope {
 namespace {
 
-using Visit = std::function<bool(std::size_t atom)>;  // false: no more
+using Visit = std::function<bool(std::size_t atom)>;  // returns false to stop
 
-// Of the file: where its atoms end.
+// End of the atoms of the file, without copies of an assembly.
 std::size_t end_of_atoms(const Molecule& molecule) {
   if (molecule.copied.empty()) return molecule.atoms.size();
   std::size_t end = 0;
@@ -23,7 +23,7 @@ std::size_t end_of_atoms(const Molecule& molecule) {
   return end;
 }
 
-// Atoms that the molecule lacks, since it is another assembly, are left out.
+// Visits the atoms of the set that this molecule contains; another assembly may lack some.
 void visit_atoms(const Molecule& molecule, const AtomSet& atoms, const Visit& visit) {
   const std::size_t end = end_of_atoms(molecule);
   for (const AtomSet::Run& run : atoms.runs()) {
@@ -71,12 +71,12 @@ std::string label_text(const BallReferences& atoms, std::size_t atom, LabelText 
   return atom_address(molecule, atom);
 }
 
-// Atoms of one residue follow one another in a file.
+// Finds beginnings of residues; atoms of one residue are consecutive in a file.
 class Residues {
  public:
   explicit Residues(const Molecule& molecule) : molecule_(molecule) {}
 
-  // Whether the atom is of another residue than the last one.
+  // Whether the atom belongs to another residue than the atom before.
   bool begins(std::size_t atom) {
     const bool other = last_ == kNone || atom < last_ ||
                        !of_one_label(molecule_.atoms[last_], molecule_.atoms[atom]);
@@ -124,7 +124,7 @@ std::vector<PlacedText> placed_labels(const BallReferences& atoms, const LabelGr
   for (const AtomLabels& group : labels) {
     Residues residues(molecule);
     const bool joins = group.text == LabelText::residue;
-    double joined = 0;  // atoms in the last text
+    double joined = 0;  // number of atoms in the last text
     visit_atoms(molecule, group.atoms, [&](std::size_t atom) {
       if (!is_drawn(atom)) return true;
       const RealPoint at =

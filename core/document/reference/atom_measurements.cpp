@@ -1,4 +1,4 @@
-// See the header.
+// Reads, computes and writes measurements.
 #include "core/document/reference/atom_measurements.hpp"
 
 #include <stdexcept>
@@ -69,7 +69,9 @@ Measurement read_measurement(const BallReferences& atoms, std::string_view text)
     more = end != std::string_view::npos;
     const std::string address(trimmed(text.substr(0, end)));
     text.remove_prefix(more ? end + 1 : text.size());
-    if (address.empty() && !more && m.atoms.size() >= kFewest) break;  // a last semicolon
+    if (address.empty() && !more && m.atoms.size() >= kFewest)
+      break;  // allows a semicolon at the
+              // end
     if (m.atoms.size() == kMost) throw std::invalid_argument(kHowMany);
     m.atoms.push_back(atoms.atom_of_molecule(one_named(atoms.molecule(), address)));
   }

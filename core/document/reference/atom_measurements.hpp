@@ -1,5 +1,5 @@
-// Distances and angles that somebody measures between atoms: a list that outlives other options,
-// since it holds references.
+// Distances and angles between atoms that the user measures. The list keeps references, so it stays
+// valid under other options.
 #pragma once
 
 #include <optional>
@@ -14,41 +14,41 @@ namespace alphascope {
 class BallReferences;
 struct Molecule;
 
-// Of two atoms their distance, of three the angle at the second, of four the dihedral angle about
-// the line from the second to the third. The order counts, and an atom may be there twice.
+// Two atoms have a distance, three an angle at the second. Four have a dihedral angle about the
+// line from the second to the third. Their order counts, and an atom may occur twice.
 struct Measurement {
   std::vector<AtomRef> atoms;  // 2 to 4
   friend bool operator==(const Measurement&, const Measurement&) = default;
 };
-using Measurements = std::vector<Measurement>;  // in the order of measuring
+using Measurements = std::vector<Measurement>;  // in the order in which they were made
 inline constexpr std::size_t kMostMeasurements = 1000;
 
 const char* measurement_name(const Measurement& m);  // "distance", "angle", "dihedral angle"
 const char* measurement_unit(const Measurement& m);  // "Å", "°"
 
 struct Measured {
-  std::vector<std::size_t> atoms;  // of the molecule, by index
-  // Å or degrees (core/measure/angles.hpp); none: undefined, since points coincide or are on a
+  std::vector<std::size_t> atoms;  // indices into the molecule's atoms
+  // Å or degrees (core/measure/angles.hpp). Empty if undefined, because points coincide or lie on a
   // line.
   std::optional<double> value;
 };
-// None: the molecule lacks one of the atoms, since it is another assembly.
+// Empty if this molecule lacks one of the atoms, since it is another assembly.
 std::optional<Measured> measured(const Molecule& molecule, const Measurement& m);
 
-// From addresses with semicolons between them, "A:HIS 87:NE2; A:HEM 142:FE", each of one atom.
-// Throws std::invalid_argument with a sentence, SelectionError for an address that cannot be read.
+// Reads addresses with semicolons between them, "A:HIS 87:NE2; A:HEM 142:FE". Each must name one
+// atom. Throws std::invalid_argument with a sentence, and SelectionError for an invalid address.
 Measurement read_measurement(const BallReferences& atoms, std::string_view text);
 
-// Two to four atoms, or a sentence that says why there are none.
+// Two to four atoms, or a sentence with the reason why there are none.
 struct AskedMeasurement {
   std::optional<Measurement> measurement;
   std::string why_not;
 };
-// What a selection asks for: an edge, or atoms in the order in which they were selected.
+// The measurement for a selection: an edge, or atoms in the order of their selection.
 AskedMeasurement asked_measurement(const Selection& selection);
 
-// A table with all digits: number, kind, value, unit and the addresses of the atoms. A value that
-// is undefined, or of atoms that the molecule lacks, is left empty.
+// A CSV table with all digits: number, kind, value, unit and the addresses of the atoms. A value is
+// empty if it is undefined, or if the molecule lacks an atom.
 std::string measurements_csv(const Molecule& molecule, const Measurements& measurements);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Joins, cuts and converts runs of atoms.
 #include "core/document/reference/atom_set.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Run = AtomSet::Run;
 
-// Whether the second begins inside the first or right behind it.
+// Whether `b` begins inside `a` or directly after it. Requires a <= b.
 bool touches(const Run& a, const Run& b) {
   return a.copy == b.copy && b.first <= std::uint64_t{a.last} + 1;
 }

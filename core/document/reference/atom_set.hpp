@@ -1,5 +1,6 @@
-// Atoms of a file and of its copies in an assembly, as runs: small for chains and residues, which
-// is what people hide and colour, and cheap to keep in every entry of the history.
+// Sets of atoms of a file and its copies in an assembly, as runs. They are small for chains and
+// residues, which are mostly hidden or coloured as a whole. So each entry of the history can keep
+// one.
 #pragma once
 
 #include <algorithm>
@@ -19,18 +20,18 @@ struct PictureAtoms;
 
 class AtomSet {
  public:
-  // Atoms first to last of one copy, as in AtomRef.
+  // Atoms `first` to `last` of one copy, numbered as in AtomRef.
   struct Run {
     std::uint32_t copy = 0, first = 0, last = 0;
     friend auto operator<=>(const Run&, const Run&) = default;
   };
 
   AtomSet() = default;
-  explicit AtomSet(std::vector<Run> runs);  // in any order, also overlapping
+  explicit AtomSet(std::vector<Run> runs);  // in any order; may overlap
 
   const std::vector<Run>& runs() const;  // ascending, with gaps between them
   bool empty() const { return runs().empty(); }
-  std::uint64_t size() const;  // atoms
+  std::uint64_t size() const;  // number of atoms
   bool contains(const AtomRef& atom) const;
 
   AtomSet with(const AtomSet& other) const;
@@ -44,19 +45,19 @@ class AtomSet {
   std::shared_ptr<const std::vector<Run>> runs_;  // null: none
 };
 
-// Of one value an atom of the molecule to a set, and back. Atoms that the molecule lacks, since it
-// is another assembly, have no value.
+// Convert between a value for each atom of the molecule and a set. Atoms that this molecule lacks,
+// since it is another assembly, are ignored.
 AtomSet atom_set(const Molecule& molecule, const std::vector<bool>& atoms);
 std::vector<bool> atoms_of(const Molecule& molecule, const AtomSet& set);
 
 AtomSet all_atoms(const Molecule& molecule);
-// What an address or an expression names (core/selection/atom_address.hpp); may be empty. Throws
-// SelectionError.
+// Atoms named by an address or an expression (core/selection/atom_address.hpp); may be empty.
+// Throws SelectionError.
 AtomSet named_set(const Molecule& molecule, std::string_view text, const PictureAtoms& picture);
-AtomSet named_set(const Molecule& molecule, std::string_view text);  // nothing is in the picture
+AtomSet named_set(const Molecule& molecule, std::string_view text);  // for an empty picture
 
-// Groups of atoms that have a value in common, such as a colour: no atom is in two of them, and
-// none is empty. Gives these atoms another value; none: they are in no group any more.
+// Sets the value of these atoms in groups of atoms with equal values, such as colours. Without
+// `value` they leave their groups. An atom is in at most one group, and no group is empty.
 template <class Group, class Value>
 void set_value_of_atoms(std::vector<Group>& groups, Value Group::*member, const AtomSet& atoms,
                         const std::optional<Value>& value) {

@@ -1,4 +1,4 @@
-// See the header.
+// Splits such lists and reports errors in them.
 #include "core/document/reference/atom_words.hpp"
 
 #include <algorithm>

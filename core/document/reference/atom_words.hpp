@@ -1,4 +1,5 @@
-// Lists of a command line that give atoms a word each: "resn HEM=#ff8800; chain A=#888".
+// Lists of a command line that give a word to each group of atoms: "resn HEM=#ff8800; chain
+// A=#888".
 #pragma once
 
 #include <string>
@@ -9,18 +10,19 @@
 
 namespace alphascope {
 
-// Throws std::invalid_argument when no atom is meant, SelectionError for what cannot be read.
+// The atoms of an expression. Throws std::invalid_argument if there are none, and SelectionError if
+// it cannot be read.
 AtomSet some_named(const Molecule& molecule, std::string_view expression);
 
 struct AtomWord {
   AtomSet atoms;
-  std::string word, part;  // "#ff8800", and all of "resn HEM=#ff8800"
+  std::string word, part;  // "#ff8800", and the whole part "resn HEM=#ff8800"
 };
-// Parts between semicolons, each of atoms, "=" and a word. `what` and `example` are for the
-// message of std::invalid_argument: "their colour", "resn HEM=#ff8800".
+// Splits the text at semicolons; each part is atoms, "=" and a word. `what` and `example` are used
+// in the message of std::invalid_argument: "their colour", "resn HEM=#ff8800".
 std::vector<AtomWord> atom_words(const Molecule& molecule, std::string_view text,
                                  const std::string& what, const std::string& example);
-// What that throws, for a word that is none.
+// Throws that exception for an invalid word.
 [[noreturn]] void refuse_atom_word(std::string_view part, const std::string& what,
                                    const std::string& example);
 

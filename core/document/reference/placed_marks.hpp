@@ -1,4 +1,4 @@
-// Points and lines that somebody draws at places of space, with words beside them.
+// Points and lines that the user draws at points in space, with texts beside them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// See the header. Balls come in the order of their atoms, so an atom's ball is found by bisection.
+// Sets of references, the order of selection, and lookups. Balls have the order of their atoms, so
+// an atom's ball is found by bisection.
 #include "core/document/reference/reference.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
-// Atoms and simplices by a name that stays good when other atoms are used as balls. An index of a
-// ball does not: it is another atom's as soon as hydrogens, alternative locations or the assembly
-// change. So what outlives one set of balls (selection, history, session files) holds references
-// only.
+// References to atoms and simplices that stay valid under other options. The index of a ball does
+// not: it changes with hydrogens, alternative locations or the assembly. So data that outlive one
+// set of balls (selection, history, session files) hold references only.
 #pragma once
 
 #include <compare>
@@ -21,20 +20,21 @@
 
 namespace alphascope {
 
-// From the balls of one molecule under one set of options to references and back.
+// Converts between balls of one molecule under one set of options and references.
 class BallReferences {
  public:
   BallReferences(std::shared_ptr<const Molecule> molecule,
                  std::shared_ptr<const PreparedBalls> prepared);
 
   AtomRef atom(BallIndex ball) const;
-  AtomRef atom_of_molecule(std::size_t atom) const;  // an index into its atoms; need not be a ball
-  // Of a simplex; one ball is an AtomRef.
+  AtomRef atom_of_molecule(std::size_t atom) const;  // index into the molecule's atoms; need not be
+                                                     // a ball
+  // Reference to a simplex; for one ball an AtomRef.
   Ref reference(std::span<const BallIndex> balls) const;
 
-  // Nothing when the atom is no ball under these options.
+  // Empty if the atom is not a ball under these options.
   std::optional<BallIndex> ball(const AtomRef& ref) const;
-  // All balls of a reference, ascending; nothing when one of them is missing.
+  // All balls of a reference, ascending; empty if one of them is missing.
   std::optional<std::vector<BallIndex>> balls(const Ref& ref) const;
 
   const Molecule& molecule() const { return *molecule_; }
@@ -45,25 +45,27 @@ class BallReferences {
   std::shared_ptr<const PreparedBalls> prepared_;
 };
 
-// One value an atom of the molecule: whether something of the set is of it, corners of simplices
-// included. What the word "selected" of an expression means.
+// A value for each atom of the molecule: whether it is in the set, or a corner of a simplex in it.
+// The word "selected" of expressions uses this.
 std::vector<bool> atoms_of(const Molecule& molecule, const RefSet& refs);
 
-// "A:HIS 87:NE2", "edge A:HIS 87:CE1, A:HIS 87:NE2"; what the molecule lacks is left out.
+// "A:HIS 87:NE2", "edge A:HIS 87:CE1, A:HIS 87:NE2"; atoms that the molecule lacks are omitted.
 std::string name_of(const Molecule& molecule, const Ref& ref);
-// An expression that names these atoms and no others, however alike names are: "index 12,20", in an
-// assembly "index 12 and copy 1 or index 20 and copy 2".
+// An expression that names exactly these atoms, even if others have the same names. It is such as
+// "index 12,20", or for an assembly "index 12 and copy 1 or index 20 and copy 2".
 std::string expression_of(const Molecule& molecule, const Ref& ref);
 
 struct NamedAtoms {
-  std::vector<Ref> balls;  // of the atoms that are balls
-  std::size_t others = 0;  // atoms that match and are none
+  std::vector<Ref> balls;  // atoms that are balls
+  std::size_t others = 0;  // number of other matching atoms
 };
-// What an address or an expression names (core/selection/atom_address.hpp). Throws SelectionError.
+// Atoms named by an address or an expression (core/selection/atom_address.hpp). Throws
+// SelectionError.
 NamedAtoms named_atoms(const BallReferences& references, std::string_view text,
                        const PictureAtoms& picture = {});
 
-const char* simplex_kind_name(std::size_t corners);                  // of 1 to 4: "vertex", "edge"
+const char* simplex_kind_name(std::size_t corners);                  // for 1 to 4 corners:
+                                                                     // "vertex", "edge", …
 std::string atom_text(const BallReferences& atoms, BallIndex ball);  // "A:VAL 1:CA"
 
 }  // namespace alphascope

@@ -1,12 +1,12 @@
-// Alpha in JSON: a number where a double says it (the shortest decimal that reads as that double is
-// meant), else all its digits as text, since readers of JSON make doubles of numbers.
+// Alpha in JSON. It is a number if the shortest decimal of a double is exactly alpha. Otherwise it
+// is a text with all digits, because JSON readers convert numbers to double.
 #pragma once
 
 #include "core/geometry/alpha.hpp"
 
 namespace alphascope {
 
-// nlohmann's way to make any JSON of it.
+// Makes any kind of JSON, by nlohmann's convention.
 template <class BasicJson>
 void to_json(BasicJson& json, const Alpha& alpha) {
   if (alpha.is_shortest_of_double() || !alpha.is_decimal()) {

@@ -1,4 +1,4 @@
-// See the header.
+// Changes of settings, undo and redo.
 #include "core/document/session/editor.hpp"
 
 #include <utility>

@@ -1,5 +1,5 @@
-// The settings in force and their history. Undo is by snapshots: a setting that is new costs
-// nothing here. Main thread only.
+// The present settings and their history. Undo works with snapshots, so a new setting needs no code
+// here. Main thread only.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace alphascope {
 
-// Names what belongs together: everything between a press of a button or key and its release. Such
-// changes are one entry. Those of gesture 0 are one entry each.
+// Identifies changes that make one entry: those between the press of a button or key and its
+// release. Each change of gesture 0 is an entry of its own.
 using Gesture = std::uint64_t;
 
 class Editor {
@@ -22,24 +22,24 @@ class Editor {
 
   const Settings& now() const { return now_; }
 
-  // A change by the user. A gesture that ends where it began leaves no entry.
+  // A change by the user. A gesture that ends with the settings of its begin leaves no entry.
   void set(const Settings& settings, Gesture gesture);
-  // A change that is no entry: by playback, or by the program when it cannot do what was asked for;
-  // in that case the entry of the request goes, too.
+  // A change without an entry: by playback, or by the program if it cannot carry out a request. In
+  // the latter case the entry of the request is removed too.
   void amend(const Settings& settings);
-  // What follows from an earlier change when it is computed, such as the atoms that line a chosen
-  // cavity: no entry, and no end of the gesture.
+  // A consequence of an earlier change that takes time to compute, such as the lining atoms of a
+  // selected cavity. It makes no entry and does not end the gesture.
   void follow(const Settings& settings);
-  // Another file: from here on there is nothing to go back to.
+  // Starts a new history, for another file.
   void restart(const Settings& settings);
 
   bool undo();  // false: there was nothing to undo
   bool redo();
 
-  // Entries that undo can take back.
+  // Number of entries that can be undone.
   std::size_t depth() const { return before_.size(); }
 
-  // What would change, "alpha"; empty when nothing would.
+  // The settings that undo or redo would change, such as "alpha"; empty if none.
   std::string undo_text() const;
   std::string redo_text() const;
 
@@ -47,8 +47,8 @@ class Editor {
 
  private:
   Settings now_;
-  std::deque<Settings> before_;  // as it was before each entry, the oldest first
-  std::vector<Settings> after_;  // as it was before each undo, the latest last
+  std::deque<Settings> before_;  // settings before each entry, the oldest first
+  std::vector<Settings> after_;  // settings before each undo, the latest last
   Gesture gesture_ = 0;          // of the last entry
 };
 

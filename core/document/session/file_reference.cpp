@@ -1,4 +1,4 @@
-// See the header.
+// Makes references to files, finds the files, and describes those not found.
 #include "core/document/session/file_reference.hpp"
 
 #include <algorithm>

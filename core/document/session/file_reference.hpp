@@ -1,5 +1,5 @@
-// A file that another one names: by path and by what it holds, so that one that moved is found and
-// one that changed is noticed.
+// A reference to a file by path and content, so that a moved file is found and a changed file is
+// noticed.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace alphascope {
 
 struct FileReference {
-  // From the folder of the file that names it; empty where that is not above or beside it.
+  // Path from the folder of the referring file; empty if the file is not in or below that folder.
   std::filesystem::path relative;
   std::filesystem::path absolute;
   std::string sha256;  // 64 hexadecimal digits
@@ -19,8 +19,8 @@ struct FileReference {
   friend bool operator==(const FileReference&, const FileReference&) = default;
 };
 
-// Of `file`, for what is written into `folder`. Does not look at the disk but for the present
-// folder.
+// A reference to `file`, for a file that is written into `folder`. It asks the disk only for the
+// present folder.
 FileReference refer_to(const std::filesystem::path& file, const std::string& sha256,
                        const std::filesystem::path& folder);
 
@@ -28,16 +28,17 @@ struct FoundFile {
   enum class State { same, changed, missing };
   State state = State::missing;
   std::filesystem::path path;                    // empty when missing
-  std::string sha256;                            // that it has now
-  std::vector<std::filesystem::path> looked_at;  // where, in this order
+  std::string sha256;                            // present hash of the file
+  std::vector<std::filesystem::path> looked_at;  // paths that were tried, in this order
 };
 
-// Reads what is there. `folder`: of the file that names it. The first whose content is the same;
-// else the first that is there. Throws ReadError when that cannot be read; Cancelled.
+// Reads the files at the known paths. Returns the first with the same content, otherwise the first
+// that exists. `folder` is that of the referring file. Throws ReadError if none can be read
+// although one exists, and Cancelled.
 FoundFile find_file(const FileReference& wanted, const std::filesystem::path& folder,
                     const RunContext& context = {});
 
-// What is to be told of a file that is not the same: where it was looked for, what differs.
+// A message on a file that is not the same: the paths that were tried, or the difference.
 std::string why_not_found(const FileReference& wanted, const FoundFile& found);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// The reading side of the header.
+// Reads settings from JSON: FieldReader.
 #include "core/document/session/json_fields.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace alphascope {
 namespace {
 
-// Of lists that no program would make so long; Selection::kMostItems is below.
+// Limits that no program would exceed. Selections have Selection::kMostItems instead.
 constexpr std::size_t kLongestText = std::size_t{1} << 20;  // bytes
 constexpr std::size_t kMostRuns = 10000000;
 constexpr std::size_t kShownOfAValue = 40;  // characters
@@ -31,7 +31,7 @@ bool from_hexadecimal(const std::string& text, std::string& bytes) {
   return true;
 }
 
-// Of a scalar, to be quoted in a message.
+// A value as quoted in messages.
 std::string shown(const ReadJson& json) {
   if (json.is_object()) return "an object";
   if (json.is_array()) return "a list";
@@ -95,7 +95,7 @@ bool FieldReader::number(const JsonPlace& place, const ReadJson& json, double& v
   const bool good = read >= rule.least && read <= rule.most &&
                     (!rule.whole || read == std::round(read));  // false for NaN
   if (good) {
-    value = read == 0 ? 0 : read;  // no minus zero
+    value = read == 0 ? 0 : read;  // not minus zero
   } else {
     wrong(place, json, range_text(rule));
   }
@@ -111,7 +111,7 @@ bool FieldReader::atom(const JsonPlace& place, const ReadJson& json, AtomRef& va
   return good;
 }
 
-// Without NUL, which ends names of files.
+// Text must not contain NUL, which would end file names.
 bool FieldReader::text(const JsonPlace& place, const ReadJson& json, std::string& value) {
   std::string read;
   bool good = json.is_string();

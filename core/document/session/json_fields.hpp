@@ -1,6 +1,6 @@
-// Settings as JSON. One visitor writes what a list of fields (settings_fields.hpp) names, one reads
-// it, with bounds: what is read comes from anywhere. For sources that write or read such files
-// only: this header is slow to compile.
+// Settings as JSON. FieldWriter and FieldReader visit the fields of settings_fields.hpp. The reader
+// checks all bounds, because files come from anywhere. Only sources that read or write such files
+// include this header, since it compiles slowly.
 #pragma once
 
 #include <array>
@@ -79,7 +79,7 @@ class FieldWriter {
   WrittenJson& to_;
 };
 
-// What was found wrong, or strange.
+// Errors and unknown names found while reading.
 struct JsonFindings {
   struct Wrong {
     JsonPlace place;
@@ -89,7 +89,7 @@ struct JsonFindings {
   std::vector<JsonPlace> unknown;
 };
 
-// A value that is wrong stays as it was.
+// Reads fields of an object. If a value is wrong, the field keeps its old value.
 class FieldReader {
  public:
   static constexpr std::size_t kMostListed = 100000;
@@ -98,7 +98,7 @@ class FieldReader {
 
   void operator()(const char* name, bool& value);
   void operator()(const char* name, double& value, const NumberRule& rule);
-  void operator()(const char* name, Alpha& value, const NumberRule& rule);  // text, too
+  void operator()(const char* name, Alpha& value, const NumberRule& rule);  // a number or a text
   void operator()(const char* name, float& value, const NumberRule& rule);
   void operator()(const char* name, int& value, const NumberRule& rule);
   void operator()(const char* name, std::array<double, 3>& value, const NumberRule& rule);
@@ -150,13 +150,13 @@ class FieldReader {
     if (findings_.wrong.size() == faults) values = std::move(read);
   }
 
-  // Null: it is not there.
+  // Null if there is no such member.
   const ReadJson* take(const char* name);
   void wrong(JsonPlace place, const ReadJson& value, const std::string& must_be);
-  // `reason` follows the place: "cannot be understood".
+  // `reason` follows the place in the message: "cannot be understood".
   void fault(JsonPlace place, std::string reason);
   JsonPlace below(const std::string& name) const;
-  // Names that nobody has asked for are unknown.
+  // Reports members that no call has read as unknown.
   void finish();
 
  private:
@@ -173,15 +173,15 @@ class FieldReader {
   std::set<std::string_view> taken_;
 };
 
-// Text that a user or a file chose: as it is, or { "bytes": "c3a4" } where it is no UTF-8.
+// Text from a user or a file, as a string. If it is not UTF-8, as { "bytes": "c3a4" }.
 WrittenJson text_json(const std::string& text);
 
-// An object of a whole file. Throws ReadError, with the line, for what is none and what is nested
-// absurdly; `what` is "session", `remedy` what to do.
+// The object of a whole file. Throws ReadError with the line if it is not a JSON object, or nested
+// too deeply. `what` is "session", `remedy` an advice.
 ReadJson parse_json_object(const std::filesystem::path& path, std::string_view text,
                            const std::string& what, const std::string& remedy);
 
-// The text of such a file; ends with a line end.
+// The text of such a file; it ends with a newline.
 std::string json_file_text(const WrittenJson& json);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// From the text of a file to one JSON object, with the place of what is wrong. See json_fields.hpp.
+// Parses a file into one JSON object, and finds the line of an error.
 #include <set>
 #include <utility>
 
@@ -8,14 +8,14 @@
 namespace alphascope {
 namespace {
 
-constexpr std::size_t kDeepest = 40;  // ours are 6 deep
+constexpr std::size_t kDeepest = 40;  // our files have 6 levels
 
-// Where a syntax error is (the parser's own message counts bytes of what it has read), or a name
-// that an object has twice: parsers take one of the two values, and not all the same one.
+// Finds the place of a syntax error, since the parser's message counts bytes only. It also finds a
+// name that occurs twice in an object: parsers use one of the values, but not all the same one.
 class Faults : public ReadJson::json_sax_t {
  public:
   std::size_t offset = 0;
-  JsonPlace twice;  // empty: no name is
+  JsonPlace twice;  // empty: no name occurs twice
 
   bool null() override { return value(); }
   bool boolean(bool) override { return value(); }

@@ -1,4 +1,5 @@
-// See the header. One step per character, whatever the text holds: nothing here calls itself.
+// Scans JSON without recursion, so deep nesting cannot overflow the stack. Each function takes one
+// step a character.
 #include "core/document/session/json_place.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ class Scanner {
     ++at_;
     return true;
   }
-  // A string with its quotes.
+  // Takes a string with its quotes.
   std::string_view take_string() {
     const std::size_t first = at_;
     if (is('"')) ++at_;
@@ -32,7 +33,7 @@ class Scanner {
     at_ = std::min(at_ + 1, json_.size());
     return json_.substr(first, at_ - first);
   }
-  // A value, to the comma or bracket behind it.
+  // Skips a value, up to the comma or bracket after it.
   void skip_value() {
     std::size_t depth = 0;
     for (; at_ < json_.size(); ++at_) {
@@ -47,8 +48,8 @@ class Scanner {
       }
     }
   }
-  // To the value of the last member of this name: of two, the one that is refused. False: there is
-  // none.
+  // Moves to the value of the last member with this name; of two members that is the one reported
+  // as wrong. Returns false if there is none.
   bool enter_member(const std::string& name) {
     std::size_t found = std::string_view::npos;
     if (!take('{')) return false;
@@ -98,7 +99,7 @@ std::size_t line_of(std::string_view json, const JsonPlace& place) {
     scanner.skip_blanks();
     const bool inside =
         scanner.is('[') ? scanner.enter_element(std::stoul(step)) : scanner.enter_member(step);
-    if (!inside) break;  // a name with escapes: the line of what is around it
+    if (!inside) break;  // a name with escapes: uses the line of the enclosing value
   }
   return line_at(json, scanner.at());
 }

@@ -1,4 +1,4 @@
-// Where in a JSON text a value stands, for messages; what parses JSON forgets it.
+// Places of values in a JSON text, for messages; parsers do not keep them.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +8,17 @@
 
 namespace alphascope {
 
-// From the outermost object inwards: names of members, and places in arrays as numbers from 0.
+// Names of members and indices in arrays (from 0), from the outermost object inwards.
 using JsonPlace = std::vector<std::string>;
 
 std::string place_text(const JsonPlace& place);  // "display.beside.ligands"
 
-// The line, from 1, on which the value begins. `json` is valid JSON that has such a place.
+// The line, from 1, on which the value begins. `json` must be valid and contain the place.
 std::size_t line_of(std::string_view json, const JsonPlace& place);
 std::size_t line_at(std::string_view text, std::size_t offset);
 
-// How many arrays and objects stand inside each other, at most; stops counting beyond `limit`.
-// `offset` is where the limit is passed. Also of text that is no JSON.
+// Whether arrays and objects are nested deeper than `limit`. If so, `offset` is the position where
+// the limit is exceeded. The text may be invalid JSON.
 bool nested_deeper_than(std::string_view json, std::size_t limit, std::size_t& offset);
 
 }  // namespace alphascope

@@ -1,4 +1,5 @@
-// Balls set by hand in session files: whole numbers of the lattice, so that nothing is rounded.
+// Sandbox balls in session files. Their numbers are whole lattice units, so that nothing is
+// rounded.
 #include <array>
 #include <cstdint>
 
@@ -9,7 +10,7 @@ namespace {
 
 constexpr NumberRule kDigitsRule{"The digits", -9, kMaxLatticeDigits, "", true};
 
-// A list of x, y, z and r.
+// Reads a list of x, y, z and r.
 bool read_ball(const ReadJson& json, bool flat, SandboxBall& ball) {
   if (!json.is_array() || json.size() != 4) return false;
   std::array<std::int64_t, 4> units{};

@@ -1,4 +1,4 @@
-// The writing side of json_fields.hpp.
+// Writes settings as JSON: FieldWriter of json_fields.hpp.
 #include <charconv>
 
 #include "core/document/session/json_fields.hpp"
@@ -25,7 +25,7 @@ WrittenJson atom_json(const AtomRef& atom) {
 }  // namespace
 
 void FieldWriter::operator()(const char* name, float value, const NumberRule&) {
-  char text[32];  // the shortest number that is this float: 0.3, not 0.30000001192092896
+  char text[32];  // the shortest decimal of this float: 0.3, not 0.30000001192092896
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;
   double shortest = value;
   std::from_chars(text, end, shortest);
@@ -60,7 +60,8 @@ void FieldWriter::operator()(const char* name, const std::vector<RadiusOverride>
   }
 }
 
-// An atom is its place in the file, from 0, or that and the copy; a simplex is its corners.
+// An atom is its index in the file (from 0), or a pair of index and copy. A simplex is a list of
+// its corners.
 void FieldWriter::operator()(const char* name, const RefSet& value) {
   WrittenJson& list = to_[name] = WrittenJson::array();
   for (const Ref& ref : value.items()) {
@@ -74,7 +75,7 @@ void FieldWriter::operator()(const char* name, const RefSet& value) {
   }
 }
 
-// Runs of atoms: [first, last] or, in an assembly, [first, last, copy].
+// Runs of atoms: [first, last]; in an assembly [first, last, copy].
 void FieldWriter::operator()(const char* name, const AtomSet& value) {
   WrittenJson& list = to_[name] = WrittenJson::array();
   for (const AtomSet::Run& run : value.runs()) {
@@ -117,7 +118,7 @@ WrittenJson text_json(const std::string& text) {
   WrittenJson json(text);
   try {
     static_cast<void>(json.dump());
-  } catch (const WrittenJson::type_error&) {  // names of files and chains are any bytes
+  } catch (const WrittenJson::type_error&) {  // names of files and chains may be any bytes
     return {{"bytes", hexadecimal(text)}};
   }
   return json;

@@ -1,4 +1,4 @@
-// See the header.
+// Reads, merges and writes the file of preferences.
 #include "core/document/session/preferences.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ WrittenJson to_json(Preferences preferences) {
   return json;
 }
 
-// Null when there is no file.
+// Null if there is no file.
 ReadJson read_file(const fs::path& file, std::string& text) {
   std::error_code ignored;
   if (fs::status(file, ignored).type() == fs::file_type::not_found) return nullptr;
@@ -75,7 +75,8 @@ bool contains(const std::vector<fs::path>& list, const fs::path& path) {
   return std::find(list.begin(), list.end(), path) != list.end();
 }
 
-// What this window has opened since, on top of what all have by now; without what it has taken out.
+// Files that this window has opened since `before`, followed by those in the file now. Files that
+// this window has removed are left out.
 std::vector<fs::path> merged_recent(const std::vector<fs::path>& before,
                                     const std::vector<fs::path>& now,
                                     const std::vector<fs::path>& file) {
@@ -94,7 +95,7 @@ std::vector<fs::path> merged_recent(const std::vector<fs::path>& before,
 
 fs::path preferences_folder() {
   const char* const config = std::getenv("XDG_CONFIG_HOME");
-  // A relative one is to be ignored, by the rules of these folders.
+  // The XDG specification requires that relative paths are ignored.
   if (config != nullptr && fs::path(config).is_absolute()) return fs::path(config) / "alphascope";
   const char* const home = std::getenv("HOME");
   if (home != nullptr && fs::path(home).is_absolute()) {

@@ -1,4 +1,4 @@
-// See the header.
+// Writes, reads and checks session files.
 #include "core/document/session/session_file.hpp"
 
 #include <algorithm>
@@ -19,15 +19,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// First in the file, so that a look at its beginning tells what it is.
+// The first member, so that the beginning of a file shows its kind.
 constexpr const char* kVersionName = "alphascope_session";
 constexpr int kVersion = 1;
-// The largest selection takes some 2 MB.
+// Limit on the size of a session file; the largest selection takes about 2 MB.
 constexpr std::uint64_t kMostBytes = 8 << 20;
 constexpr const char* kRemedy =
     "Choose a file that “Save session” has written, or save the session anew";
 
-// All that is in the file behind its version.
+// All members after the version.
 template <class Visitor>
 void visit_fields(Visitor& v, SessionDocument& s) {
   v("written_by", s.written_by);
@@ -56,7 +56,7 @@ bool is_direction(const std::array<double, 3>& v) {
   return v[0] * v[0] + v[1] * v[1] + v[2] * v[2] > 1e-12;
 }
 
-// What fits each field alone, but not together.
+// Checks values that are valid alone but not together.
 void check_together(FieldReader& reader, const ReadJson& json, const SessionDocument& s) {
   if (s.molecule.empty() && !json.contains("molecule")) {
     reader.wrong({}, json, "an object with a \"molecule\"");
@@ -94,7 +94,7 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
   }
 }
 
-// The faults in the order of their lines; the first is told whole.
+// Throws with the fault of the lowest line, and the number of the others.
 [[noreturn]] void refuse(const fs::path& path, std::string_view text,
                          const JsonFindings& findings) {
   std::vector<std::pair<std::size_t, std::string>> faults;
@@ -119,7 +119,8 @@ std::string session_text(const SessionDocument& session) {
   WrittenJson json;
   json[kVersionName] = kVersion;
   FieldWriter writer(json);
-  SessionDocument copy = session;  // one list of fields for writing and reading
+  SessionDocument copy = session;  // a copy, because visit_fields() takes a mutable argument for
+                                   // reading
   visit_fields(writer, copy);
   return json_file_text(json);
 }

@@ -1,5 +1,5 @@
-// A session: the open molecule by name and content, all settings, and how the window showed them,
-// as one JSON file (docs/output-files.md). No molecule and no result is in it.
+// A session is a JSON file (docs/output-files.md) with all settings, the state of the window, and
+// path and hash of the open molecule. It contains neither the molecule nor any result.
 #pragma once
 
 #include <array>
@@ -14,60 +14,61 @@
 
 namespace alphascope {
 
-// Where the eye is. Kept from an origin, in the coordinates of the molecule's file, so that not one
-// bit changes between the same balls, and the place is right for others.
+// Position of the camera. It is relative to an origin in the coordinates of the molecule's file. So
+// it stays the same bit for bit with the same balls, and is correct with other balls.
 struct CameraPlace {
   std::array<double, 3> origin{};              // Å
-  std::array<double, 3> position{}, target{};  // Å, from the origin
+  std::array<double, 3> position{}, target{};  // Å, relative to `origin`
   std::array<double, 3> up{0, 1, 0};
   double least_aspect = 0;                         // Viewpoint::least_aspect
-  bool any() const { return position != target; }  // else there is none
+  bool any() const { return position != target; }  // false: there is no camera
   friend bool operator==(const CameraPlace&, const CameraPlace&) = default;
 };
 
 struct PanelsShown {
-  std::string page;                          // below the view; empty: the first
-  double page_height = 0;                    // pixels at scale 1; 0: as usual
-  std::vector<std::string> closed_sections;  // of the left side
+  std::string page;                          // page below the view; empty: the first
+  double page_height = 0;                    // pixels at scale 1; 0: the default
+  std::vector<std::string> closed_sections;  // at the left side
   AlphaSlider alpha_slider;
   friend bool operator==(const PanelsShown&, const PanelsShown&) = default;
 };
 
-// What undo leaves alone.
+// State of the window that undo does not change.
 struct SessionView {
-  bool light_theme = false;  // a picture's background is
+  bool light_theme = false;  // also gives the background of pictures
   CameraPlace camera;
   PanelsShown panels;
-  PictureOptions picture;  // of the dialogs that save pictures and recordings
+  PictureOptions picture;  // for the dialogs that save pictures and recordings
   RecordChoices recording;
   friend bool operator==(const SessionView&, const SessionView&) = default;
 };
 
 struct SessionDocument {
   FileReference molecule;
-  FileReference radii_table;  // empty: settings.open.radii_table is
+  FileReference radii_table;  // empty: settings.open.radii_table is empty
   Settings settings;
   SessionView view;
   std::string written_by;  // "alphascope 0.1.0 (0123456789ab)"
 };
 
-// As it is written; ends with a line end.
+// The text of the file; it ends with a newline.
 std::string session_text(const SessionDocument& session);
 // The file appears whole or not at all. Throws WriteError.
 void write_session(const SessionDocument& session, const std::filesystem::path& path);
 
 struct ReadSession {
   SessionDocument session;
-  // Sentences: what the file says and this program does not know.
+  // Sentences on members of the file that this program does not know.
   std::vector<std::string> notes;
 };
-// What the file leaves out is as in a new window. Throws ReadError, with the line, for what is no
-// session, for a value that cannot be, and for a file of a newer version; Cancelled.
+// Values that the file omits are those of a new window. Throws ReadError with the line if the file
+// is not a session, has an invalid value or is of a newer version. Throws Cancelled.
 ReadSession read_session(const std::filesystem::path& path, const RunContext& context = {});
-// The same of text in memory; the path is for messages.
+// The same for text in memory; `path` is used in messages.
 ReadSession parse_session(const std::filesystem::path& path, std::string_view text);
 
-// By its name: what else ends in .json is no molecule either, and then gets a message as a session.
+// Whether the name ends in .json. Molecules never do, so any such file gets the error messages of
+// sessions.
 bool looks_like_session(const std::filesystem::path& path);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// The tables of words.
 #include "core/document/session/setting_ids.hpp"
 
 #include "core/radii/radii_set.hpp"

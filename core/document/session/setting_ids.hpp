@@ -1,4 +1,5 @@
-// The words that stand for choices in session files and preferences: those of the command line.
+// Words for the values of choices in session files and preferences, mostly those of the command
+// line.
 #pragma once
 
 #include <string_view>
@@ -16,7 +17,7 @@ namespace alphascope {
 template <class Choice>
 using SettingIds = std::vector<std::pair<Choice, std::string_view>>;
 
-// The argument only says of which type. Every value of the type has one word.
+// The argument only selects the overload. Every value of the type has one word.
 const SettingIds<AltlocRule>& setting_ids(AltlocRule);
 const SettingIds<HydrogenRule>& setting_ids(HydrogenRule);
 const SettingIds<RadiiSet>& setting_ids(RadiiSet);

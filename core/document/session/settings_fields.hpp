@@ -1,5 +1,5 @@
-// The one list of what session files hold of the settings: name, place and bounds of each. Writer
-// and reader (json_fields.hpp) walk through it, so a new setting costs one line here.
+// Lists of all settings in session files: name and bounds of each. Writer and reader
+// (json_fields.hpp) visit these lists, so a new setting needs one line here.
 #pragma once
 
 #include "core/document/commands/number_input.hpp"
@@ -167,7 +167,7 @@ void visit_fields(Visitor& v, Settings& s) {
   v.object("cavity_table", s.cavity_choices);
 }
 
-// Not in the history.
+// From here on: state of the window, which is not in the history.
 template <class Visitor>
 void visit_fields(Visitor& v, CameraPlace& c) {
   v("origin_angstrom", c.origin, kPlaceRule);

@@ -1,4 +1,4 @@
-// See the header.
+// The options of that body, and the list of differences.
 #include "core/document/settings/cavity_preset.hpp"
 
 #include "core/geometry/shortest_number.hpp"
@@ -9,7 +9,8 @@ namespace alphascope {
 BallOptions cavity_body(const BallOptions& options, bool file_has_radii) {
   BallOptions body;
   body.radii = file_has_radii ? RadiiSet::file : RadiiSet::castp;
-  body.user_radii = options.user_radii;  // read once, though not used here
+  body.user_radii = options.user_radii;  // copied so that the table is read only once; it is not
+                                         // used here
   body.ligands = false;
   body.ions = false;
   body.treated = options.treated;

@@ -1,4 +1,5 @@
-// How atoms become balls for cavities that compare with CASTp's, and what was chosen instead.
+// Options for cavities that are comparable with CASTp's, and differences of the present options
+// from them.
 #pragma once
 
 #include <string>
@@ -10,24 +11,24 @@
 
 namespace alphascope {
 
-// The radius of a water molecule, Å.
+// Radius of a water molecule, Å.
 inline constexpr double kCavitySolventAngstrom = 1.4;
 
-// The body: all chains of model 1 with their modified residues, the best alternative locations, the
-// radii behind CASTp's output. No hydrogens, waters, ions, ligands. A file that brings radii of its
-// own keeps them. The choice of an assembly stays.
+// Options of the body: all chains of model 1 with modified residues, the best alternative
+// locations, and the radii of CASTp's output. It has no hydrogens, waters, ions or ligands. A file
+// with radii of its own keeps them. The assembly is not changed.
 BallOptions cavity_body(const BallOptions& options, bool file_has_radii);
 
-// Of that body, with this solvent radius and alpha 0.
+// Sets the options of that body, this solvent radius and alpha 0.
 void use_cavity_preset(OpenOptions& open, Request& request, bool file_has_radii);
 
-// Each choice that CASTp does not make, as a few words: "ligands are in the body". None: the
-// numbers compare with CASTp's. `report`: of the balls.
+// Each choice that differs from CASTp's, as a few words: "ligands are in the body". Empty: the
+// numbers are comparable with CASTp's. `report` is that of the balls.
 std::vector<std::string> differences_from_castp(const BallOptions& balls,
                                                 const SelectionReport& report,
                                                 const Request& request);
 
-// One more of these choices, of a table.
+// A further such difference, for tables.
 inline constexpr const char* kNetworksAreSplit = "networks are listed as their parts";
 
 }  // namespace alphascope

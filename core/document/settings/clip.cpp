@@ -1,4 +1,4 @@
-// See the header.
+// Half-spaces of a clip, and its text.
 #include "core/document/settings/clip.hpp"
 
 #include <cmath>
@@ -24,7 +24,8 @@ std::optional<Vector> unit(Vector v) {
   return v;
 }
 
-// What is before the first `mark` of `text`, which keeps what is behind it; `found` tells of it.
+// Returns the text before the first `mark`, and leaves in `text` the part after it. `found` tells
+// whether there is a mark.
 std::string cut_at(std::string& text, char mark, bool& found) {
   const std::size_t at = text.find(mark);
   found = at != std::string::npos;
@@ -101,7 +102,7 @@ ClipWords read_clip(const std::string& text) {
     words.clip.flipped = true;
     direction.erase(0, 1);
   };
-  // The sign of three numbers belongs to the first of them.
+  // In three numbers the minus sign belongs to the first number; otherwise it flips the plane.
   if (direction.starts_with('-') && direction.find(',') == std::string::npos) take_sign();
   words.along_view = direction == "view";
   const auto normal = read_direction(direction);
@@ -133,7 +134,7 @@ std::string clip_text(const Clip& clip) {
   double position = clip.position;
   const bool plane = clip.kind == Clip::Kind::plane;
   std::string direction = axis_name(n);
-  // "-x" says that a plane is flipped; a normal along -x is one along x on the other side.
+  // "-x" stands for a flipped plane. So a normal along -x is written as x, with the other side.
   bool flipped = plane && clip.flipped;
   if (direction.starts_with('-')) {
     direction.erase(0, 1);

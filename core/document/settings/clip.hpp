@@ -1,5 +1,5 @@
-// Where the picture is cut open: a plane, behind which everything is kept, or a slab between two
-// planes. A setting of display only: nothing is computed anew. Also how it is written as text.
+// The clip that cuts the picture open: a plane, or a slab between two planes. It is a setting of
+// the display, so nothing is computed anew. This also reads and writes clips as text.
 #pragma once
 
 #include <array>
@@ -12,15 +12,16 @@
 
 namespace alphascope {
 
-// Lengths in Å, places in the coordinates of the file.
+// Lengths in Å, positions in the coordinates of the file.
 struct Clip {
   enum class Kind : std::uint8_t { off, plane, slab };
   Kind kind = Kind::off;
   std::array<double, 3> normal{0, 0, 1};  // of length 1
-  // Of the plane, or of the middle of the slab: its points x have normal · x = position.
+  // Points x of the plane, or of the middle of the slab, have normal · x = position.
   double position = 0;
   double thickness = 10;  // of the slab
-  bool flipped = false;   // of a plane: what is before it is kept, not what is behind it
+  bool flipped = false;   // of a plane: keeps the side that the normal points to, instead of the
+                          // other
 
   bool on() const { return kind != Kind::off; }
   friend bool operator==(const Clip&, const Clip&) = default;
@@ -29,7 +30,7 @@ struct Clip {
 inline constexpr NumberRule kClipPositionRule{"The position", -1e6, 1e6, "Å"};
 inline constexpr NumberRule kClipThicknessRule{"The thickness", 0.1, 1e6, "Å"};
 
-// What is kept: points x with normal · x + offset >= 0.
+// The kept points x have normal · x + offset >= 0.
 struct HalfSpace {
   std::array<double, 3> normal{};
   double offset = 0;
@@ -41,34 +42,35 @@ struct HalfSpace {
   friend bool operator==(const HalfSpace&, const HalfSpace&) = default;
 };
 
-// None when the clip is off, one of a plane, two of a slab.
+// The half-spaces that a clip keeps: none if it is off, one for a plane, two for a slab.
 std::vector<HalfSpace> kept_by(const Clip& clip);
 
-// The same cut with another normal (of any length but 0) through the point `pivot`.
+// The same clip with another normal (not 0; any length), through the point `pivot`.
 Clip turned(const Clip& clip, std::array<double, 3> normal, const std::array<double, 3>& pivot);
 
-// What was written, some of it relative to the molecule and to how it is looked at.
+// A clip as written. Parts of it may depend on the molecule and on the view.
 struct ClipWords {
   Clip clip;
   bool along_view = false;  // the normal is the direction towards the viewer
   bool has_position = false;
-  std::string error;  // a sentence with the remedy; empty: the rest holds
+  std::string error;  // a sentence with the remedy; empty: the text is valid
 
-  // `towards_viewer`: of length 1. Without a position the cut goes through `middle`.
+  // `towards_viewer` has length 1. Without a position the plane passes through `middle`.
   Clip resolved(const std::array<double, 3>& towards_viewer,
                 const std::array<double, 3>& middle) const;
 };
 
-// "x", "z=12.5" (Å), "-y=3" (what is beyond y = 3 is kept), "view", "1,1,0=5", "x=12.5:8" (a slab
-// of 8 Å around x = 12.5), "off".
+// Reads "x", "z=12.5" (Å), "-y=3" (keeps points beyond y = 3), "view", "1,1,0=5", "x=12.5:8" (a
+// slab of 8 Å around x = 12.5) or "off".
 ClipWords read_clip(const std::string& text);
 inline constexpr const char* kClipForms =
     "x, y=12.5, -z=3, view, 1,1,0=5, or with a thickness x=12.5:8; or off";
 
-// As read_clip() reads it; the same clip again, but for the thickness of what is no slab.
+// The text from which read_clip() makes the same clip. For a clip that is no slab, the thickness is
+// lost.
 std::string clip_text(const Clip& clip);
 
-// "x", "-y": the axis along which the normal is; empty: along none.
+// "x", "-y": the axis of the normal; empty: no axis.
 std::string axis_name(const std::array<double, 3>& normal);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Tests which atoms are drawn beside the body.
 #include "core/document/settings/display.hpp"
 
 namespace alphascope {

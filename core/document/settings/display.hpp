@@ -1,4 +1,5 @@
-// What is drawn of balls and complex, and how. A change of these only needs a new picture.
+// The things that are drawn of balls and complex, and their look. A change needs a new picture
+// only.
 #pragma once
 
 #include "core/document/settings/paint.hpp"
@@ -6,33 +7,34 @@
 
 namespace alphascope {
 
-// Atoms that the options leave out of the body, and that are drawn beside it: drawn, not computed.
+// The atoms outside the body that are drawn beside it. Nothing is computed from them.
 struct AtomsBesideBody {
   bool ligands = true, ions = true, waters = false;
   bool hydrogens = false;  // of all kinds
   friend bool operator==(const AtomsBesideBody&, const AtomsBesideBody&) = default;
 };
 
-// Whether an atom of this kind is drawn beside the body, when the options leave it out.
+// Whether an atom is drawn that the options leave out of the body for this reason.
 bool shows(const AtomsBesideBody& shown, DropReason reason, Element element);
 
 struct DisplayControls {
   bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;
-  bool singular_only = true;  // triangles and edges that are faces of nothing larger
+  bool singular_only = true;  // of triangles and edges, those that are faces of nothing larger
   bool grown_balls = false;   // sqrt((radius + solvent)² + alpha) instead of the radius
-  float ball_scale = 0.3f;    // times the radius
+  float ball_scale = 0.3f;    // factor on the radius
   float ball_opacity = 1, complex_opacity = 1;
-  float cavity_opacity = 0.45f;     // so that what a cavity holds is seen in it
+  float cavity_opacity = 0.45f;     // below 1, so that the contents of a cavity are visible
   float shrink = 0;                 // of tetrahedra, 0 to 0.9
-  float edge_thickness = 0.12f;     // of edges, Å; at least a line of 1.5 pixels is drawn
-  bool smooth_boundary = false;     // light is interpolated between the boundary's corners
-  Paint ball_paint, complex_paint;  // what colours mean
+  float edge_thickness = 0.12f;     // Å; at least 1.5 pixels are drawn
+  bool smooth_boundary = false;     // smooth light on the boundary
+  Paint ball_paint, complex_paint;  // colours of balls and of simplices
   bool ambient_occlusion = true;
-  float depth_cue = 0.4f;     // share of background in what is farthest; 0: nothing fades
+  float depth_cue = 0.4f;     // share of the background colour at the greatest depth; 0: nothing
+                              // fades
   float silhouettes = 1.5f;   // width of outlines, pixels at scale 1; 0: none
-  float face_edges = 1;       // width of the darker lines around faces, pixels at scale 1; 0: none
-  int samples = 16;           // a pixel of the picture at rest
-  bool orthographic = false;  // parallel lines stay parallel: no perspective
+  float face_edges = 1;       // width of darker lines around faces, pixels at scale 1; 0: none
+  int samples = 16;           // of each pixel of the picture at rest
+  bool orthographic = false;  // no perspective: parallel lines stay parallel
   AtomsBesideBody beside;
   friend bool operator==(const DisplayControls&, const DisplayControls&) = default;
 };

@@ -1,4 +1,4 @@
-// See the header.
+// The presets' texts and values.
 #include "core/document/settings/display_preset.hpp"
 
 namespace alphascope {
@@ -44,7 +44,7 @@ std::string preset_ids() {
 }
 
 DisplayControls with_preset(DisplayControls display, DisplayPreset preset) {
-  DisplayControls d;  // as the program starts, but for what the user chose of colours and atoms
+  DisplayControls d;  // defaults, except for the user's choices of colours and atoms
   d.ball_paint = display.ball_paint;
   d.complex_paint = display.complex_paint;
   d.beside = display.beside;

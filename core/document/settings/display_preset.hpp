@@ -1,4 +1,4 @@
-// Whole looks of the picture: what is drawn and how, set at once.
+// Presets of the display: settings of a whole look at once.
 #pragma once
 
 #include <array>
@@ -11,9 +11,10 @@
 
 namespace alphascope {
 
-// figure: the surface of the complex, for print. cavity: a translucent surface, through which
-// cavities are seen. teaching: balls, edges and tetrahedra apart from each other. fast: for large
-// molecules on slow machines.
+// figure: the surface of the complex, for print.
+// cavity: a translucent surface that shows cavities.
+// teaching: balls, edges and tetrahedra with gaps between them.
+// fast: for large molecules on slow machines.
 enum class DisplayPreset : std::uint8_t { figure, cavity, teaching, fast };
 inline constexpr std::array kDisplayPresets = {DisplayPreset::figure, DisplayPreset::cavity,
                                                DisplayPreset::teaching, DisplayPreset::fast};
@@ -27,8 +28,8 @@ const DisplayPresetInfo& preset_info(DisplayPreset preset);
 std::optional<DisplayPreset> preset_named(std::string_view id);
 std::string preset_ids();  // "figure|cavity|..."
 
-// Keeps colours, atoms beside the body, projection, the radius of grown balls and how opaque
-// cavities are.
+// Keeps colours, atoms beside the body, projection, the radius of grown balls and the opacity of
+// cavities.
 DisplayControls with_preset(DisplayControls display, DisplayPreset preset);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// A camera that was saved under a name. A setting: undo, and a session file, know it.
+// A camera saved under a name. It is a setting, so undo and session files include it.
 #pragma once
 
 #include <array>
@@ -7,11 +7,11 @@
 
 namespace alphascope {
 
-// Places in Å, in the coordinates of the file.
+// Positions are in Å, in the coordinates of the file.
 struct NamedView {
   std::string name;
   std::array<double, 3> position{0, 0, 1}, focal_point{}, up{0, 1, 0};
-  // As in Viewpoint: what a picture that is narrower must still show.
+  // As in Viewpoint: aspect of the narrowest picture at the usual angle.
   double least_aspect = 0;
   bool orthographic = false;
   friend bool operator==(const NamedView&, const NamedView&) = default;

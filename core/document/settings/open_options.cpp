@@ -1,4 +1,4 @@
-// See the header.
+// Removes the options that belong to one file.
 #include "core/document/settings/open_options.hpp"
 
 namespace alphascope {

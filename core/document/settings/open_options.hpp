@@ -1,4 +1,4 @@
-// Which atoms of a file become balls, and how large: all that lies between a file and a BallSet.
+// The options between a file and a BallSet: which atoms become balls, and their radii.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@ namespace alphascope {
 
 struct OpenOptions {
   ReadOptions read;
-  std::string assembly;  // id of the biological assembly to expand; empty = as deposited
+  std::string assembly;  // id of the assembly to expand; empty: as deposited
   BallOptions balls;
-  // Read when the radii of a user's table are asked for and `balls` holds none.
+  // Read if `balls` asks for a user's table but holds none.
   std::filesystem::path radii_table;
-  // Balls set by hand, in place of the file's atoms and of what else is chosen here.
+  // Balls set by hand, instead of the file's atoms and all other options here.
   std::optional<Sandbox> sandbox;
   friend bool operator==(const OpenOptions& a, const OpenOptions& b) {
     return a.read == b.read && a.assembly == b.assembly && a.balls == b.balls &&
@@ -25,8 +25,8 @@ struct OpenOptions {
   }
 };
 
-// Without what was chosen for one file: assembly, model, chains, expression, radii and balls set by
-// hand.
+// Resets the options that belong to one file: assembly, model, chains, expression, radii and balls
+// set by hand.
 OpenOptions for_another_file(const OpenOptions& options);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// The table of schemes, and reading and writing of paints.
 #include "core/document/settings/paint.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::string quoted(std::string_view text) {
   return "\"" + std::string(text) + "\"";
 }
 
-// "a, b or c" of "a|b|c".
+// Converts "a|b|c" to "a, b or c".
 std::string in_words(std::string ids) {
   if (const std::size_t last = ids.rfind('|'); last != std::string::npos) {
     ids.replace(last, 1, " or ");
@@ -25,7 +25,7 @@ std::string in_words(std::string ids) {
   return ids;
 }
 
-// Either of a range or of what is wrong with it.
+// Reads the range. Returns a sentence if it is invalid, otherwise an empty string.
 std::string take_range(std::string_view text, const SchemeInfo& scheme, Paint& paint) {
   const std::size_t colon = text.find(':');
   const NumberRule rule = range_rule(scheme);

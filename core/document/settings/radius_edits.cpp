@@ -1,4 +1,4 @@
-// See the header.
+// Sets, removes and finds such radii.
 #include "core/document/settings/radius_edits.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Radii that a user types in place of guessed or missing ones, in the order in which they were
-// made: BallOptions::overrides with one radius a group of atoms.
+// Radii that the user types for groups of atoms, in the order of typing (BallOptions::overrides).
+// They replace guessed or missing ones.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace alphascope {
 
 using RadiusEdits = std::vector<RadiusOverride>;
 
-// Rounded to 10^-6 Å. Outside of kBallRadiusRule nothing changes and false is returned.
+// Rounds to 10^-6 Å. Outside kBallRadiusRule nothing is changed, and false is returned.
 bool set_radius(RadiusEdits& edits, const AtomGroup& atoms, double angstrom);
 void reset_radius(RadiusEdits& edits, const AtomGroup& atoms);
 const RadiusOverride* find_radius(const RadiusEdits& edits, const AtomGroup& atoms);

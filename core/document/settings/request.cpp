@@ -1,4 +1,4 @@
-// See the header.
+// Removes options that the engine does not use.
 #include "core/document/settings/request.hpp"
 
 namespace alphascope {

@@ -1,4 +1,4 @@
-// See the header.
+// Names the differences between settings.
 #include "core/document/settings/settings.hpp"
 
 #include <vector>
@@ -11,7 +11,7 @@ bool same_radii(const OpenOptions& a, const OpenOptions& b) {
          a.radii_table == b.radii_table && a.balls.overrides == b.balls.overrides;
 }
 
-// Whether anything of `a` and `b` differs beside radii, assembly, model and balls set by hand.
+// Whether all else is equal: everything but radii, assembly, model and balls set by hand.
 bool same_atoms(OpenOptions a, const OpenOptions& b) {
   a.balls.radii = b.balls.radii;
   a.balls.user_radii = b.balls.user_radii;

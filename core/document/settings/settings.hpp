@@ -1,5 +1,5 @@
-// Everything that a user sets for the open file, as plain values: what undo goes back to, and what
-// a session file has to hold. Windows and dialogs are not here.
+// All values that a user sets for the open file. Undo restores them, and session files hold them.
+// The state of windows and dialogs is not included.
 #pragma once
 
 #include <string>
@@ -29,8 +29,8 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-// What differs, for "Undo …": "alpha", "radii", "display"; several are "alpha and display". Empty
-// when nothing does.
+// Names of the differences, for "Undo …": "alpha", "radii", "display", or several as "alpha and
+// display". Empty if there are none.
 std::string difference_text(const Settings& a, const Settings& b);
 
 }  // namespace alphascope

@@ -11,8 +11,8 @@ namespace alphascope {
 // First sample of curves against alpha, Å².
 inline constexpr double kCurveAlphaLeastAngstrom2 = -3;
 // Curves against alpha for the balls on screen; the present alpha does not matter. Samples go to 10
-// Å² in even steps, like the alpha slider, and on in growing steps until the last cavity is filled.
-// With exact volumes there are fewer samples.
+// Å² in even steps, like the alpha slider. Then steps grow until the last cavity is filled. With
+// exact volumes there are fewer samples.
 const Definition<CavityCurves>& curves_over_alpha(CurveNumbers numbers = CurveNumbers::sums);
 
 // Curves against the solvent radius (0 to 5 Å) for the atoms on screen, at the present alpha.

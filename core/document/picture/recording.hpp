@@ -50,8 +50,8 @@ int frame_count(const Recording& recording);
 // Alpha of a frame, Å². It is rounded to a multiple of a power of ten below a tenth of a step, so
 // that few digits are needed. The ends are exact.
 double alpha_of_frame(const Recording& recording, int frame);
-// Angle of a frame about the axis. If a turntable makes whole turns in one direction, its last
-// frame differs from the first, so that the movie can run in a loop.
+// Angle of a frame about the axis. If a turntable makes whole turns in one direction, no frame
+// repeats the first at its end. So the movie can run in a loop.
 double degrees_of_frame(const Recording& recording, int frame);
 double seconds_of(const Recording& recording);
 

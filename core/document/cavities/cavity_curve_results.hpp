@@ -27,9 +27,9 @@ std::string why_no_model_curve(const Inputs& inputs);
 // Index of the model on screen. Requires that there is a model curve.
 std::size_t shown_model(const BallReferences& atoms);
 
-// Balls of another model, without solvent radius: the same atoms at their positions in that model,
-// with the radii of the atoms on screen. Null if atoms of that model have other names or other
-// positions in the list.
+// Balls of another model, without solvent radius: the same atoms at their positions in that model.
+// Radii are those of the atoms on screen. Null if the models' atoms do not match, or coordinates
+// exceed the lattice.
 std::shared_ptr<const BallSet> balls_in_model(const BallReferences& atoms, std::size_t model);
 // A number that depends on atoms and radii, and is the same for each model. 0 if there is no model
 // curve.

@@ -40,7 +40,7 @@ struct LessonStep {
 struct Lesson {
   std::filesystem::path file;
   std::string title, summary;
-  std::vector<LessonCommand> commands;  // run at the begin of each step
+  std::vector<LessonCommand> commands;  // run at the start of each step
   std::vector<LessonStep> steps;        // at least one
 
   // Path of the step's file. A relative path counts from the lesson's folder.

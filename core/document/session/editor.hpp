@@ -22,7 +22,7 @@ class Editor {
 
   const Settings& now() const { return now_; }
 
-  // A change by the user. A gesture that ends with the settings of its begin leaves no entry.
+  // A change by the user. A gesture that ends with the settings from before it leaves no entry.
   void set(const Settings& settings, Gesture gesture);
   // A change without an entry: by playback, or by the program if it cannot carry out a request. In
   // the latter case the entry of the request is removed too.

@@ -48,7 +48,7 @@ class FinishPass {
   void pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool translucent);
 
   DrawnTexture result_;
-  DrawnDepths fronts_;  // of what is translucent
+  DrawnDepths fronts_;  // of translucent things
   // Index: + 1 with occlusion, + 2 for translucent fronts. They are separate programs because
   // software OpenGL computes both sides of a condition.
   QuadProgram programs_[4];

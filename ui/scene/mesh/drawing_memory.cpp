@@ -17,7 +17,7 @@ namespace alphascope {
 namespace {
 
 constexpr std::uint64_t kFace = 20;         // plain arrays of a face; drawing adds 16
-constexpr std::uint64_t kFaceDrawn = 48;    // 36 measured, and room for a driver's copy
+constexpr std::uint64_t kFaceDrawn = 48;    // 36 (20 + 16), and room for a driver's copy
 constexpr std::uint64_t kFaceSought = 32;   // while outer faces are searched
 constexpr std::uint64_t kTetrahedron = 24;  // plain arrays of all four faces; drawing adds 20
 constexpr std::uint64_t kTetrahedronDrawn = 56;

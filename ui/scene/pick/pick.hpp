@@ -23,7 +23,7 @@ struct PickLine {
   Ray ray;
   double spread = 0;
   Stretch kept = {};      // interval that the cut keeps; nothing is hit outside it
-  double rod_radius = 0;  // Å, of edges; thicker than `spread` where it is larger
+  double rod_radius = 0;  // Å, radius of edges; counts where it exceeds the spread
 };
 
 inline constexpr std::string_view kBesideBody = "beside", kAtomInFront = "in front";

@@ -85,8 +85,8 @@ std::optional<ScaleBarLayout> lay_out_scale_bar(double angstrom_per_pixel, float
 struct CaptionLayout {
   std::vector<MarkText> lines;
 };
-// None if the picture is smaller than kCaptionRoom, if the lines would take more than half of its
-// height, or if there are no words.
+// None if there are no words, or if the picture is smaller than kCaptionRoom. Also none if the
+// lines would take more than half of its height.
 inline constexpr float kCaptionRoom[2] = {180, 60};
 std::optional<CaptionLayout> lay_out_caption(const std::vector<std::string>& words, float width,
                                              float height, const MarkType& type);

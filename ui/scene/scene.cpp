@@ -310,7 +310,7 @@ void Scene::wheel(double steps) {
   scene.follow_zoom();
 }
 
-// Adds up the same samples as the window at rest, so a picture of the same size has the same
+// Adds up the same samples as the window at rest. So a picture of the same size has the same
 // pixels.
 Image Scene::grab(int width, int height, bool transparent, const RunContext& context) {
   if (!drawable(width, height)) {

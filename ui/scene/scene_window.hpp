@@ -5,7 +5,7 @@
 
 namespace alphascope {
 
-// Debian's VTK has the GLX build of GLEW, which reports an error for an EGL context although it has
+// Debian's VTK has the GLX build of GLEW. It reports an error for an EGL context although it has
 // found every function. VTK would then regard the window as not set up, and look for all functions
 // again before each picture. That takes longer than a small picture.
 class SceneWindow : public vtkGenericOpenGLRenderWindow {

@@ -126,8 +126,8 @@ void go_to_stop(PanelContext& ctx, const KeyMemory::Stop& stop) {
   if (types(stop.kind)) start_typing(keys_of(ctx), stop);
 }
 
-// A dialog that has just opened begins with its first field for typing, so that the user can type
-// at once.
+// A dialog that has just opened begins with its first field for typing. So the user can type at
+// once.
 void enter_dialog(PanelContext& ctx) {
   KeyMemory& keys = keys_of(ctx);
   const auto on_top = [&](const auto& stop) { return of_top(keys, stop); };

@@ -252,8 +252,8 @@ class GlfwHost final : public Host {
     return points > 0 && width > 0 ? static_cast<float>(width) / static_cast<float>(points) : 1;
   }
 
-  // A scale that the user has chosen does not raise the least size, because the window could then
-  // exceed the screen.
+  // A scale that the user has chosen does not raise the least size: the window could then exceed
+  // the screen.
   void limit_size() {
     density_ = density();
     const float points = std::min(scale(), monitor_scale()) / density_;

@@ -42,8 +42,8 @@ class Host {
   // the next frame on. The window keeps its size.
   virtual void set_scale(double scale, double times) = 0;
   virtual bool close_requested() const = 0;
-  // Hides the window at the end of the program, which may have to wait for a job that cannot be
-  // interrupted.
+  // Hides the window at the end of the program. The program may still have to wait for a job that
+  // cannot be interrupted.
   virtual void hide() = 0;
   virtual void set_title(const std::string& title) = 0;
   // Waits for input, wake() or the timeout, then collects input; 0 only collects. Returns whether

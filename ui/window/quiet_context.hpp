@@ -9,7 +9,7 @@
 namespace alphascope {
 
 // Makes a context with a display of its own. Mesa's software driver has a pool of threads for each
-// display; in one pool, a context waits until pictures of the other are finished. The thread's
+// display. In one pool, a context waits until pictures of the other are finished. The thread's
 // current context stays current. Throws std::runtime_error if there is no EGL.
 std::unique_ptr<BackgroundContext> make_quiet_context();
 

@@ -31,8 +31,8 @@ std::size_t shown_model(const BallReferences& atoms);
 // Radii are those of the atoms on screen. Null if the models' atoms do not match, or coordinates
 // exceed the lattice.
 std::shared_ptr<const BallSet> balls_in_model(const BallReferences& atoms, std::size_t model);
-// A number that depends on atoms and radii, and is the same for each model. 0 if there is no model
-// curve.
+// A number that depends on atoms and radii only, so it is the same for each model. 0: there is no
+// model curve.
 std::uint64_t key_of_frames(const BallReferences& atoms);
 
 // Identifies the cavities on screen on a curve. `curve` must differ between curves.

@@ -34,8 +34,8 @@ struct ChainLining {
   std::size_t count = 0;
 };
 
-// An atom of a ligand, ion or water inside a cavity, or of a ligand or ion that is part of the body
-// and lines it.
+// An atom of a ligand, ion or water inside a cavity. Or an atom of a ligand or ion that belongs to
+// the body and lines the cavity.
 struct HeldAtom {
   std::uint32_t atom = 0;                // index in Molecule::atoms
   DropReason kind = DropReason::ligand;  // or ion, water

@@ -25,8 +25,8 @@ const char* water_band_text(WaterBand band);  // "no water passes"
 // Colour of the tube and of the profile's bands.
 ChartColour water_band_colour(WaterBand band);
 
-// The waters that can pass, if the channel leads through the whole molecule; otherwise a text that
-// there is no verdict.
+// The waters that can pass a channel through the whole molecule. For other channels the text says
+// that there is no verdict.
 std::string passing_text(const FoundChannel& found);
 // "84.8 of 116.2 Å of the molecule"
 std::string cover_text(const WayCover& cover);

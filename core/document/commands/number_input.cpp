@@ -31,8 +31,8 @@ std::vector<std::string_view> spellings(std::string_view unit) {
   return {unit};
 }
 
-// An error message if the text ends with a unit of another dimension, such as "Å" for an area;
-// otherwise empty.
+// An error message if the text ends with a unit of another dimension, such as "Å" for an area.
+// Empty if it does not.
 std::string unit_error(const std::string& typed, const std::string& text, const NumberRule& rule) {
   struct Size {
     std::string_view unit, name;

@@ -51,8 +51,8 @@ std::vector<bool> atoms_of(const Molecule& molecule, const RefSet& refs);
 
 // "A:HIS 87:NE2", "edge A:HIS 87:CE1, A:HIS 87:NE2"; atoms that the molecule lacks are omitted.
 std::string name_of(const Molecule& molecule, const Ref& ref);
-// An expression that names exactly these atoms, even if others have the same names. It is such as
-// "index 12,20", or for an assembly "index 12 and copy 1 or index 20 and copy 2".
+// An expression that names exactly these atoms, even if others have the same names. Examples:
+// "index 12,20"; for an assembly "index 12 and copy 1 or index 20 and copy 2".
 std::string expression_of(const Molecule& molecule, const Ref& ref);
 
 struct NamedAtoms {

@@ -1,4 +1,4 @@
-// A reference to a file by path and content, so that a moved file is found and a changed file is
+// A reference to a file by path and content. So a moved file is found, and a changed file is
 // noticed.
 #pragma once
 

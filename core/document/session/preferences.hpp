@@ -35,8 +35,8 @@ struct ReadPreferences {
 // Never throws. A missing file is no problem. An invalid value is skipped and reported.
 ReadPreferences read_preferences(const std::filesystem::path& folder);
 
-// Writes the values that differ between `before` and `now`, and keeps the rest of the file, which
-// another window may have changed. The file appears whole or not at all. Throws WriteError, and
+// Writes the values that differ between `before` and `now`. The rest of the file stays, since
+// another window may have changed it. The file appears whole or not at all. Throws WriteError, and
 // ReadError if the file has become unreadable.
 void save_preferences(const std::filesystem::path& folder, const Preferences& before,
                       const Preferences& now);

@@ -1,5 +1,5 @@
-// A session is a JSON file (docs/output-files.md) with all settings, the state of the window, and
-// path and hash of the open molecule. It contains neither the molecule nor any result.
+// A session is a JSON file (docs/output-files.md). It has all settings, the state of the window,
+// and path and hash of the open molecule. It contains neither the molecule nor any result.
 #pragma once
 
 #include <array>
@@ -62,7 +62,7 @@ struct ReadSession {
   std::vector<std::string> notes;
 };
 // Values that the file omits are those of a new window. Throws ReadError with the line if the file
-// is not a session, has an invalid value or is of a newer version. Throws Cancelled.
+// is no session, has an invalid value or a newer version. Throws Cancelled.
 ReadSession read_session(const std::filesystem::path& path, const RunContext& context = {});
 // The same for text in memory; `path` is used in messages.
 ReadSession parse_session(const std::filesystem::path& path, std::string_view text);

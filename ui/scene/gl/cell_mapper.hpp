@@ -71,7 +71,7 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   // The argument must stay in place as long as it is drawn.
   void show_faces(const FaceCells* faces);  // null: nothing
   void show_tetrahedra(const TetrahedronCells* tetrahedra);
-  // Draws edges as rods with round ends. Such a mapper can show edges only from then on.
+  // Draws edges as rods with round ends. Such a mapper can show nothing but edges afterwards.
   void show_edges(const EdgeCells* edges);  // null: nothing
   void set_lines(const CellLines& lines) { lines_ = lines; }
   // Computes light once for each face instead of each pixel, which makes highlights coarser. It has

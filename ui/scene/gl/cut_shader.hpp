@@ -1,4 +1,4 @@
-// VTK's shaders for a cut scene. Faces and lines end at the planes; cut balls show a flat disc
+// VTK's shaders for a cut scene. Faces and lines end at the planes. Cut balls show a flat disc
 // where the ray meets a plane inside them. For sources of the scene only.
 #pragma once
 

@@ -17,8 +17,7 @@ namespace alphascope {
 // ray has a limited length. The light is a disc: each pixel of a block and each sample uses another
 // point of it.
 //
-// A silhouette is drawn on the farther surface, where a nearer one is in front of it by more than
-// the jump.
+// A silhouette is drawn on the farther surface, if a nearer one is in front by more than the jump.
 //
 // With TRANSLUCENT the picture is complete. Only translucent fronts that nothing opaque hides are
 // darkened, faded and outlined, in proportion to their opacity.

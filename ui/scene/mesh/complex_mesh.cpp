@@ -79,8 +79,8 @@ class MeshBuilder {
   }
 
  private:
-  // The complex of a faulty engine must be visible for the comparison with CGAL, even if its
-  // classes contradict its tetrahedra.
+  // A faulty engine's complex must be visible for the comparison with CGAL. Its classes may
+  // contradict its tetrahedra.
   ResultArray<FaceCode> outside_of_all() const {
     try {
       return outer_faces(complex_, cancel_);

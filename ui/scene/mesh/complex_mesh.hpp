@@ -21,9 +21,9 @@ namespace alphascope {
 // ball has its colour already.
 enum class ComplexColouring : std::uint8_t {
   single,  // one colour for each kind of simplex
-  // Every simplex has the colour of most of its corners; on a tie, that of the corner with the
-  // lowest ball index. A face of a tetrahedron has the tetrahedron's colour. Colours are not
-  // blended, because a blend could equal the colour of another element or chain.
+  // Every simplex has the colour of most of its corners. On a tie the corner with the lowest ball
+  // index decides. A face of a tetrahedron has the tetrahedron's colour. Colours are not blended,
+  // because a blend could equal the colour of another element or chain.
   balls,
   alpha,    // by alpha value
   classes,  // singular, regular or interior

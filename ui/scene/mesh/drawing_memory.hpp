@@ -1,6 +1,5 @@
-// The memory that a picture of a complex takes, and the parts that are drawn if not all of it fits.
-// Without such a plan a failed allocation in VTK or an OpenGL driver would end the program. Pure;
-// no VTK.
+// The memory of a picture of a complex, and the parts that are drawn if not all of it fits. Without
+// such a plan a failed allocation in VTK or an OpenGL driver would end the program. Pure; no VTK.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +20,7 @@ struct DrawingTask {
   MeshOptions mesh;                         // the layers that the user wants
 };
 
-// Most bytes that are in use between build_mesh() and the first pictures: plain arrays, VTK's
+// Upper bound of the bytes in use from build_mesh() to the first pictures: plain arrays, VTK's
 // arrays and OpenGL's buffers. Software OpenGL and integrated graphics keep those buffers in the
 // same memory.
 std::uint64_t drawing_bytes(const DrawingTask& task);
@@ -67,7 +66,7 @@ struct DrawingPlan {
 // boundary, triangles, edges. If tetrahedra do not fit, their outside is tried.
 DrawingPlan plan_drawing(const DrawingTask& task, std::optional<std::uint64_t> free_bytes);
 
-// The parts that are not drawn, the memory of the whole picture, and a remedy; empty if the plan is
+// The parts that are not drawn, the memory of the whole picture, and a remedy. Empty if the plan is
 // complete.
 std::string not_drawn_text(const DrawingPlan& plan);
 

@@ -16,7 +16,7 @@ namespace alphascope {
 struct BallHit {
   std::size_t ball = 0;
   // Where the ray enters the kept part of the ball, in lengths of the ray's direction. At a plane
-  // of the cut it is a little less, since caps are drawn a little in front of the plane.
+  // of the cut it is a little less, since caps are drawn in front of the plane.
   double depth = 0;
 };
 

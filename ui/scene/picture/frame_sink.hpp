@@ -30,7 +30,7 @@ struct FrameSinkOptions {
 
 // Chooses by the ending of `path`. Throws std::invalid_argument for a name that does not fit, and
 // whatever AtomicFile and MovieFile throw. For pictures, this tests whether the first and the last
-// can be written, and whether any would replace an input file.
+// can be written. It also tests whether any would replace an input file.
 std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& path,
                                            const FrameSinkOptions& options);
 

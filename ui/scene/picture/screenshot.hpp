@@ -46,7 +46,7 @@ class PictureMaker {
   // `balls` have radii without solvent. They must outlive this object.
   explicit PictureMaker(const BallSet& balls) : balls_(balls) {}
   // `colours` has one colour for each ball. Texts, caption and radii of grown balls depend on the
-  // complex, so `options` must be up to date in each call. Throws as render_screenshot() does.
+  // complex. So `options` must be up to date in each call. Throws as render_screenshot() does.
   Picture make(const AlphaComplex& complex, const std::vector<Rgb8>& colours,
                const ScreenshotOptions& options, const RunContext& context);
 

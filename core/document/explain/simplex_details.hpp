@@ -18,7 +18,7 @@ struct NeighbourBall {
 
 struct SimplexDetails {
   std::vector<BallIndex> balls;  // 1 to 4, ascending
-  // If only tetrahedra were computed, the complex contains just their faces of lower dimension.
+  // If only tetrahedra were computed, a smaller simplex counts only if it is a face of one.
   bool in_complex = false;
   std::optional<double> alpha_value_angstrom2;  // none: not in the complex, or not computed
   // Class in the dimension of all centres (core/complex/own_dimension.hpp).

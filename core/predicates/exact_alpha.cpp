@@ -1,3 +1,4 @@
+// Exact decisions about ortho-radii: the bracket in double precision first, then wide integers.
 #include "core/predicates/exact_alpha.hpp"
 
 #include "core/predicates/foot_predicate.hpp"
@@ -13,7 +14,7 @@ LiftedSimplex<N> lift(const BallSet& balls, std::span<const BallIndex> simplex) 
   return s;
 }
 
-// body(bracket, exact), where exact() is rho as a fraction.
+// Returns body(bracket, exact); exact() computes rho as a fraction, and is called only if needed.
 template <int N, class Body>
 auto with_rho_of(const BallSet& balls, std::span<const BallIndex> simplex, const Body& body) {
   const LiftedSimplex<N> s = lift<N>(balls, simplex);

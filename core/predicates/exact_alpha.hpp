@@ -1,5 +1,5 @@
-// Exact decisions about ortho-radii of simplices of a BallSet: the plain host face of
-// orthosphere.hpp.
+// Exact decisions about ortho-radii of simplices of a BallSet. The predicates themselves are
+// templates for host and device, in orthosphere.hpp; these are plain functions for the host.
 #pragma once
 
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace alphascope {
 
-// Ball k as seen from ball i.
+// The lifted vector of ball k, seen from ball i.
 inline LiftedInt lifted_vector(const BallSet& balls, BallIndex i, BallIndex k) {
   return lifted_vector(balls.centres[i], balls.radii[i], balls.centres[k], balls.radii[k]);
 }
 
 // A simplex is 1 to 4 distinct, affinely independent balls, in any order. rho is its ortho-radius,
-// square lattice units. Nothing below is approximate.
+// in square lattice units. All results below are exact.
 
 // Sign of rho - alpha.
 int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simplex,
@@ -25,7 +25,7 @@ int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simple
 int compare_ortho_radii(const BallSet& balls, std::span<const BallIndex, 4> a,
                         std::span<const BallIndex, 4> b);
 
-// The same of simplices of any dimensions.
+// Sign of rho(a) - rho(b) of two simplices of any dimensions.
 int compare_ortho_radii_of(const BallSet& balls, std::span<const BallIndex> a,
                            std::span<const BallIndex> b);
 

@@ -1,5 +1,5 @@
-// Ortho-radii as fractions of wide integers, and what they decide. Host and device; notation of
-// lifted.hpp.
+// Ortho-radii as fractions of wide integers: comparison with alpha and with each other, and
+// rounding to float. Host and device; notation of lifted.hpp.
 #pragma once
 
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace alphascope {
 
-// The exact ortho-radius as a fraction: rho = numerator / denominator, denominator > 0. All of them
-// fit: of an edge, c² < 2^126 and 4 |d|² < 2^64; of a triangle, |n| < 2^61 in every direction,
-// 4 n² < 2^126, |v| < 2^94; of a tetrahedron, |N| < 2^126, P < 2^254, |D| < 2^93; w < 2^52.
+// The exact ortho-radius as a fraction: rho = numerator / denominator, denominator > 0. 256 bits
+// hold every one. Edge: c² < 2^126 and 4 |d|² < 2^64. Triangle: |n| < 2^61 in every direction, 4 n²
+// < 2^126, |v| < 2^94. Tetrahedron: |N| < 2^126, P < 2^254, |D| < 2^93. Weights: w < 2^52.
 struct ExactRho {
   WideInt<4> numerator, denominator;
 };
@@ -53,7 +53,7 @@ ALPHASCOPE_HOST_DEVICE inline ExactRho exact_tetrahedron_rho(const LiftedInt& j,
                        square_of(2 * d), weight);
 }
 
-// Of a simplex of any dimension, its balls affinely independent.
+// rho of a simplex of any dimension; its balls must be affinely independent.
 ALPHASCOPE_HOST_DEVICE inline ExactRho exact_rho(const LiftedSimplex<1>& s) {
   return exact_vertex_rho(s.weight);
 }
@@ -67,11 +67,11 @@ ALPHASCOPE_HOST_DEVICE inline ExactRho exact_rho(const LiftedSimplex<4>& s) {
   return exact_tetrahedron_rho(s.v[0], s.v[1], s.v[2], s.weight);
 }
 
-// Sign of rho - value, where value is any finite double that is a multiple of 2^-160.
+// Sign of rho - value. The value is any finite double that is a multiple of 2^-160.
 ALPHASCOPE_HOST_DEVICE int compare_exact(const ExactRho& rho, double value);
 
-// Sign of rho - alpha. Of an alpha that is no double, rho = p / q and alpha = n / 10^18: the sides
-// are 10^18 p, of 60 + 255 bits, and n q, of 120 + 60 + 188.
+// Sign of rho - alpha. An alpha that is no double is n / 10^18. With rho = p / q, the two sides are
+// 10^18 p, of 60 + 255 bits, and n q, of 120 + 60 + 188 bits.
 ALPHASCOPE_HOST_DEVICE inline int compare_exact(const ExactRho& rho, const LatticeAlpha& alpha) {
   if (alpha.is_double()) return compare_exact(rho, alpha.below);
   using Wide = WideInt<8>;
@@ -92,7 +92,7 @@ ALPHASCOPE_HOST_DEVICE float round_exact(const ExactRho& rho);
 // ---- definitions of the two exact functions ----
 
 ALPHASCOPE_HOST_DEVICE inline int compare_exact(const ExactRho& rho, double value) {
-  // |rho| < 2^255: a larger value decides by its sign alone.
+  // Since |rho| < 2^255, the sign of a larger value decides.
   if (value > 1e90) return -1;
   if (value < -1e90) return 1;
   int exponent = 0;
@@ -117,7 +117,7 @@ ALPHASCOPE_HOST_DEVICE inline int compare_exact(const ExactRho& rho, double valu
 ALPHASCOPE_HOST_DEVICE inline float round_exact(const ExactRho& rho) {
   if (rho.numerator.sign() == 0) return 0.0f;
   const double approximate = rho.numerator.near_double() / rho.denominator.near_double();
-  // Twice the relative error of the quotient; far smaller than half a float's spacing.
+  // The slack is twice the error of the quotient. It is far smaller than half a float's spacing.
   const double slack = 16 * kUnitRoundoff * std::fabs(approximate);
   const float low = static_cast<float>(approximate - slack);
   const float high = static_cast<float>(approximate + slack);
@@ -129,7 +129,8 @@ ALPHASCOPE_HOST_DEVICE inline float round_exact(const ExactRho& rho) {
     if (approximate > 0) return side >= 0 ? high : low;
     return side <= 0 ? low : high;
   }
-  // Two neighbouring floats: their mean is a double, and decides.
+  // low and high are neighbouring floats. Their mean is a double, and comparing rho with it
+  // decides.
   const double middle = 0.5 * (static_cast<double>(low) + static_cast<double>(high));
   const int side = compare_exact(rho, middle);
   if (side != 0) return side < 0 ? low : high;

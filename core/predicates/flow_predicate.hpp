@@ -1,7 +1,7 @@
-// Through which of its faces does a tetrahedron flow out: on which side of each face is its
-// orthocentre? It is strictly beyond a face iff the opposite ball is strictly inside the face's
-// smallest orthosphere, so this is also the attached test of the triangles. Host and device;
-// notation of lifted.hpp.
+// Decides through which of its faces a tetrahedron flows out: on which side of each face its
+// orthocentre is. The orthocentre is strictly beyond a face iff the opposite ball is strictly
+// inside the face's smallest orthosphere. So this is also the test whether the triangle is
+// attached. Host and device; notation of lifted.hpp.
 #pragma once
 
 #include "core/predicates/foot_predicate.hpp"
@@ -9,19 +9,20 @@
 
 namespace alphascope {
 
-// What to do where the orthocentre lies in the plane of a face.
+// The rule for ties: the orthocentre lies in the plane of a face.
 enum class FlowTies {
-  perturbed,  // as the triangulation does: by the perturbation of the weights
-  strict      // it does not flow
+  perturbed,  // the perturbed weights decide, as in the triangulation
+  strict      // a tie is no flow
 };
 
-// For ball n of a tetrahedron, +1 where the orthocentre is strictly beyond the face opposite to it,
-// -1 where it is strictly on the ball's side, and 0 where doubles do not decide. Within
+// Sets beyond[n] for ball n: +1 where the orthocentre is strictly beyond the face opposite to n, -1
+// where it is strictly on n's side, and 0 where doubles do not decide. All vectors must be within
 // kBracketLimit.
 //
-// The barycentric coordinate of j is x·(d_k × d_l) / D = N·(d_k × d_l) / (2 D²) with N = 2x D;
-// those of k and l likewise, and that of i is what they leave of 1. Terms of N carry 3 roundings,
-// their products and sums 3 more; terms of D² carry 7, and 1 more each from the difference.
+// The barycentric coordinate of j is x·(d_k × d_l) / D = N·(d_k × d_l) / (2 D²) with N = 2x D.
+// Those of k and l are similar, and that of i is 1 less the sum of the three. Terms of N carry 3
+// roundings, their products and sums 3 more. Terms of D² carry 7, and the difference adds 1 to
+// each.
 ALPHASCOPE_HOST_DEVICE inline void flow_sides_filtered(const TetrahedronCentre& c,
                                                        signed char (&beyond)[4]) {
   const auto side = [](double coordinate, double size) -> signed char {
@@ -32,7 +33,7 @@ ALPHASCOPE_HOST_DEVICE inline void flow_sides_filtered(const TetrahedronCentre& 
   const auto size_along_centre = [&](const Vector3<double>& v) {
     return c.size.x * std::fabs(v.x) + c.size.y * std::fabs(v.y) + c.size.z * std::fabs(v.z);
   };
-  // Below 3 · 2^51: exact.
+  // The sums are below 3 · 2^51, so they are exact.
   const Vector3<double> all{c.kl.x + c.lj.x + c.jk.x, c.kl.y + c.lj.y + c.jk.y,
                             c.kl.z + c.lj.z + c.jk.z};
   beyond[0] = side(2 * c.determinant * c.determinant - along_centre(all),
@@ -42,13 +43,13 @@ ALPHASCOPE_HOST_DEVICE inline void flow_sides_filtered(const TetrahedronCentre& 
   beyond[3] = side(along_centre(c.jk), size_along_centre(c.jk));
 }
 
-// The same of the face ijk opposite ball m, all lifted from i: exactly, 0 is a tie.
+// The side of the face ijk opposite ball m as an exact sign; 0 is a tie. All are lifted from i.
 ALPHASCOPE_HOST_DEVICE inline int flow_side_exact(const LiftedInt& j, const LiftedInt& k,
                                                   const LiftedInt& m) {
   return triangle_foot_cut_exact(j, k, m);
 }
 
-// Where that is a tie.
+// Is there flow through face ijk when flow_side_exact() is 0?
 ALPHASCOPE_HOST_DEVICE inline bool tied_flow(const LiftedInt& j, const LiftedInt& k,
                                              const LiftedInt& m, FlowTies ties) {
   return ties == FlowTies::perturbed && perturbed_triangle_foot_cut(j, k, m);

@@ -1,6 +1,6 @@
-// Is the orthocentre of an edge or triangle (the foot of ball i's centre on the radical plane or
-// line) cut off by another ball? This decides attached or unattached. Host and device; notation and
-// bounds of orthosphere.hpp.
+// Decides whether another ball cuts off the orthocentre of an edge or triangle: the foot of ball
+// i's centre on the radical plane or line. The simplex is attached iff some ball does. Host and
+// device; notation and bounds of orthosphere.hpp.
 #pragma once
 
 #include "core/predicates/orthosphere.hpp"
@@ -12,7 +12,8 @@ namespace alphascope {
 ALPHASCOPE_HOST_DEVICE inline int edge_foot_cut_filtered(const LiftedVector<double>& j,
                                                          const LiftedVector<double>& m) {
   const double a = dot(m, j) * j.c, b = m.c * dot(j, j);
-  // The dot products are exact within kBracketLimit: one rounding each, and that of the difference.
+  // Within kBracketLimit the dot products are exact. Each product has one rounding, and so has the
+  // difference.
   const double difference = a - b;
   const double error = 3 * kUnitRoundoff * (std::fabs(a) + std::fabs(b));
   return difference > error ? 1 : difference < -error ? -1 : 0;
@@ -29,8 +30,8 @@ ALPHASCOPE_HOST_DEVICE inline int edge_foot_cut(const LiftedInt& j, const Lifted
   return edge_foot_cut_exact(j, m);
 }
 
-// The same for triangle ijk: x = v × n / (2 |n|²), v = c_j d_k - c_k d_j, n = d_j × d_k.
-// Bits: 3-term sums of 31 + 160, and 63 + 128.
+// Sign of 2 d_m·x - c_m at the foot x of triangle ijk: x = v × n / (2 |n|²), v = c_j d_k - c_k d_j,
+// n = d_j × d_k. Bits: 3-term sums of 31 + 160, and 63 + 128.
 ALPHASCOPE_HOST_DEVICE inline int triangle_foot_cut_filtered(const LiftedVector<double>& j,
                                                              const LiftedVector<double>& k,
                                                              const LiftedVector<double>& m) {
@@ -42,7 +43,7 @@ ALPHASCOPE_HOST_DEVICE inline int triangle_foot_cut_filtered(const LiftedVector<
   const Vector3<double> n_size{std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
   const auto x = cross(v, n);
   const double a = m.x * x.x + m.y * x.y + m.z * x.z, b = m.c * dot(n, n);
-  // Sum of the absolute values of all products in a; each carries at most 8 roundings.
+  // `size` is the sum of the absolute values of all products; each carries at most 8 roundings.
   const double size = std::fabs(m.x) * (v_size.y * n_size.z + v_size.z * n_size.y) +
                       std::fabs(m.y) * (v_size.z * n_size.x + v_size.x * n_size.z) +
                       std::fabs(m.z) * (v_size.x * n_size.y + v_size.y * n_size.x) + std::fabs(b);

@@ -1,8 +1,8 @@
-// Balls of a simplex relative to its first one, ball i: every other ball k is its lifted vector
+// The balls of a simplex relative to its first one, ball i. Every other ball k has a lifted vector
 //   d = p_k - p_i,   c = |d|² + w_i - w_k,
-// so that the bisector of i and k is { x : 2 d·x = c } with x measured from p_i, and ball k has
-// less power distance than i where 2 d·x > c. The lattice bounds (lattice.hpp) give |d_x| < 2^30,
-// |c| < 2^62. Host and device.
+// The bisector of i and k is { x : 2 d·x = c } with x measured from p_i. Ball k has less power
+// distance than i where 2 d·x > c. The lattice bounds (lattice.hpp) give |d_x| < 2^30 and |c| <
+// 2^62. Host and device.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,8 @@ ALPHASCOPE_HOST_DEVICE auto dot(const A& a, const B& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// Ball k as seen from ball i. A point is anything with x, y and z; differences fit 31 bits.
+// The lifted vector of ball k, seen from ball i. A Point is any type with x, y and z. Differences
+// of coordinates fit 31 bits.
 template <class Point>
 ALPHASCOPE_INLINE LiftedInt lifted_vector(const Point& i, std::int32_t radius_i, const Point& k,
                                           std::int32_t radius_k) {
@@ -50,16 +51,16 @@ ALPHASCOPE_INLINE LiftedInt lifted_vector(const Point& i, std::int32_t radius_i,
   return {x, y, z, x * x + y * y + z * z + weights};
 }
 
-// A simplex of N balls: the vectors of all but the first, and that one's weight.
+// A simplex of N balls: the lifted vectors of all but the first, and the first one's weight.
 template <int N>
 struct LiftedSimplex {
   LiftedInt v[N > 1 ? N - 1 : 1];
   std::int64_t weight;  // square lattice units
 };
 
-// Below this bound on |d_x| the double-precision brackets hold: |d|² < 3 · 2^50 and the coordinates
-// of the cross product of two d, below 2^51, are exact as doubles, and so is c: weights are below
-// 2^52, so |c| < 7 · 2^50.
+// Brackets in double precision hold while |d_x| is below this bound. Then |d|² < 3 · 2^50, and the
+// coordinates of the cross product of two d are below 2^51, so doubles hold both exactly. Weights
+// are below 2^52, so |c| < 7 · 2^50, and c is exact as well.
 inline constexpr std::int64_t kBracketLimit = std::int64_t{1} << 25;
 
 ALPHASCOPE_HOST_DEVICE inline bool within_bracket_limit(const LiftedInt& v) {

@@ -1,6 +1,6 @@
-// Ortho-radii of simplices of one to four balls, and what they decide, on the lattice: bracketed in
-// double precision with certified errors here, exactly in wide integers in exact_rho.hpp. Host and
-// device; notation of lifted.hpp. Products below state the bits they need.
+// Ortho-radii of simplices of one to four balls on the lattice, bracketed in double precision with
+// certified errors. exact_rho.hpp has them in wide integers. Host and device; notation of
+// lifted.hpp. Comments at products state the bits that they need.
 #pragma once
 
 #include <cmath>
@@ -11,30 +11,30 @@
 
 namespace alphascope {
 
-// The exact value lies between the doubles value - error and value + error, their own rounding
-// included; an infinite error means "not known".
+// The exact value lies between the doubles value - error and value + error, as they are after
+// rounding. An infinite error means that the bracket decides nothing.
 struct Bracket {
   double value;
   double error;
 };
 
-// Ortho-radius bracket from numerator and denominator brackets: P / Q - w, where P = |2x|² scaled.
+// The bracket of the ortho-radius |x|² - w = P / Q - w, from brackets of P and Q.
 ALPHASCOPE_HOST_DEVICE inline Bracket quotient_less(double p, double p_error, double q,
                                                     double q_relative_error, double weight) {
   const double quotient = p / q;
   const double value = quotient - weight;
-  // value is rounded, and so will be value -+ error. 1.01 covers the second-order terms and the
-  // roundings of these sums themselves.
+  // `value` is rounded, and so are value - error and value + error. The factor 1.01 covers terms of
+  // second order and the roundings of these sums themselves.
   const double error = 1.01 * (p_error / q * (1 + q_relative_error) +
                                quotient * (q_relative_error + 2 * kUnitRoundoff) +
                                2 * kUnitRoundoff * (value < 0 ? -value : value));
   return {value, error};
 }
 
-// rho of an edge: |x| = c / (2|d|). g = |d|² is exact. Equal weights give c = g and rho = g / 4 - w
-// without any rounding below 2^51: worth its own line, since those often lie just between two
-// floats. From there to 2^52, which it does not reach, doubles are halves, and rho may be a quarter
-// off.
+// rho of an edge: |x| = c / (2|d|). g = |d|² is exact. Equal weights give c = g and rho = g / 4 -
+// w, without any rounding below 2^51. They have a branch of their own because such values often lie
+// halfway between two floats. From 2^51 to 2^52, which rho does not reach, doubles are multiples of
+// 1/2, so rho may err by 1/4.
 ALPHASCOPE_HOST_DEVICE inline Bracket edge_rho(const LiftedVector<double>& j, double weight) {
   const double g = dot(j, j);
   if (j.c == g) {
@@ -119,7 +119,7 @@ ALPHASCOPE_HOST_DEVICE inline Bracket tetrahedron_rho(const LiftedVector<double>
   return tetrahedron_rho(tetrahedron_centre(j, k, l), weight);
 }
 
-// Of a simplex of any dimension within kBracketLimit.
+// rho of a simplex of any dimension; its vectors must be within kBracketLimit.
 ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket(const LiftedSimplex<1>& s) {
   return {-static_cast<double>(s.weight), 0};
 }
@@ -134,21 +134,21 @@ ALPHASCOPE_HOST_DEVICE inline Bracket rho_bracket(const LiftedSimplex<4>& s) {
   return tetrahedron_rho(lifted_as<double>(s.v[0]), lifted_as<double>(s.v[1]),
                          lifted_as<double>(s.v[2]), static_cast<double>(s.weight));
 }
-// Not known where brackets do not hold.
+// The same, with an infinite error where `brackets_hold` is false.
 template <int N>
 ALPHASCOPE_HOST_DEVICE Bracket rho_bracket(const LiftedSimplex<N>& s, bool brackets_hold) {
   return brackets_hold ? rho_bracket(s) : Bracket{0, HUGE_VAL};
 }
 
-// Sign of rho - alpha from the bracket; 0 when the bracket does not decide. Alpha's own rounding
-// adds no error: it lies between two doubles, and the bracket must be beyond the one or the other.
+// Sign of rho - alpha, or 0 when the bracket does not decide. The rounding of alpha adds no error:
+// alpha lies between the doubles `below` and `above`, and the bracket must lie beyond one of them.
 ALPHASCOPE_HOST_DEVICE inline int compare_bracket(const Bracket& rho, const LatticeAlpha& alpha) {
   if (rho.value - rho.error > alpha.above) return 1;
   if (rho.value + rho.error < alpha.below) return -1;
   return 0;
 }
 
-// True when every number within the bracket rounds to the same float, which is then *rounded.
+// True when all numbers within the bracket round to the same float; *rounded is then that float.
 ALPHASCOPE_HOST_DEVICE inline bool round_bracket(const Bracket& rho, float* rounded) {
   const float low = static_cast<float>(rho.value - rho.error);
   *rounded = static_cast<float>(rho.value + rho.error);

@@ -1,7 +1,7 @@
-// What decides when five balls have equal power at a point: the symbolic perturbation of the
-// weights that CGAL's Regular_triangulation_3::side_of_oriented_power_sphere uses. The balls are
-// ordered lexicographically by centre; a later one has its weight decreased by infinitely more than
-// all earlier ones together. O. Devillers, M. Teillaud, Perturbations for Delaunay and weighted
+// The rule for five balls of equal power at a point: the symbolic perturbation of the weights that
+// CGAL's Regular_triangulation_3::side_of_oriented_power_sphere uses. The balls are ordered
+// lexicographically by centre. Each ball's weight is decreased by infinitely more than those of all
+// earlier balls together. O. Devillers, M. Teillaud, Perturbations for Delaunay and weighted
 // Delaunay 3D triangulations, Comput. Geom. 44 (2011). Host and device.
 #pragma once
 
@@ -15,7 +15,7 @@ ALPHASCOPE_HOST_DEVICE inline bool lexicographically_less(const LiftedInt& a, co
   return a.z < b.z;
 }
 
-// det(a, b, c) of the centres; |d_x| < 2^30, so 93 bits.
+// det(a, b, c) of the centres. It needs 93 bits, since |d_x| < 2^30.
 ALPHASCOPE_HOST_DEVICE inline Int128 determinant(const LiftedInt& a, const LiftedInt& b,
                                                  const LiftedInt& c) {
   const auto n = cross(a, b);
@@ -23,14 +23,15 @@ ALPHASCOPE_HOST_DEVICE inline Int128 determinant(const LiftedInt& a, const Lifte
          static_cast<Int128>(n.z) * c.z;
 }
 
-// What a weight decreased by an infinitesimal does to a number that is 0 without it, up to a
-// positive factor common to all terms.
+// The change of a number, 0 before, when the weight of the ball at `centre` is decreased by an
+// infinitesimal. The coefficient is exact up to a positive factor common to all terms.
 struct PerturbationTerm {
   LiftedInt centre;
   Int128 coefficient;
 };
 
-// The sign of the sum: that of the first nonzero term by falling order of the centres. Sorts them.
+// The sign of the sum of all terms: that of the first nonzero term, in falling order of the
+// centres. Sorts the terms.
 template <int kTerms>
 ALPHASCOPE_HOST_DEVICE int sign_of_perturbation(PerturbationTerm (&terms)[kTerms]) {
   for (int a = 1; a < kTerms; ++a) {
@@ -47,13 +48,14 @@ ALPHASCOPE_HOST_DEVICE int sign_of_perturbation(PerturbationTerm (&terms)[kTerms
   return 0;
 }
 
-// +1 when the perturbed ball m cuts off corner ijkl, where all five powers are equal, else -1.
-// k or l may be a ghost plane: it has no weight, so no perturbation. All lifted from ball i.
+// +1 when the perturbed ball m cuts off corner ijkl, where all five powers are equal, else -1. k or
+// l may be a ghost plane. A ghost has no weight, so it has no perturbation. All are lifted from
+// ball i.
 //
 // With weights w_t - e_t, the value 2 d_m·x - c_m at the corner x changes by
 //   e_l det(d_j, d_k, d_m)/D,  e_k det(d_l, d_j, d_m)/D,  e_j det(d_k, d_l, d_m)/D,  -e_m,
 // with D = det(d_j, d_k, d_l), and by e_i times 1 minus the sum of those quotients of real balls.
-// The first nonzero term in the order of the e decides; m's own term always does.
+// The first nonzero term in the order of the e decides. The term of m is never zero.
 ALPHASCOPE_HOST_DEVICE inline int perturbed_cut(const LiftedInt& j, const LiftedInt& k,
                                                 bool k_ghost, const LiftedInt& l, bool l_ghost,
                                                 const LiftedInt& m) {
@@ -61,18 +63,19 @@ ALPHASCOPE_HOST_DEVICE inline int perturbed_cut(const LiftedInt& j, const Lifted
   const Int128 term_j = determinant(k, l, m);
   const Int128 term_k = k_ghost ? Int128{0} : determinant(l, j, m);
   const Int128 term_l = l_ghost ? Int128{0} : determinant(j, k, m);
-  // Times D, so signs are relative to D's; a ghost's coefficient is 0 wherever it is.
+  // The terms are multiplied by D, so the result is multiplied by D's sign. The coefficient of a
+  // ghost is 0, wherever the ghost is.
   PerturbationTerm terms[5] = {
       {{0, 0, 0, 0}, d - term_j - term_k - term_l}, {j, term_j}, {k, term_k}, {l, term_l}, {m, -d}};
   return sign_of_perturbation(terms) * sign_of(d);  // not 0: D is not 0 at a corner
 }
 
-// Is ball m, perturbed, strictly inside the smallest orthosphere of triangle ijk, where it touches
-// it (triangle_foot_cut() is 0)? All lifted from ball i.
+// Is the perturbed ball m strictly inside the smallest orthosphere of triangle ijk? Only for a ball
+// that touches it without the perturbation: triangle_foot_cut() is 0. All are lifted from ball i.
 //
-// With weights w_t - e_t, the power of m less that of the orthosphere changes by e_m, and by -e_t
-// times the barycentric coordinate of t at m's foot on the plane of ijk. Those of j and k are
-// (d_m × d_k)·n / n² and (d_j × d_m)·n / n² with n = d_j × d_k; bits: 3-term sums of 61 + 61.
+// With weights w_t - e_t, the power of m minus that of the orthosphere changes by e_m, and by -e_t
+// times the barycentric coordinate of t at m's foot on the plane of ijk. The coordinates of j and k
+// are (d_m × d_k)·n / n² and (d_j × d_m)·n / n² with n = d_j × d_k. Bits: 3-term sums of 61 + 61.
 ALPHASCOPE_HOST_DEVICE inline bool perturbed_triangle_foot_cut(const LiftedInt& j,
                                                                const LiftedInt& k,
                                                                const LiftedInt& m) {
@@ -87,14 +90,15 @@ ALPHASCOPE_HOST_DEVICE inline bool perturbed_triangle_foot_cut(const LiftedInt& 
   return sign_of_perturbation(terms) > 0;
 }
 
-// Where ball m is that has the same power as i and j at the foot of edge ij (edge_foot_cut() is 0).
+// The position of a ball m that has the same power as i and j at the foot of edge ij:
+// edge_foot_cut() is 0.
 enum class EdgeTie : signed char {
-  // Not on the line ij: either ij is no edge of the perturbed triangulation, or it has a triangle
-  // with the same orthosphere.
+  // Not on the line ij. Then ij is no edge of the perturbed triangulation, or a triangle of it has
+  // the same orthosphere.
   beside,
-  // On the line, and so of their power all over their radical plane. Between them it cuts off the
-  // edge, outside it does not: of three collinear balls the last in the order is an outer one, so
-  // the middle one always stays in sight.
+  // On the line ij. Then all three powers are equal on the whole radical plane of i and j. Ball m
+  // cuts off the edge if it lies between i and j, and does not if it lies outside. Reason: the last
+  // of three collinear balls in the order is an outer one, so the middle one is never hidden.
   between,
   outside
 };

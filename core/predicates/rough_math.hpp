@@ -1,7 +1,7 @@
-// Quick reciprocals and square roots for bounds and filtered values, within 4 u (u = 2^-24, 2^-53)
-// of the true value. Devices have an instruction for them; hosts divide. Results differ between
-// machines in the last bits, so nothing that is reported may depend on more than the bound. And
-// magnitudes.
+// Fast reciprocals and square roots for bounds and filtered values, within 4 u (u = 2^-24, 2^-53)
+// of the true value; also |x| and the larger of two numbers. Devices have an instruction for them;
+// hosts divide. The last bits differ between machines, so a reported result may depend only on the
+// bound.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,8 @@
 
 namespace alphascope {
 
-// |x| in [2^-126, 2^126]. The instruction is within 1 ulp, sqrt within 2^-23 relative (PTX ISA).
+// Requires |x| in [2^-126, 2^126]. The instruction is within 1 ulp, and sqrt within 2^-23 relative
+// (PTX ISA).
 ALPHASCOPE_INLINE float rough_reciprocal(float x) {
 #ifdef __CUDA_ARCH__
   float y;
@@ -24,7 +25,7 @@ ALPHASCOPE_INLINE double rough_reciprocal(double x) {
   return 1.0 / x;
 }
 
-// x > 0, a normal number.
+// Requires a normal number x > 0.
 ALPHASCOPE_INLINE float rough_square_root(float x) {
 #ifdef __CUDA_ARCH__
   float y;
@@ -38,9 +39,9 @@ ALPHASCOPE_INLINE double rough_square_root(double x) {
   return sqrt(x);
 }
 
-// Devices have |x| for nothing and the larger of two in one instruction, but a compiler may use
-// neither for a comparison and a choice, because of what is not a number. Hosts may. Of a number
-// and what is none, either may be the larger.
+// Devices compute |x| at no cost and the larger of two numbers in one instruction. For `a > b ? a :
+// b` a device compiler may not use that instruction, because NaN gives another result; a host's
+// may. If one argument is NaN, larger() may return either.
 ALPHASCOPE_INLINE float magnitude(float x) {
   return fabsf(x);
 }

@@ -1,12 +1,12 @@
-// Unit roundoffs for certified bounds in either precision.
+// Unit roundoffs for certified error bounds, in single and double precision.
 #pragma once
 
 namespace alphascope {
 
 inline constexpr double kUnitRoundoff = 1.1102230246251565e-16;  // 2^-53
 
-// u with a margin of 3 %, which covers the roundings of the bounds themselves. d are exact; c are
-// the nearest numbers.
+// u with a margin of 3 %, which covers the roundings of the bounds themselves. The components d of
+// lifted vectors are exact in either precision; c is rounded to the nearest number.
 template <class Real>
 struct Rounding;
 template <>

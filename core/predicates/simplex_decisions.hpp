@@ -1,8 +1,8 @@
-// Is an edge, triangle or tetrahedron of ball i and its neighbours in K_alpha as far as its own
-// orthosphere goes (rho <= alpha), with which alpha value; and is an edge attached? One template
-// body for the CPU and the CUDA executor, filtered or exact.
+// Decides for an edge, triangle or tetrahedron of ball i and its neighbours whether rho <= alpha,
+// and with which alpha value. Decides as well whether an edge is attached. One template body serves
+// the CPU and the CUDA executor, filtered or exact.
 //
-// Why a ball's neighbours suffice: balls outside N_alpha(i) only cut off points of pi_i > alpha,
+// The neighbours of a ball suffice: balls outside N_alpha(i) cut off only points with pi_i > alpha,
 // and every simplex of K_alpha has its witness where pi_i <= alpha (docs/algorithm.md).
 #pragma once
 
@@ -13,16 +13,16 @@ namespace alphascope {
 
 enum class Decision : signed char { out = -1, unknown = 0, in = 1 };
 
-// Filter first, exact integers where the filter does not decide: always an answer.
+// Filter first, then exact integers where the filter does not decide. Never `unknown`.
 struct ExactDecider {
   static constexpr bool kExact = true;
 };
-// Filter only: `unknown` sends the ball to the exact kernel.
+// Filter only. A ball with an `unknown` decision goes to the exact kernel.
 struct FilteredDecider {
   static constexpr bool kExact = false;
 };
 
-// Is rho <= alpha? And its nearest float, when it is and `rounded` is not null.
+// Is rho <= alpha? If so, and if `rounded` is not null, *rounded becomes the float nearest to rho.
 template <class Decider, int N>
 ALPHASCOPE_INLINE Decision decide_rho(const LiftedSimplex<N>& s, bool brackets_hold,
                                       const LatticeAlpha& alpha, float* rounded) {
@@ -40,17 +40,17 @@ ALPHASCOPE_INLINE Decision decide_rho(const LiftedSimplex<N>& s, bool brackets_h
   }
 }
 
-// Ball i and its neighbours, which are named by their slot in its list.
+// Ball i and its neighbours. A neighbour is named by its slot in the list.
 template <class Neighbours>
 struct Neighbourhood {
   const Neighbours& neighbours;  // .lifted(slot) -> LiftedInt
   std::int64_t weight;           // of ball i, square lattice units
-  const LatticeAlpha* alpha;     // which must outlive this
+  const LatticeAlpha* alpha;     // must outlive this object
   std::int64_t ghost_reach;      // > sqrt(weight + alpha)
   bool brackets_hold;            // all slots are within kBracketLimit
 };
 
-// The same of ball i and one to three neighbours.
+// Decides rho <= alpha for ball i and one to three neighbours.
 template <class Decider, class Neighbours, class... Slots>
 ALPHASCOPE_INLINE Decision decide_simplex(const Neighbourhood<Neighbours>& in, float* rounded,
                                           Slots... slots) {
@@ -58,9 +58,9 @@ ALPHASCOPE_INLINE Decision decide_simplex(const Neighbourhood<Neighbours>& in, f
   return decide_rho<Decider>(s, in.brackets_hold, *in.alpha, rounded);
 }
 
-// Does ball m cut off the orthocentre of edge ij? Then ij is attached: in K_alpha if a triangle of
-// it is, with the least of their values. A tie with a ball beside the line ij counts as a cut
-// (EdgeTie).
+// Does ball m cut off the orthocentre of edge ij? Then ij is attached: it is in K_alpha iff one of
+// its triangles is, with the least of their alpha values. A tie with a ball beside the line ij
+// counts as a cut (EdgeTie).
 template <class Decider, class Neighbours>
 ALPHASCOPE_INLINE Decision edge_attached_to(const Neighbourhood<Neighbours>& in, int j, int m) {
   const LiftedInt vj = in.neighbours.lifted(j), vm = in.neighbours.lifted(m);
@@ -74,8 +74,8 @@ ALPHASCOPE_INLINE Decision edge_attached_to(const Neighbourhood<Neighbours>& in,
   return side > 0 ? Decision::in : Decision::out;
 }
 
-// Does the ball or ghost plane m cut off the orthocentre of triangle ijk? A tie changes nothing:
-// the tetrahedron has the same value.
+// Does the ball or ghost plane m cut off the orthocentre of triangle ijk? A tie does not matter,
+// since the tetrahedron then has the same alpha value.
 template <class Decider, class Neighbours>
 ALPHASCOPE_INLINE Decision triangle_cut_by(const Neighbourhood<Neighbours>& in, int j, int k,
                                            const LiftedInt& vm) {

@@ -1,3 +1,4 @@
+// Finds the spanning balls by exact cross products and determinants.
 #include "core/predicates/spanning_balls.hpp"
 
 #include "core/predicates/exact_alpha.hpp"

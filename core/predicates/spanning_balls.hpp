@@ -1,4 +1,5 @@
-// Which space the centres of a set of balls span: a point, a line, a plane or all of it. Exact.
+// The affine space that the centres of a set of balls span: a point, a line, a plane or all of
+// space. Exact.
 #pragma once
 
 #include <vector>
@@ -7,11 +8,12 @@
 
 namespace alphascope {
 
-// Balls whose centres span as much as all do: the first, and each that is not in what those before
-// it span. At most four.
+// Returns at most four balls whose centres span the same space as all centres: `first`, and each
+// ball that is not in the span of those before it.
 std::vector<BallIndex> spanning_balls(const BallSet& balls, BallIndex first);
 
-// Of the affine hull of all centres: -1 (no ball) to 3. The triangulation has it too.
+// Dimension of the affine hull of all centres: 0 to 3, or -1 without balls. It is also the
+// dimension of the triangulation.
 int dimension_of_centres(const BallSet& balls);
 
 }  // namespace alphascope

@@ -1,6 +1,6 @@
-// Fixed-width signed integers beyond 64 bits, for exact predicates on host and device. Only what
-// predicates need: sums, products, signs, shifts, and a near double. Overflow wraps; the
-// widths are proven sufficient where they are chosen (orthosphere.hpp, exact_dual_edge.hpp).
+// Signed integers of fixed width beyond 64 bits, for exact predicates on host and device. They have
+// only sums, products, signs, shifts and an approximate double. Overflow wraps. The widths are
+// proven sufficient where they are chosen (orthosphere.hpp, exact_dual_edge.hpp).
 #pragma once
 
 #include <cstdint>
@@ -64,7 +64,7 @@ struct WideInt {
   }
   ALPHASCOPE_HOST_DEVICE WideInt operator-() const { return WideInt(0) - *this; }
 
-  // Modulo 2^(64 kLimbs), where the product of two's complements is that of the signed values.
+  // Modulo 2^(64 kLimbs). The product of two's complements is then that of the signed values.
   ALPHASCOPE_DEVICE_CALL friend WideInt operator*(const WideInt& a, const WideInt& b) {
     WideInt product(0);
     for (int i = 0; i < kLimbs; ++i) {
@@ -78,7 +78,7 @@ struct WideInt {
     return product;
   }
 
-  // Modulo 2^(64 kLimbs), too.
+  // Modulo 2^(64 kLimbs).
   ALPHASCOPE_DEVICE_CALL WideInt times(std::int64_t factor) const {
     WideInt product;
     const std::uint64_t magnitude =
@@ -102,7 +102,7 @@ struct WideInt {
     return result;
   }
 
-  // Within one part in 2^51 of the value; the sign is right.
+  // A double within one part in 2^51 of the value, with the right sign.
   ALPHASCOPE_HOST_DEVICE double near_double() const {
     const bool negative = limb[kLimbs - 1] >> 63;
     const WideInt magnitude = negative ? -*this : *this;

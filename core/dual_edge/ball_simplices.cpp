@@ -1,3 +1,5 @@
+// The list of neighbours of one ball: loaded, culled and turned into rows of bits. The templates
+// that find its simplices are in ball_simplices_body.hpp.
 #include "core/dual_edge/ball_simplices.hpp"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list
   i_ = grid_.ball[slot];
   weight_ = balls_.weight(i_);
   radius_square_ = alpha_.plus(weight_);
-  // A whole number above the radius of the disc, whatever the rounding of sqrt.
+  // An integer above the radius of the grown ball, whatever the rounding of sqrt.
   ghost_reach_ = static_cast<std::int64_t>(std::sqrt(radius_square_) * (1 + 1e-12)) + 2;
   slots_.assign(list.begin(), list.end());
   dead_.assign(list.size(), 0);
@@ -64,7 +66,8 @@ void BallSimplices::lift(std::uint32_t slot) {
   }
 }
 
-// The neighbours whose planes are nearest to p_i.
+// Finds the kCoverers neighbours whose radical planes are nearest to p_i, and prepares them as
+// coverers.
 void BallSimplices::find_nearest() {
   planes_.clear();
   for (std::size_t k = 0; k < doubles_.size(); ++k) {
@@ -91,8 +94,8 @@ void BallSimplices::keep(std::size_t from, std::size_t to) {
   doubles_[to] = doubles_[from];
 }
 
-// Leaves out the neighbours whose discs are covered; where that is not certainly right, they only
-// count as dead. See facet_disc.hpp.
+// Removes the neighbours whose discs are covered or empty (facet_disc.hpp). Where p_i may be
+// outside its power cell, they still cut dual edges, so they stay and are only marked dead.
 void BallSimplices::cull() {
   find_nearest();
   std::size_t kept = 0;
@@ -111,13 +114,14 @@ void BallSimplices::cull() {
   for (std::size_t k = 0; k < kept; ++k) near_[k / 32] |= std::uint32_t{is_near_[k] != 0} << k % 32;
 }
 
-// Which neighbours meet j as well as i: only they can cut the facet of i and j where pi <= alpha.
+// Row j of bits: the neighbours that meet j as well as i. Only these can cut the facet of i and j
+// where pi <= alpha.
 void BallSimplices::fill_row(int j) {
   const auto a = static_cast<std::size_t>(j);
   const std::size_t n = neighbours_.balls.size();
   const std::int32_t x = x_[a], y = y_[a], z = z_[a];
   const float reach = reach_[a];
-  // Compilers vectorise these two loops, and not one that writes bits.
+  // Compilers vectorise these two loops, but not a single loop that writes bits.
   for (std::size_t k = 0; k < n; ++k)
     meets_[k] = grown_balls_may_meet(x_[k] - x, y_[k] - y, z_[k] - z, reach, reach_[k]);
   meets_[a] = 0;
@@ -153,8 +157,9 @@ void BallSimplices::tetrahedra(const NearFirstRows& t, BlockOutput& out) {
 
 VertexState BallSimplices::vertex_state() const {
   if (alpha_.plus(weight_) < 0) return VertexState::absent;
-  // With equality the centre lies on the boundary of its power cell, or the cell is empty after
-  // perturbation: then the nearest edge has the same value, or there is none.
+  // Where a neighbour has c = 0, p_i is on the boundary of its power cell, or the cell is empty
+  // after the perturbation. In the first case the nearest edge has the same alpha value; in the
+  // second there is no edge.
   return attached_ ? VertexState::attached : VertexState::unattached;
 }
 

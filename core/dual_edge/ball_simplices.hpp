@@ -1,6 +1,6 @@
-// All simplices, or only the tetrahedra, of one ball on the CPU: filtered first, exact where the
-// filter cannot decide. Owns the scratch memory of one thread. The kernel bodies are
-// dual_edge.hpp, facet_disc.hpp and triangle_faces.hpp.
+// Finds all simplices, or only the tetrahedra, of one ball on the CPU: by filters first, and
+// exactly where a filter cannot decide. One object is the scratch memory of one thread. The kernel
+// bodies are dual_edge.hpp, facet_disc.hpp and triangle_faces.hpp.
 #pragma once
 
 #include <array>
@@ -17,18 +17,19 @@
 
 namespace alphascope {
 
-// Is ball i a vertex of K_alpha? unattached: yes, with value -w. attached: if it has an edge in
-// K_alpha. absent: no.
+// The state of ball i as a vertex of K_alpha. unattached: a vertex, with alpha value -w_i.
+// attached: a vertex iff it has an edge in K_alpha. absent: no vertex.
 enum class VertexState : std::uint8_t { absent, attached, unattached };
 
 // Simplices of one dimension as the kernels report them.
 template <int N>
 struct SimplexBuffer {
   std::vector<std::array<BallIndex, N>> simplices;
-  std::vector<float> values;         // empty when only tetrahedra are asked for
+  // Alpha values, square lattice units; empty when only tetrahedra are requested.
+  std::vector<float> values;
   std::vector<std::uint8_t> states;  // edges: flags; triangles: class; tetrahedra: empty
   std::uint32_t size() const { return static_cast<std::uint32_t>(simplices.size()); }
-  // All blocks wait for the last: what their vectors reserved beyond their content adds up.
+  // Releases reserved but unused memory: all blocks are kept until the last one is done.
   void shrink() {
     simplices.shrink_to_fit();
     values.shrink_to_fit();
@@ -37,8 +38,9 @@ struct SimplexBuffer {
 };
 
 struct BlockOutput {
-  // Every edge that may be in K_alpha, with the least value known: its own if it is unattached, of
-  // its triangles if it is one of their first two edges; HUGE_VALF when none is known.
+  // Every edge that may be in K_alpha, with the least alpha value known so far: its own if it is
+  // unattached, else that of the triangles whose first or second edge it is. HUGE_VALF: none known
+  // yet.
   SimplexBuffer<2> edges;
   SimplexBuffer<3> triangles;
   SimplexBuffer<4> tetrahedra;
@@ -53,7 +55,7 @@ class BallSimplices {
   // Appends the simplices whose lowest vertex is the ball in `slot`, in lexicographic order.
   // `list` holds the slots of its neighbours, ascending by ball index.
   VertexState process(std::uint32_t slot, std::span<const std::uint32_t> list, BlockOutput& out);
-  // The same for a sink.
+  // The same, and reports each step to `sink`.
   VertexState process(std::uint32_t slot, std::span<const std::uint32_t> list, BlockOutput& out,
                       const BallSimplicesSink& sink);
 
@@ -62,7 +64,7 @@ class BallSimplices {
   double exact_milliseconds() const { return exact_milliseconds_; }
 
  private:
-  // The neighbours of ball i by slot in its list.
+  // The neighbours of ball i; a slot is an index into these lists.
   struct Neighbours {
     std::vector<LiftedInt> vectors;
     std::vector<BallIndex> balls;
@@ -88,7 +90,7 @@ class BallSimplices {
   template <class Sink>
   void triangle(const NearFirstRows& rows, BlockOutput& out, const Sink& sink);
   void tetrahedra(const NearFirstRows& rows, BlockOutput& out);
-  // Kernel II: `body` is filtered_face or filtered_ends.
+  // Kernel II. `body` calls filtered_face or filtered_ends.
   template <class Body>
   auto filtered(const NearFirstRows& rows, const Body& body) const;
   template <class Sink = NotRecorded>
@@ -104,8 +106,8 @@ class BallSimplices {
   }
   const LiftedVector<double>& vector(int k) const { return doubles_[static_cast<std::size_t>(k)]; }
 
-  // From so many neighbours on it pays to look for discs that a single ball covers, and so many
-  // balls, those whose planes are nearest, are tried. Only the time depends on them.
+  // Culling pays for lists of at least kLongList neighbours; it tries the kCoverers neighbours
+  // whose planes are nearest as covers. Only the time depends on these numbers.
   static constexpr std::size_t kLongList = 20, kCoverers = 16;
 
   const BallSet& balls_;
@@ -113,31 +115,33 @@ class BallSimplices {
   const LatticeAlpha alpha_;
   const bool whole_;
 
-  // Of the current ball.
+  // Data of the current ball.
   BallIndex i_ = 0;
   std::int64_t weight_ = 0, ghost_reach_ = 0;
-  std::int64_t largest_offset_ = 0;   // max |d_x| over the neighbours
+  std::int64_t largest_offset_ = 0;   // max |d_x| over the neighbours, lattice units
   std::int64_t largest_power_ = 0;    // max |c| over the neighbours and ghosts
-  double radius_square_ = 0;          // w + alpha
+  double radius_square_ = 0;          // w_i + alpha, square lattice units
   bool filter_ = false;               // double precision is certified
-  int first_ = 0;                     // slot of the first later neighbour
-  int words_ = 0;                     // of a row of bits
-  bool attached_ = false;             // p_i is not certainly within the power cell of i
-  bool culled_ = false;               // only neighbours that may have a facet are left
-  std::vector<std::uint32_t> slots_;  // of the neighbours
+  int first_ = 0;                     // first neighbour with a higher index than i
+  int words_ = 0;                     // words of 32 bits in a row
+  bool attached_ = false;             // p_i may be outside the power cell of i
+  bool culled_ = false;               // cull() was run: a long list and a certified filter
+  std::vector<std::uint32_t> slots_;  // slots of the neighbours in the grid
   Neighbours neighbours_;
-  std::vector<std::int32_t> x_, y_, z_;        // their centres, lattice units
-  std::vector<float> reach_;                   // as UniformGrid::reach
-  std::vector<std::uint8_t> meets_;            // who meets the current j; whole words of a row
-  std::vector<LiftedVector<double>> doubles_;  // the vectors once more
-  std::vector<std::uint32_t> rows_;            // of the later neighbours: who meets them
-  std::vector<char> dead_;                     // neighbours j: edge ij is not in K_alpha
-  // Of a culled list: those whose planes are nearest.
+  std::vector<std::int32_t> x_, y_, z_;  // their centres, lattice units
+  std::vector<float> reach_;             // as UniformGrid::reach
+  // 1 for each neighbour that meets the current j; padded to whole words.
+  std::vector<std::uint8_t> meets_;
+  std::vector<LiftedVector<double>> doubles_;  // the lifted vectors as doubles
+  std::vector<std::uint32_t> rows_;            // a row of bits for each later neighbour
+  std::vector<char> dead_;                     // for neighbour j: edge ij is not in K_alpha
+  // For a culled list: the radical planes with twice their distances, and the neighbours whose
+  // planes are nearest.
   std::vector<std::pair<double, std::size_t>> planes_;
   std::vector<FacetDisc<double>::Coverer> coverers_;
   std::vector<char> is_near_;
-  std::vector<std::uint32_t> near_;  // the same as a row of bits
-  std::vector<std::uint32_t> edge_;  // their edges in the block's output
+  std::vector<std::uint32_t> near_;  // is_near_ as a row of bits
+  std::vector<std::uint32_t> edge_;  // per later neighbour: its edge in the block's output
 
   std::size_t dual_edges_ = 0, exact_dual_edges_ = 0;
   double exact_milliseconds_ = 0;

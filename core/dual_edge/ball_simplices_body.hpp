@@ -1,6 +1,7 @@
-// The way of BallSimplices through one ball, for any sink. The engine's own source has it with the
-// empty one, ball_simplices_recorded.cpp with a real one: in two sources, so that compilers make
-// the engine's code as if the other did not exist.
+// The templates by which BallSimplices finds all simplices of one ball, for any sink.
+// ball_simplices.cpp instantiates them with the empty sink, ball_simplices_recorded.cpp with a real
+// one. The two sources are separate so that compilers optimise the engine's code as if the other
+// did not exist.
 #pragma once
 
 #include <algorithm>
@@ -113,7 +114,7 @@ VertexState BallSimplices::process_with(std::uint32_t slot, std::span<const std:
   load(slot, list);
   const int n = static_cast<int>(slots_.size()), later = n - first_;
   sink(ListNote{neighbours_.balls, {dead_.data(), slots_.size()}, culled_ ? coverers_.size() : 0});
-  if (!whole_ && later < 3) return VertexState::absent;  // not asked for
+  if (!whole_ && later < 3) return VertexState::absent;  // vertices are not requested
   const auto alive = [&](int j) { return dead_[static_cast<std::size_t>(j)] == 0; };
   rows_.resize(static_cast<std::size_t>(later) * static_cast<std::size_t>(words_));
   edge_.resize(static_cast<std::size_t>(later));

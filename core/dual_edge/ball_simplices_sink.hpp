@@ -1,6 +1,6 @@
-// What BallSimplices tells whoever wants to show how it finds the simplices of a ball; its own sink
-// is empty (core/predicates/recording.hpp). Balls are named by their slot in the list of
-// neighbours that ListNote brings.
+// The interface through which BallSimplices reports how it finds the simplices of a ball. The
+// engine itself uses an empty sink (core/predicates/recording.hpp). Balls are named by their slot
+// in the list of neighbours of the ListNote.
 #pragma once
 
 #include <cstddef>
@@ -11,33 +11,36 @@
 
 namespace alphascope {
 
-// The neighbours that are left, ascending.
+// The neighbours that are left after culling, in ascending order.
 struct ListNote {
   std::span<const BallIndex> balls;
-  std::span<const char> covered;  // whether the disc of one is covered: then it only cuts
-  // So many balls, whose planes are nearest, were tried as covers; 0: none, the list is short.
+  std::span<const char> covered;  // 1: the disc of this neighbour is covered, and it only cuts
+  // Number of balls tried as covers, those with the nearest planes; 0 if the list is short and not
+  // culled.
   std::size_t coverers;
 };
 
-// Ball m was held against the orthocentre of edge ij.
+// The orthocentre of edge ij was tested against ball m.
 struct CentreNote {
   int j, m;
   bool exact;  // the filter left it open
   Decision cuts;
 };
-// After the last of them. What is not attached and not in K_alpha goes no further.
+// Follows the last CentreNote of edge ij. An edge that is neither attached nor in K_alpha is
+// dropped.
 struct EdgeNote {
   int j;
   bool attached, may_be_in;
 };
 
-// Three balls of which each two meet; an edge ik that is not in K_alpha ends it here.
+// Three balls of which each two meet. `dropped`: edge ik is not in K_alpha, so the triangle is not
+// tested.
 struct TripleNote {
   int j, k;
   bool dropped;
 };
 
-// Its dual edge, decided.
+// The decision about the dual edge of the triangle in the last TripleNote.
 struct FaceNote {
   int j, k;
   bool exact;  // the filter left it open
@@ -47,14 +50,15 @@ struct FaceNote {
 class BallSimplicesSink {
  public:
   virtual ~BallSimplicesSink() = default;
-  // Is anything asked about the triangle of i, j and k? If not, it is left out.
+  // Is the triangle of i, j and k to be shown? If not, it is skipped.
   virtual bool wants(int j, int k) const = 0;
 
   virtual void operator()(const ListNote&) const = 0;
   virtual void operator()(const CentreNote&) const = 0;
   virtual void operator()(const EdgeNote&) const = 0;
   virtual void operator()(const TripleNote&) const = 0;
-  // As clipped_edge() and exact_ends() say, between a triangle's two notes.
+  // Called by clipped_edge() and exact_ends(), between the TripleNote and the FaceNote of a
+  // triangle.
   virtual void operator()(const DualEdge<double>&) const = 0;
   virtual void operator()(const DualEdge<double>&, int m, DualEdge<double>::Takes,
                           bool gone) const = 0;

@@ -1,3 +1,5 @@
+// Kernels I to III of the dual-edge engine on the CPU, over blocks of balls, and the prefix sum
+// that orders the simplices.
 #include "core/dual_edge/cpu_dual_edges.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -16,22 +18,22 @@
 namespace alphascope {
 namespace {
 
-// Balls per task: small enough to balance two threads on a small protein, large enough that a
-// task's vectors amortise their growth.
+// Balls per task. Blocks are small enough to balance two threads on a small protein, and large
+// enough to amortise the growth of a task's vectors.
 constexpr std::size_t kBallsPerBlock = 128;
 
-// Neighbour lists of the balls of one block, back to back.
+// Neighbour lists of the balls of one block, one after the other.
 struct NeighbourBlock {
   std::vector<std::uint32_t> slots;
-  std::vector<std::uint32_t> end;  // per ball of the block: end of its list
+  std::vector<std::uint32_t> end;  // for each ball of the block: end of its list in `slots`
 };
 
-// How many simplices a block's output has, or where some of them are.
+// For each dimension: an index into the simplices of a block's output, or their number.
 struct BlockPlace {
   std::uint32_t edge, triangle, tetrahedron;
 };
 
-// Numbers within a block are of 32 bits.
+// Throws where a count does not fit the 32-bit indices within a block.
 void require_block(std::size_t count) {
   require_at_most(count, kMostIndices, "neighbours or simplices of some balls");
 }
@@ -48,7 +50,7 @@ struct BallRange {
   BlockPlace begin, end;
 };
 
-// Copies one dimension from block outputs to its place in the result; `position` is per ball.
+// Copies the simplices begin to end - 1 of a block to index `to` of `list`.
 template <int N>
 void place(const SimplexBuffer<N>& from, std::size_t begin, std::size_t end, std::size_t to,
            SimplexList<N>& list) {
@@ -65,11 +67,11 @@ template <int N>
 void resize(SimplexList<N>& list, std::size_t size, bool with_values) {
   list.simplices.resize(size);
   list.alpha_values.resize(with_values ? size : 0);
-  // Tetrahedra have no coface: all of K_alpha's are interior.
+  // Tetrahedra have no cofaces, so all that are in K_alpha are interior.
   list.classes.assign(with_values ? size : 0, SimplexClass::interior);
 }
 
-// One run over all balls, kernel after kernel. Blocks of balls are done side by side.
+// One run over all balls, one kernel after the other. Blocks of balls run in parallel.
 class DualEdgeRun {
  public:
   DualEdgeRun(const BallSet& balls, const UniformGrid& grid, const RunContext& context,
@@ -88,19 +90,22 @@ class DualEdgeRun {
           return std::make_unique<BallSimplices>(balls_, grid_, complex_.alpha_on_lattice, whole_);
         }) {}
 
-  // Kernel I: neighbours.
+  // Kernel I: finds the neighbours of each ball.
   void find_candidates();
-  // Kernels II and III: dual edges; the exact ones are redone where they stand, and timed.
+  // Kernels II and III: dual edges. A triangle that the filter leaves open is decided exactly at
+  // once, and that time is measured.
   void clip_dual_edges();
-  // Copies the simplices to their places in the result; their faces learn from them.
+  // Copies the simplices to their places in the result, and completes edges and vertices from their
+  // cofaces.
   void order();
 
   DualEdgeStatistics statistics() const;
-  // Of a thread, on average.
+  // Time in exact arithmetic, ms: the mean over the threads.
   double exact_milliseconds() const;
 
  private:
-  // Calls body(block, its first slot, the end of its slots). Throws Cancelled.
+  // Calls body(block, its first slot, the end of its slots) for all blocks, in parallel. Throws
+  // Cancelled.
   template <class Body>
   void for_blocks(const Body& body) {
     parallel_each(0, block_count_, [&](std::size_t b) {

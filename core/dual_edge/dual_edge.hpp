@@ -1,18 +1,18 @@
-// The dual edge of a triangle ijk: the part of the line { x : pi_i = pi_j = pi_k } that the
-// bisectors of i with its other neighbours leave. Its ends are the orthocentres of the tetrahedra
-// ijkl. One template body for single precision (the GPU's hot path: laptop GPUs have almost no
-// double precision) and double (the CPU, and what single precision leaves open); every decision is
-// certified or `unknown`, and then exact_dual_edge.hpp decides.
-//
+// The dual edge of a triangle ijk: the part of the line { x : pi_i = pi_j = pi_k } that is left
+// when the bisectors of i and its other neighbours have cut it. Its ends are the orthocentres of
+// the tetrahedra ijkl. One template body serves single and double precision. Single precision is
+// the hot path of the GPU, as laptop GPUs have almost no double precision. Double precision is for
+// the CPU, and for triangles that single precision leaves open. Every decision is certified or
+// `unknown`; exact_dual_edge.hpp decides the unknown ones.
 // Legend (origin p_i; lifted vectors (d, c) as in orthosphere.hpp; u: unit roundoff):
 //   line     x(s) = foot + s n,  n = d_j × d_k,  foot = g × n / (2 |n|²),  g = c_j d_k - c_k d_j
 //   ball m   cuts off 2 d_m·x > c_m, which is s (d_m·n) > c_m / 2 - d_m·foot
 //   N, F, P, G  largest coordinates of n, foot, g × n, g
 // Only the part with pi_i <= alpha matters: |x|² <= w_i + alpha.
 //
-// Source: Masood, Ray, Natarajan, Comput. Geom. 90 (2020), compute the alpha complex per simplex;
-// clipping the dual edge, one interval instead of a polygon or of one test per 4-tuple and ball, is
-// ours.
+// Source: Masood, Ray, Natarajan, Comput. Geom. 90 (2020), compute the alpha complex per simplex.
+// Clipping the dual edge is our own: one interval, instead of a polygon or of one test for each
+// 4-tuple and ball.
 #pragma once
 
 #include "core/predicates/rough_math.hpp"
@@ -21,8 +21,9 @@
 
 namespace alphascope {
 
-// a b - c d within 2 u of its value. Single precision: W. Kahan's, see C.-P. Jeannerod et al.,
-// Math. Comp. 82 (2013). Double: exact for the d, which are whole numbers below 2^25.
+// a b - c d within 2 u of its value. Single precision: the method of W. Kahan, see C.-P. Jeannerod
+// et al., Math. Comp. 82 (2013). Double precision: exact for coordinates of d, which are integers
+// below 2^25.
 ALPHASCOPE_INLINE float difference_of_products(float a, float b, float c, float d) {
   const float product = c * d;
   return fmaf(a, b, -product) + fmaf(-c, d, product);
@@ -31,7 +32,7 @@ ALPHASCOPE_INLINE double difference_of_products(double a, double b, double c, do
   return a * b - c * d;
 }
 
-// Explicit fma where it is one instruction; the bounds hold either way.
+// a b + c, by fma where that is one instruction. The error bounds hold either way.
 ALPHASCOPE_INLINE float multiply_add(float a, float b, float c) {
   return fmaf(a, b, c);
 }
@@ -47,15 +48,16 @@ ALPHASCOPE_INLINE auto largest_coordinate(const Vector& v) {
 template <class Real>
 class DualEdge {
  public:
-  // Where ball `cutter` ends the edge: t = ±s within `error`. cutter -1: the boundary of the disc,
-  // or somewhat beyond.
+  // An end of the edge, made by ball `cutter`: s = t at the high end and s = -t at the low end,
+  // within `error`. cutter -1: no ball; the end is at the boundary of the disc, or slightly beyond.
   struct End {
     Real t, error;
     int cutter;
   };
 
-  // False when no point of the line has pi_i <= alpha, or the three centres are collinear (then ijk
-  // is no simplex). `radius_square` is w_i + alpha within what kLimit allows for.
+  // Prepares the edge of triangle ijk before any cut. False when no point of the line has pi_i <=
+  // alpha, or when the three centres are collinear (then ijk is no simplex). `radius_square` is w_i
+  // + alpha in the units of the vectors squared; kLimit allows for its error.
   ALPHASCOPE_INLINE bool start(const LiftedVector<Real>& j, const LiftedVector<Real>& k,
                                Real radius_square) {
     n_ = {difference_of_products(j.y, k.z, j.z, k.y), difference_of_products(j.z, k.x, j.x, k.z),
@@ -67,8 +69,8 @@ class DualEdge {
                           g.x * n_.y - g.y * n_.x};
     const Real r = Real(0.5) * rough_reciprocal(q_);
     foot_ = {p.x * r, p.y * r, p.z * r};
-    // Each product of g errs by 2 u (one from c), its difference by u; n errs by 2 u, each product
-    // of p by u, its difference by u; 1/|n|² by 12 u.
+    // Each product of g errs by 2 u (one from c), its difference by u. n errs by 2 u. Each product
+    // of p errs by u, its difference by u. 1/|n|² errs by 12 u.
     const Real n = largest_coordinate(n_), f = largest_coordinate(foot_),
                size = largest_coordinate(g);
     const Real products =
@@ -84,21 +86,22 @@ class DualEdge {
     const Real room = radius_square - foot_square_ + square_error_;
     if (room < 0) return false;
     const Real tiny = Real(1e-30);
-    // Above the radius of the disc on the line: q errs by 8 u, and a few roundings.
+    // The bound is above the radius of the disc on the line: q errs by 8 u, and there are a few
+    // roundings.
     reach_ = rough_square_root((room <= tiny ? tiny : room) * 2 * r) * Real(1.000003);
     high_ = low_ = {reach_, 0, -1};
     unsure_ = false;
     return true;
   }
 
-  // A cheaper start() that says less: true only when no point of the line has pi_i <= alpha.
+  // A cheaper test than start(): true only when certainly no point of the line has pi_i <= alpha.
   ALPHASCOPE_INLINE static bool certainly_outside(const LiftedVector<Real>& j,
                                                   const LiftedVector<Real>& k, Real radius_square) {
     const Vector3<Real> n{j.y * k.z - j.z * k.y, j.z * k.x - j.x * k.z, j.x * k.y - j.y * k.x};
     const Vector3<Real> g{j.c * k.x - k.c * j.x, j.c * k.y - k.c * j.y, j.c * k.z - k.c * j.z};
     const Real jj = largest_coordinate(j), kk = largest_coordinate(k);
-    // Plain products here: each coordinate of n errs by 3 u of its two products' bound, each of g
-    // by 4 u.
+    // These are plain products. Each coordinate of n errs by 3 u of the bound on its two products,
+    // each of g by 4 u.
     const Real n_error = 6 * kU * jj * kk,
                g_error = 4 * kU * (magnitude(j.c) * kk + magnitude(k.c) * jj);
     const Real n_square = multiply_add(n.x, n.x, multiply_add(n.y, n.y, n.z * n.z));
@@ -111,7 +114,7 @@ class DualEdge {
                (n_square + n_error * (2 * n_sum + 3 * n_error));
   }
 
-  // The same without errors.
+  // The cut of ball m at s · slope = offset, without error bounds.
   struct LineCut {
     Real slope, offset;
   };
@@ -121,7 +124,8 @@ class DualEdge {
         multiply_add(-m.x, foot_.x,
                      multiply_add(-m.y, foot_.y, multiply_add(-m.z, foot_.z, Real(0.5) * m.c)))};
   }
-  // How ball m cuts the line: where s (d_m·n) = c_m / 2 - d_m·foot, each within its error.
+  // The cut of ball m: s (d_m·n) = c_m / 2 - d_m·foot, that is s · slope = offset, each with its
+  // error.
   struct Cut {
     Real slope, offset, slope_error, offset_error;
   };
@@ -132,7 +136,8 @@ class DualEdge {
             multiply_add(Real(2.6) * kU, magnitude(m.c), length * offset_error_)};
   }
 
-  // Of what is left, does it certainly take nothing, or certainly all?
+  // The part of the remaining edge that a cut removes: certainly nothing, certainly all, or perhaps
+  // some.
   enum class Takes { nothing, all, some };
   ALPHASCOPE_INLINE Takes takes(const Cut& cut) const {
     const Real farthest =
@@ -142,14 +147,14 @@ class DualEdge {
                                     : Takes::some;
   }
 
-  // Cuts by ball `id`; true when nothing is left. A cut that is not understood is left out and
-  // remembered: another one may still take everything.
+  // Cuts by ball `id`; true when nothing is left. A cut is skipped if its errors are too large to
+  // decide about it; the edge is then unsure. Another cut may still remove everything.
   ALPHASCOPE_INLINE bool clip(const Cut& cut, int id) {
     const Real steepness = magnitude(cut.slope);
     const Real inverse = rough_reciprocal(steepness);
     const Real t = cut.offset * inverse;
     const Real size = magnitude(t);
-    // (a - b t) / (slope - b) for errors a and b, |b| < |slope| / 8.
+    // The error of the quotient is (a - b t) / (slope - b) for errors a and b, |b| < |slope| / 8.
     const Real error = multiply_add(
         6 * kU, size, Real(1.15) * inverse * multiply_add(size, cut.slope_error, cut.offset_error));
     const bool above = cut.slope > 0;
@@ -159,36 +164,38 @@ class DualEdge {
       unsure_ = true;
       return false;
     }
-    // Near the disc's boundary either answer is right: the tetrahedron is judged by within(). What
-    // is not a number must not pass for beyond it.
+    // Near the boundary of the disc either answer is right, since within() judges the tetrahedron.
+    // A NaN gain must not count as beyond the boundary, so the comparisons are written to be false
+    // for NaN.
     if (old.cutter < 0 ? gain <= -error : gain < 0) return false;
     if (above) {
       high_ = {t, error, id};
     } else {
       low_ = {t, error, id};
     }
-    // What is left; both ends were at reach_, and may be before the foot.
+    // The new reach is that of the farther end. An end on the other side of the foot has t < 0 and
+    // is the nearer one.
     const Real high_reach = high_.t + high_.error, low_reach = low_.t + low_.error;
     reach_ = Real(1.000003) * larger(high_reach, low_reach);
     return high_.t + low_.t < -(high_.error + low_.error);
   }
 
-  // After all cuts: was every cut understood, so that both ends are the right ones?
+  // After all cuts: was every cut decided, so that both ends are certainly right?
   ALPHASCOPE_INLINE bool ends_certain() const { return !unsure_; }
-  // Is there certainly an edge between them? An end at the disc's boundary does not matter: the
-  // other one is then judged by within().
+  // Is the interval between the ends certainly not empty? An end at the disc's boundary does not
+  // matter: within() then judges the other one.
   ALPHASCOPE_INLINE bool certainly_there() const {
     return high_.cutter < 0 || low_.cutter < 0 || high_.t + low_.t > high_.error + low_.error;
   }
 
-  // Of its line_cut(): errors of slope and offset, per |x| + |y| + |z| of a vector; the offset errs
-  // by 2.6 u |c| as well.
+  // Errors of slope and offset in line_cut(), per |x| + |y| + |z| of the vector. The offset errs by
+  // 2.6 u |c| in addition.
   ALPHASCOPE_INLINE Real slope_error() const { return slope_error_; }
   ALPHASCOPE_INLINE Real offset_error() const { return offset_error_; }
-  // What is left has |s| <= reach().
+  // All of the remaining edge has |s| <= reach().
   ALPHASCOPE_INLINE Real reach() const { return reach_; }
 
-  // To show where it is: x(s) from p_i, with s from -low().t to high().t.
+  // For display: x(s), measured from p_i, with s from -low().t to high().t.
   ALPHASCOPE_INLINE const Vector3<Real>& foot() const { return foot_; }
   ALPHASCOPE_INLINE const Vector3<Real>& direction() const { return n_; }
 
@@ -220,8 +227,8 @@ class DualEdge {
 
  private:
   static constexpr Real kU = Rounding<Real>::u;
-  // Of radius_square: its own error, which in double is that of LatticeAlpha::plus(), 3 u, and in
-  // single one rounding, and two roundings of sums with it.
+  // Error of radius_square in units of u, with two roundings of sums with it. Its own error is 3 u
+  // in double (LatticeAlpha::plus()) and one rounding in single precision.
   static constexpr Real kLimit = sizeof(Real) == sizeof(float) ? 3 : 5;
 
   Vector3<Real> n_, foot_;

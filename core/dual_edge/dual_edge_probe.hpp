@@ -1,7 +1,7 @@
-// Whether cuts certainly leave nothing of a dual edge: half the work of DualEdge::clip(), which
-// also finds out what its ends are. Most triangles of three balls that meet are no simplices; this
-// tells them apart. Host and device, though only the CUDA executor calls it: the CPU clips at once.
-// Legend of dual_edge.hpp.
+// A test whether cuts certainly leave nothing of a dual edge. It takes half the work of
+// DualEdge::clip(), which also finds the ends. Most triangles of three balls that meet are no
+// simplices, and this test rejects them early. Host and device, but only the CUDA executor calls
+// it: the CPU clips at once. Legend of dual_edge.hpp.
 #pragma once
 
 #include "core/dual_edge/dual_edge.hpp"
@@ -11,7 +11,7 @@ namespace alphascope {
 template <class Real>
 class DualEdgeProbe {
  public:
-  // Of a started edge, for vectors with |x| + |y| + |z| <= length and |c| <= power.
+  // Requires an edge after start(), and vectors with |x| + |y| + |z| <= length and |c| <= power.
   ALPHASCOPE_INLINE DualEdgeProbe(const DualEdge<Real>& edge, Real length, Real power)
       : edge_(edge),
         slope_error_(length * edge.slope_error()),
@@ -19,12 +19,12 @@ class DualEdgeProbe {
         high_(edge.reach()),
         low_(edge.reach()) {}
 
-  // True when nothing is left, now or before.
+  // Cuts by ball m. True when nothing is left, after this cut or an earlier one.
   ALPHASCOPE_INLINE bool clip(const LiftedVector<Real>& m) {
     const auto [slope, offset] = edge_.line_cut(m);
     const Real steepness = magnitude(slope);
-    // The end is at most (offset + its error) / (steepness -+ its error), of which the quotient of
-    // what is computed errs by less than 8 u. A cut that is not steep enough is left out.
+    // The end is at most (offset + its error) / (steepness -+ its error). The computed quotient
+    // errs by less than 8 u. A cut that is not steep enough is skipped.
     const Real most = offset + offset_error_;
     const Real least_steep = most < 0 ? steepness + slope_error_ : steepness - slope_error_;
     const Real quotient = most * rough_reciprocal(least_steep);
@@ -40,7 +40,7 @@ class DualEdgeProbe {
   static constexpr Real kU = Rounding<Real>::u;
   const DualEdge<Real>& edge_;
   const Real slope_error_, offset_error_;
-  Real high_, low_;  // the ends are not beyond; as DualEdge::End::t
+  Real high_, low_;  // upper bounds on the ends, as DualEdge::End::t
 };
 
 }  // namespace alphascope

@@ -1,4 +1,5 @@
-// Dual edges in exact integers, for the triangles that dual_edge.hpp leaves open. Host and device.
+// Dual edges in exact integers, for the triangles that dual_edge.hpp leaves undecided. Host and
+// device.
 #pragma once
 
 #include "core/predicates/perturbation.hpp"
@@ -7,19 +8,21 @@
 
 namespace alphascope {
 
-// Int128 holds orthocentre_cut for |d_x| < 2^17 and |c| < 2^36: |d_j × d_k| < 2^35, its products
-// with c and d_m < 2^88, twelve of them < 2^92. WideInt<4> holds it for every lattice: 2^61, 2^154.
+// Int128 is wide enough for orthocentre_cut() if |d_x| < 2^17 and |c| < 2^36: then |d_j × d_k| <
+// 2^35, its products with c and d_m are < 2^88, and twelve of them < 2^92. WideInt<4> is wide
+// enough for every lattice: 2^61 and 2^154.
 inline constexpr std::int64_t kSmallOffset = std::int64_t{1} << 17,
                               kSmallPower = std::int64_t{1} << 36;
 
-// A ball that ends a dual edge; slot -1: a ghost plane beyond pi_i <= alpha, without a weight.
+// A ball that ends a dual edge. Slot -1 is a ghost: a plane without weight, beyond all points with
+// pi_i <= alpha.
 struct EndBall {
   int slot;
   LiftedInt lifted;
 };
 
-// The ghost on one side (+1: along d_j × d_k) of the line of ijk: the axis plane at distance g that
-// the line crosses most steeply.
+// The ghost on one side of the line of ijk (+1: along d_j × d_k). It is the axis-parallel plane at
+// distance g from p_i that the line crosses most steeply.
 ALPHASCOPE_HOST_DEVICE inline EndBall ghost_end(const LiftedInt& j, const LiftedInt& k, int side,
                                                 std::int64_t g) {
   const auto n = cross(j, k);
@@ -31,8 +34,7 @@ ALPHASCOPE_HOST_DEVICE inline EndBall ghost_end(const LiftedInt& j, const Lifted
   return {-1, {0, 0, along(n.z), 2 * g}};
 }
 
-// +1 when ball m cuts off the orthocentre x of ijkl, else -1; ties broken by the perturbation. With
-// D = det(d_j, d_k, d_l), not 0: 2 D x = c_j d_k × d_l + c_k d_l × d_j + c_l d_j × d_k.
+// +1 when ball m cuts off the orthocentre x of ijkl, else -1; the perturbation breaks ties. With
 template <class Integer>
 ALPHASCOPE_HOST_DEVICE int orthocentre_cut(const LiftedInt& j, const LiftedInt& k,
                                            const EndBall& end, const LiftedInt& m) {
@@ -49,10 +51,10 @@ ALPHASCOPE_HOST_DEVICE int orthocentre_cut(const LiftedInt& j, const LiftedInt& 
   return sign != 0 ? sign : perturbed_cut(j, k, false, l, end.slot < 0, m);
 }
 
-// The ends of the dual edge of ijk as far as its common neighbours cut it; false when they leave
-// nothing, or when the three centres are collinear (then ijk is no simplex). `next(m)` is the
-// common neighbour after m, from next(-1) on, or -1. `sink` gets the slots of both ends, or of the
-// one ball that takes what was left.
+// Finds the ends of the dual edge of ijk after the cuts of its common neighbours. False when
+// nothing is left, or when the three centres are collinear (then ijk is no simplex). `next(m)` is
+// the common neighbour after m, starting with next(-1), or -1 after the last. `sink` gets the slots
+// of both ends, or the slot of the ball that removes the rest.
 template <class Integer, class Neighbours, class Next, class Sink = NotRecorded>
 ALPHASCOPE_HOST_DEVICE bool exact_ends(const Neighbourhood<Neighbours>& in, int j, int k,
                                        const Next& next, EndBall& high, EndBall& low,
@@ -69,7 +71,8 @@ ALPHASCOPE_HOST_DEVICE bool exact_ends(const Neighbourhood<Neighbours>& in, int 
     EndBall& end = side > 0 ? high : low;
     if (orthocentre_cut<Integer>(vj, vk, end, vm) > 0) end = {m, vm};
   }
-  // Those that bound the other side, or run parallel, may have cut off everything.
+  // A ball that bounds the other side, or whose plane is parallel to the line, may still cut off
+  // everything.
   for (int m = next(-1); m >= 0; m = next(m)) {
     if (m != high.slot && orthocentre_cut<Integer>(vj, vk, high, in.neighbours.lifted(m)) > 0) {
       sink(m);

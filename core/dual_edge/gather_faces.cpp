@@ -1,3 +1,4 @@
+// Edges and vertices of the complex, completed from their cofaces in parallel.
 #include "core/dual_edge/gather_faces.hpp"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ void add_flags(std::uint8_t& shared, std::uint32_t flags) {
     all.fetch_or(static_cast<std::uint8_t>(flags), std::memory_order_relaxed);
 }
 
-// Where edge jk of triangle ijk is among those of ball j. It must be there: what keeps a triangle
-// and what drops an edge are both certain.
+// The index of edge jk of triangle ijk among the edges of ball j. It must exist: a triangle is
+// kept, and an edge dropped, only with certainty.
 std::size_t find_edge(const EdgeRange& of_j, const std::array<BallIndex, 3>& triangle) {
   const std::array edge{triangle[1], triangle[2]};
   if (of_j.edges != nullptr) {

@@ -1,11 +1,11 @@
-// From a triangle ijk of ball i and two of its neighbours to the simplices that its dual edge
-// shows: itself and the tetrahedra at the ends. One template body for the CPU and the CUDA
+// From a triangle ijk of ball i and two neighbours to the simplices that follow from its dual edge:
+// the triangle itself and the tetrahedra at the ends. One template body serves the CPU and the CUDA
 // executor.
 //
-// The neighbours of ball i are numbered by ball index. Each later neighbour j has a row of bits, 32
-// a word: bit m says that m meets j as well as i. So the balls that can cut the dual edge of ijk
-// are row_j & row_k (docs/algorithm.md: what cuts it where pi_i <= alpha meets all three), and
-// every tetrahedron is found once, from its three lowest balls.
+// The neighbours of ball i are numbered by ball index. Each later neighbour j has a row of bits in
+// words of 32: bit m is set if m meets j as well as i. Every ball that cuts the dual edge where
+// pi_i <= alpha meets i, j and k (docs/algorithm.md). So row_j & row_k holds all that can cut it,
+// and every tetrahedron is found once, from its three lowest balls.
 #pragma once
 
 #include "core/dual_edge/dual_edge.hpp"
@@ -22,7 +22,7 @@ ALPHASCOPE_INLINE int lowest_bit(std::uint32_t bits) {
 #endif
 }
 
-// The bits of a word that stand for numbers above k.
+// The bits of word `word` for neighbours with a number above k.
 ALPHASCOPE_INLINE std::uint32_t bits_after(int k, int word) {
   const int first = k + 1 - word * 32;
   return first <= 0 ? ~0u : first >= 32 ? 0u : ~0u << first;
@@ -33,7 +33,7 @@ struct TriangleRows {
   const std::uint32_t *row_j, *row_k;
 
   ALPHASCOPE_INLINE std::uint32_t common(int word) const { return row_j[word] & row_k[word]; }
-  // Is there a neighbour of higher index than k that meets all three?
+  // Is there a neighbour with a higher number than k that meets i, j and k?
   ALPHASCOPE_INLINE bool has_fourth(int words) const {
     for (int w = k >> 5; w < words; ++w) {
       if ((common(w) & bits_after(k, w)) != 0) return true;
@@ -50,24 +50,25 @@ struct TriangleRows {
   }
 };
 
-// The same with the bits of those neighbours whose planes are nearest: they cut first, and little
-// is left to do for the rest.
+// The same, with a row of bits for the neighbours whose radical planes are nearest. These cut
+// first, and leave little work for the others.
 struct NearFirstRows : TriangleRows {
   const std::uint32_t* near;
 };
 
-// The last vertices of a triangle's tetrahedra in K_alpha, -1 for none; not `known`: undecided.
+// The last vertices of the tetrahedra of a triangle that are in K_alpha; -1: none. Undecided if not
+// `known`.
 struct TriangleEnds {
   int high, low;
   bool known;
 };
 
-// The same with the triangle itself. Attached: its orthocentre lies beyond that end, and its alpha
-// value is that of the tetrahedron there.
+// The ends, and the triangle itself. `attached` is the end whose ball cuts off the orthocentre; the
+// alpha value is then that of the tetrahedron at that end.
 struct TriangleFace {
   enum class Attached : signed char { no, high, low };
-  Decision in;    // K_alpha; the rest counts if it is
-  int high, low;  // slots of any order, unlike those that tetrahedra are listed by
+  Decision in;    // is the triangle in K_alpha? The other members are valid only if it is
+  int high, low;  // slots, also lower than k; -1: that tetrahedron is not in K_alpha
   Attached attached;
 
   static ALPHASCOPE_INLINE TriangleFace undecided() {
@@ -77,10 +78,10 @@ struct TriangleFace {
   ALPHASCOPE_INLINE int cofaces() const { return (high >= 0) + (low >= 0); }
 };
 
-// Clips by the neighbours whose bits `cutters(word)` gives; true when nothing is left. `lifted(m)`:
-// the vector of neighbour m in the units of Real. `sink` gets the edge after each neighbour, what
-// that one takes, and whether nothing is left. (One loop over the bits of all words costs a GPU 2 %
-// more.)
+// Clips by the neighbours whose bits are set in `cutters(word)`; true when nothing is left.
+// `lifted(m)` is the vector of neighbour m in the units of Real. `sink` gets the edge after each
+// neighbour, the part that this neighbour removed, and whether nothing is left. (A single loop over
+// the bits of all words is 2 % slower on a GPU.)
 template <class Real, class Cutters, class Lifted, class Sink>
 ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, int words, const Cutters& cutters,
                                   const Lifted& lifted, const Sink& sink) {
@@ -115,9 +116,9 @@ ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const NearFirstRows& t, 
              edge, words, [&](int w) { return t.common(w) & ~t.near[w]; }, lifted, sink);
 }
 
-// The dual edge of a triangle after all its cuts; false when nothing is left. `sink` gets it before
-// the first cut, and then as clips_away() says. (In one expression: with two statements nvcc makes
-// other code of the empty sink.)
+// The dual edge of a triangle after all cuts; false when nothing is left. `sink` gets the edge
+// before the first cut, and then the calls of clips_away(). (This is one expression because two
+// statements make nvcc emit other code for the empty sink.)
 template <class Real, class Rows, class Lifted, class Sink = NotRecorded>
 ALPHASCOPE_INLINE bool clipped_edge(DualEdge<Real>& edge, const Rows& t, int words,
                                     Real radius_square, const Lifted& lifted,
@@ -126,7 +127,8 @@ ALPHASCOPE_INLINE bool clipped_edge(DualEdge<Real>& edge, const Rows& t, int wor
          (sink(edge), !clips_away(edge, t, words, lifted, sink));
 }
 
-// Kernel II of one triangle, tetrahedra only: those whose last vertex comes after k.
+// Kernel II for one triangle when only tetrahedra are requested: those whose last vertex comes
+// after k.
 template <class Real, class Rows, class Lifted>
 ALPHASCOPE_INLINE TriangleEnds filtered_ends(const Rows& t, int words, Real radius_square,
                                              const Lifted& lifted) {
@@ -150,8 +152,9 @@ ALPHASCOPE_INLINE TriangleEnds filtered_ends(const Rows& t, int words, Real radi
   return ends;
 }
 
-// A triangle whose dual edge is there: `high` and `low` say whether its ends are in K_alpha (out
-// where no ball ends it), and whether they cut off the orthocentre; `own`, whether rho <= alpha.
+// Decisions about a triangle whose dual edge is not empty. `high`, `low`: is the tetrahedron at
+// that end in K_alpha (`out` where no ball ends the edge)? `high_cuts`, `low_cuts`: does that end
+// cut off the orthocentre? `own`: is rho <= alpha?
 struct FaceDecisions {
   Decision high, low, high_cuts, low_cuts, own;
 };
@@ -169,7 +172,7 @@ ALPHASCOPE_INLINE TriangleFace decided_face(const FaceDecisions& d, int high, in
   return {in, d.high == Decision::in ? high : -1, d.low == Decision::in ? low : -1, attached};
 }
 
-// Kernel II of one triangle. `sink`: see clipped_edge().
+// Kernel II for one triangle. `sink`: see clipped_edge().
 template <class Real, class Rows, class Lifted, class Sink = NotRecorded>
 ALPHASCOPE_INLINE TriangleFace filtered_face(const Rows& t, int words, Real radius_square,
                                              const Lifted& lifted, const Sink& sink = {}) {
@@ -186,8 +189,7 @@ ALPHASCOPE_INLINE TriangleFace filtered_face(const Rows& t, int words, Real radi
       high.cutter, low.cutter);
 }
 
-// Kernel III of one triangle in integers; Integer as orthocentre_cut() asks. `sink`: see
-// exact_ends().
+// Kernel III for one triangle, in integers; for Integer see kSmallOffset. `sink`: see exact_ends().
 template <class Integer, class Neighbours, class Sink = NotRecorded>
 ALPHASCOPE_HOST_DEVICE TriangleFace exact_face(const Neighbourhood<Neighbours>& in,
                                                const TriangleRows& t, int words,
@@ -206,12 +208,12 @@ ALPHASCOPE_HOST_DEVICE TriangleFace exact_face(const Neighbourhood<Neighbours>& 
                        decide_simplex<ExactDecider>(in, nullptr, t.j, t.k)},
                       high.slot, low.slot);
 }
-// Of a decided triangle.
+// The ends of a decided triangle that come after k.
 ALPHASCOPE_INLINE TriangleEnds later_ends(const TriangleFace& face, int k) {
   return {face.high > k ? face.high : -1, face.low > k ? face.low : -1, true};
 }
 
-// The alpha value of a triangle in K_alpha, the nearest float.
+// The alpha value of a triangle in K_alpha, rounded to the nearest float.
 template <class Decider, class Neighbours>
 ALPHASCOPE_INLINE Decision triangle_value(const Neighbourhood<Neighbours>& in, int j, int k,
                                           const TriangleFace& face, float* value) {

@@ -1,9 +1,10 @@
-// The kernels of the tuple engine, each the work of one item: neighbours, tuples (kernel I),
-// filtered validity (kernel II), exact validity (kernel III), and the writing of what is valid. One
-// body for the CPU and the CUDA executor; in what order they run is tuple_pipeline.hpp. Source: N.
-// P. Ranjanikar's thesis, sections 3.2.4 to 3.2.7. Departures: tuples are counted, then written,
-// instead of written into the largest space there could be; and simplices of lower dimension are
-// tested as the tetrahedra are, which gives the whole complex.
+// The kernels of the tuple engine: neighbours, tuples (kernel I), filtered validity (kernel II),
+// exact validity (kernel III), and the output of valid simplices. Each function object does the
+// work of one item, for the CPU and the CUDA executor. tuple_pipeline.hpp has their order.
+//
+// Source: N. P. Ranjanikar's thesis, sections 3.2.4 to 3.2.7. Two departures: tuples are counted
+// and then written, not written into space for the largest possible number. And simplices of lower
+// dimension are tested as tetrahedra are, which gives the whole complex.
 #pragma once
 
 #include "core/tuples/tuple_exact.hpp"
@@ -18,14 +19,15 @@ struct ReadCount {
   ALPHASCOPE_HOST_DEVICE std::uint32_t operator()(std::uint64_t n) const { return counts[n]; }
 };
 
-// Items from one to before `item`, and what they add up to.
+// The end of a batch of items (exclusive), and the sum over its items.
 struct BatchEnd {
   std::uint64_t item, sum;
 };
 
-// The longest batch of items from `first` on whose sum is at most `capacity`; never empty.
+// Finds the longest batch that begins at `first` and has a sum of at most `capacity`. It has at
+// least one item.
 struct FindBatch {
-  const std::uint64_t* sums;  // count + 1
+  const std::uint64_t* sums;  // count + 1 prefix sums
   std::uint64_t count, first, capacity;
   BatchEnd* result;
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t) const {
@@ -57,7 +59,7 @@ struct FillNeighbours {
   NeighbourLists lists;
   std::uint32_t first_slot;
   std::uint32_t* slots;
-  std::uint32_t* owners;  // per place in the lists: whose list it is
+  std::uint32_t* owners;  // for each place in the lists: the ball whose list it is
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
     const std::uint32_t slot = first_slot + static_cast<std::uint32_t>(n);
     std::uint32_t at = lists.begin(slot);
@@ -68,14 +70,14 @@ struct FillNeighbours {
   }
 };
 
-// Does the edge optimisation leave the pair of balls i and j?
+// Does the edge optimisation keep the pair of balls i and j?
 template <class Reader>
 ALPHASCOPE_INLINE bool pair_is_left(const TupleScene<Reader>& scene, std::uint32_t i,
                                     std::uint32_t j) {
   return !scene.edge_optimisation || grown_balls_may_meet(scene, i, j);
 }
 
-// For every place in the lists: 1 where a pair is to be made.
+// Marks each place in the lists: 1 if ball and neighbour become a pair.
 template <class Reader>
 struct MarkPairs {
   TupleScene<Reader> scene;
@@ -130,9 +132,9 @@ ALPHASCOPE_INLINE Decision within_alpha(const TupleScene<Reader>& scene, std::ui
 
 enum class Optimisation : std::uint8_t { edge, alpha };
 
-// Calls visit(tuple) for every tuple that has one more, later neighbour than this one; counts those
-// that the edge optimisation leaves. The alpha optimisation drops 4-tuples with rho > alpha. `sink`
-// gets what is dropped: by which optimisation, and the place of the further neighbour.
+// Calls visit(tuple) for every tuple that extends `base` by one later neighbour. Returns the number
+// of tuples that the edge optimisation keeps. The alpha optimisation drops 4-tuples with rho >
+// alpha. For each dropped tuple `sink` gets the optimisation and the place of the added neighbour.
 template <int N, class Reader, class Visit, class Sink = NotRecorded>
 ALPHASCOPE_INLINE std::uint32_t for_extensions(const TupleScene<Reader>& scene,
                                                const NeighbourLists& lists,
@@ -183,7 +185,8 @@ struct CountExtensions {
   }
 };
 
-// The same order again: the tuples of bases from `first` on go to their places behind sums[first].
+// Writes tuples in the order in which they were counted. The tuples of bases from `first` on begin
+// at index sums[base] - sums[first].
 template <int N, class Reader>
 struct FillExtensions {
   TupleScene<Reader> scene;
@@ -211,11 +214,13 @@ ALPHASCOPE_INLINE bool has_place(const BallTuple<N>& tuple, std::uint32_t at) {
   return has;
 }
 
-// What a sink is told of a test: rho is above alpha; the balls are affinely dependent; the ball in
-// this place of the list is in conflict and ends the test, or single precision cannot say.
+// The reports of a test to its sink. above_alpha: rho is above alpha. flat: the balls are affinely
+// dependent. conflict: the ball in this place of the list is in conflict, which ends the test.
+// unsure: single precision cannot decide about that ball.
 enum class TupleNote : std::uint8_t { above_alpha, flat, conflict, unsure };
 
-// Integers are as fast here. With equality the larger simplices decide (tuple_exact.hpp).
+// Integers, which are as fast as floats here. With equality the larger simplices decide
+// (tuple_exact.hpp).
 template <class Reader, class Sink>
 ALPHASCOPE_INLINE Verdict filter_vertex(const TupleScene<Reader>& scene,
                                         const NeighbourLists& lists, std::uint32_t slot,
@@ -230,7 +235,7 @@ ALPHASCOPE_INLINE Verdict filter_vertex(const TupleScene<Reader>& scene,
   return Verdict::valid;
 }
 
-// Only neighbours of the first ball can be in conflict where the power is at most alpha.
+// Where the power is at most alpha, only neighbours of the first ball can be in conflict.
 template <int N, class Reader, class Sink>
 ALPHASCOPE_INLINE Verdict filter_orthosphere(const TupleScene<Reader>& scene,
                                              const NeighbourLists& lists, const BallTuple<N>& tuple,
@@ -264,7 +269,7 @@ ALPHASCOPE_INLINE Verdict filter_orthosphere(const TupleScene<Reader>& scene,
   return unsure ? Verdict::band : Verdict::valid;
 }
 
-// Kernel II of one tuple.
+// Kernel II for one tuple.
 template <int N, class Reader, class Sink = NotRecorded>
 ALPHASCOPE_INLINE Verdict filter_tuple(const TupleScene<Reader>& scene, const NeighbourLists& lists,
                                        const BallTuple<N>& tuple, const Sink& sink = {}) {
@@ -287,7 +292,7 @@ struct FilterTuples {
   }
 };
 
-// The value that is summed up over verdicts.
+// 1 for an item with the wanted verdict, else 0; summed up by prefix_sum().
 struct HasVerdict {
   const Verdict* verdicts;
   Verdict wanted;
@@ -316,15 +321,15 @@ ALPHASCOPE_INLINE LiftedSimplex<N> lifted_tuple(const TupleScene<Reader>& scene,
     s.v[n] = lifted_from(i, scene.read.ball(tuple.slot(lists, n + 1)));
   return s;
 }
-// Is rho <= alpha, and its nearest float when `rounded` is not null. Double precision brackets
-// decide nearly always; wide integers the rest.
+// Is rho <= alpha? If so, and if `rounded` is not null, *rounded becomes the float nearest to rho.
+// Brackets in double precision nearly always decide; wide integers decide the rest.
 template <int N>
 ALPHASCOPE_INLINE bool rho_within(const LiftedSimplex<N>& s, const LatticeAlpha& alpha,
                                   float* rounded) {
   return decide_rho<ExactDecider>(s, within_bracket_limit(s), alpha, rounded) == Decision::in;
 }
 
-// Kernel III of one tuple: filtered where that is certain, integers where it is not.
+// Kernel III for one tuple: by the filter where it is certain, else by integers.
 template <class Integer, int N, class Reader, class Sink>
 ALPHASCOPE_HOST_DEVICE inline bool decide_with(const TupleScene<Reader>& scene,
                                                const NeighbourLists& lists,
@@ -359,7 +364,7 @@ ALPHASCOPE_INLINE Verdict decide_tuple(const TupleScene<Reader>& scene, const Ne
   return valid ? Verdict::valid : Verdict::invalid;
 }
 
-// The tuples in the band, again.
+// Kernel III for the tuples that kernel II left in the band.
 template <int N, class Reader>
 struct DecideTuples {
   TupleScene<Reader> scene;
@@ -375,8 +380,8 @@ struct DecideTuples {
   }
 };
 
-// Writes the valid simplices to their places: indices of balls, ascending, and the alpha value (the
-// nearest float of rho, square lattice units) unless `values` is null.
+// Writes each valid simplex to its place: ball indices in ascending order. Also writes the alpha
+// value (the float nearest to rho, square lattice units) unless `values` is null.
 template <int N, class Reader>
 struct EmitSimplices {
   TupleScene<Reader> scene;
@@ -384,13 +389,13 @@ struct EmitSimplices {
   const BallTuple<N>* tuples;
   const Verdict* verdicts;
   const std::uint64_t* sums;
-  std::uint32_t* simplices;  // N each
+  std::uint32_t* simplices;  // N indices each
   float* values;
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
     if (verdicts[n] != Verdict::valid) return;
     const BallTuple<N> tuple = tuples[n];
     std::uint32_t* to = simplices + sums[n] * N;
-    for (int a = 0; a < N; ++a) {  // insertion
+    for (int a = 0; a < N; ++a) {  // insertion sort
       const std::uint32_t ball = scene.ball[tuple.slot(lists, a)];
       int b = a;
       for (; b > 0 && to[b - 1] > ball; --b) to[b] = to[b - 1];

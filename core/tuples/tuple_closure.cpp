@@ -1,3 +1,5 @@
+// Sorts the simplices that are valid by themselves, and merges them with the faces of their
+// cofaces, from tetrahedra down to vertices.
 #include "core/tuples/tuple_closure.hpp"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ struct Valued {
   float value;
 };
 
-// Lexicographic order: counting sort by first vertex, then each vertex' simplices.
+// Sorts in lexicographic order: a counting sort by first vertex, then a sort for each first vertex.
 template <int N>
 void sort_own(OwnSimplices<N>& own, std::size_t ball_count) {
   if (own.values.empty()) {
@@ -42,7 +44,7 @@ void sort_own(OwnSimplices<N>& own, std::size_t ball_count) {
   });
 }
 
-// Merges the faces of the cofaces with the simplices that are valid by themselves.
+// Merges the faces of the cofaces with the simplices that are valid by themselves, both in order.
 template <int N>
 void close(OwnSimplices<N> own, const SimplexList<N + 1>& cofaces, std::size_t ball_count,
            SimplexList<N>& list) {

@@ -1,5 +1,5 @@
-// From the simplices that are valid by themselves to the alpha complex: their faces, alpha values
-// and classes. Where the simplices come from is the engines' business.
+// Completes the alpha complex from the simplices that are valid by themselves: adds their faces,
+// alpha values and classes.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace alphascope {
 
-// Simplices whose own orthosphere is empty and whose ortho-radius is at most alpha, each once, in
-// any order; vertices of each ascend. Values (nearest float of the ortho-radius) are empty when
-// only tetrahedra are asked for.
+// Simplices whose own orthosphere is empty and whose ortho-radius is at most alpha. Each occurs
+// once, in any order, with ascending vertices. Values are the floats nearest to the ortho-radius;
+// there are none when only tetrahedra are requested.
 template <int N>
 struct OwnSimplices {
   Simplices<N> simplices;
@@ -25,8 +25,9 @@ struct OwnSimplicesByDimension {
   OwnSimplices<4> tetrahedra;
 };
 
-// Fills the lists of `complex` (tetrahedra_only is read from it): K_alpha is the closure of these
-// simplices. A face that is not among them is attached, and has the least value of its cofaces.
+// Fills the lists of `complex`, whose tetrahedra_only is an input. K_alpha is the closure of these
+// simplices. A face that is not among them is attached, and has the least alpha value of its
+// cofaces.
 void complete_complex(OwnSimplicesByDimension own, std::size_t ball_count, AlphaComplex& complex);
 
 }  // namespace alphascope

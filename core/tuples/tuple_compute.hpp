@@ -1,4 +1,4 @@
-// What the tuple engines of both executors have in common: from a request to its complex.
+// The part that the tuple engines of both executors share: from a request to its complex.
 #pragma once
 
 #include <cmath>
@@ -11,13 +11,15 @@
 
 namespace alphascope {
 
-// For display: what was enumerated and what became of it.
+// Counters for display: the numbers of tuples after each step.
 std::vector<EngineCounter> tuple_counters(const TupleCounts& counts);
-// "tuples of neighbours, without edge optimisation and ...": what is switched off.
+// The name of the route, with the options that are switched off: "tuples of neighbours, without
+// edge optimisation and ...".
 std::string tuple_route(const TupleOptions& options, bool on_gpu);
 
-// One set of balls on one executor. An executor also provides take_times() -> StageTimes, and
-// host_memory(), a std::pmr::memory_resource* for the grid.
+// The tuple engine for one set of balls on one executor. Beyond tuple_pipeline.hpp, an executor
+// provides take_times() -> StageTimes, and host_memory(), a std::pmr::memory_resource* for the
+// grid.
 template <class Executor>
 class TupleComputer {
  public:
@@ -28,7 +30,7 @@ class TupleComputer {
         grid_(executor.host_memory()),
         pipeline_(executor) {}
 
-  // Engine::compute() but for EngineInfo's name and device.
+  // Engine::compute(), except for name and device in EngineInfo.
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) {
     if (std::isnan(request.alpha_angstrom2.nearest()))
       throw std::invalid_argument("alpha is not a number");

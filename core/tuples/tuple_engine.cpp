@@ -10,7 +10,8 @@
 namespace alphascope {
 namespace {
 
-// One lane, in which every call is done when it returns. Calls come from inside the task arena.
+// An executor with one lane; every call has finished when it returns. Calls come from inside the
+// task arena.
 class CpuExecutor {
  public:
   using Reader = PlainReader;
@@ -45,9 +46,9 @@ class CpuExecutor {
 
   template <class Body>
   void for_each(int, std::uint64_t count, const Body& body) const {
-    // A range is the least that is done between two looks at the token.
+    // The token is read once for each range of this size.
     constexpr std::uint64_t kGrain = 64;
-    if (count <= kGrain) {  // not worth waking other threads
+    if (count <= kGrain) {  // too few for other threads
       for (std::uint64_t n = 0; n < count; ++n) body(n);
       cancel_.throw_if_cancelled();
       return;
@@ -93,7 +94,7 @@ class CpuExecutor {
     start_ = Clock::now();
   }
   void end(int) {
-    // Nothing leaves a device here.
+    // There is no device to copy from.
     if (stage_ == stage::kDeviceToHost) return;
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
     for (StageTime& s : times_.stages) {
@@ -108,7 +109,7 @@ class CpuExecutor {
 
  private:
   using Clock = std::chrono::steady_clock;
-  // A few MB, and about 10 ms of work between two looks at progress.
+  // A batch takes a few MB and about 10 ms between two reports of progress.
   static constexpr std::uint64_t kTuplesPerBatch = std::uint64_t{1} << 18;
 
   const std::uint64_t capacity_;

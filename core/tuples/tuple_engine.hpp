@@ -1,6 +1,6 @@
-// The thesis' own pipeline as an engine: grid, tuples of neighbours, filtered and exact validity.
-// Exact as every engine; for fidelity, teaching and ablation, not for speed. The CUDA executor's
-// engine is gpu/tuples/tuple_engine.hpp.
+// The pipeline of the thesis as an engine: grid, tuples of neighbours, filtered and exact validity.
+// It is as exact as every engine. It is for fidelity to the thesis, teaching and ablation, not for
+// speed. gpu/tuples/tuple_engine.hpp is the engine of the CUDA executor.
 #pragma once
 
 #include "core/engine/engine.hpp"
@@ -8,7 +8,7 @@
 
 namespace alphascope {
 
-// On the CPU (oneTBB). Options of the CUDA executor are ignored.
+// Makes the engine on the CPU (oneTBB). Options for the CUDA executor are ignored.
 std::unique_ptr<Engine> make_tuple_engine(std::shared_ptr<const BallSet> balls,
                                           EngineOptions options = {}, TupleOptions tuples = {});
 

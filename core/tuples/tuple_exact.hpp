@@ -1,18 +1,16 @@
 // Exact decisions about tuples: conflicts with ties broken, ortho-radii, alpha values. Kernel III
-// and the last word of every test. Host and device; the balls are lifted from the tuple's first
-// one.
+// uses them, and they decide every case that a filter leaves open. Host and device; the balls are
+// lifted from the tuple's first one.
 //
 // Ties. Ball m with exactly the power rho at the orthocentre x of a simplex s may or may not
 // destroy s under the perturbation of perturbation.hpp:
 //  - m outside the affine hull of s: s is in the perturbed triangulation iff it is a face of a
-//  larger
-//    simplex of it with orthocentre x and the same rho (all balls of power rho at x make up a cell
-//    of higher dimension, which the perturbation triangulates). That simplex is tested itself, and
-//    its faces are added: s need not count.
+//    larger simplex of it with orthocentre x and the same rho. (All balls of power rho at x make up
+//    a cell of higher dimension, which the perturbation triangulates.) The larger simplex is tested
+//    itself, and its faces are added, so s need not count.
 //  - m in the hull, m = sum of lambda_v p_v: at the perturbed orthocentre the power of m exceeds
-//  that
-//    of s by e_m - sum of lambda_v e_v. The last ball in lexicographic order with a coefficient
-//    other than 0 decides. For a 4-tuple that is perturbed_cut().
+//    that of s by e_m - sum of lambda_v e_v. The last ball in lexicographic order with a nonzero
+//    coefficient decides. For a 4-tuple this is perturbed_cut().
 #pragma once
 
 #include "core/predicates/perturbation.hpp"
@@ -20,13 +18,14 @@
 
 namespace alphascope {
 
-// What ball m does to a simplex: `defers` leaves it to the larger simplices around it.
+// The effect of ball m on a simplex. `defers`: the larger simplices around it decide.
 enum class Conflict : signed char { none, defers, destroys };
 
-// The larger of two centres in lexicographic order decides a tie; see above.
+// A tie of a ball in the hull of the simplex: the lexicographically last centre with a nonzero
+// coefficient decides, as explained above.
 struct HullTie {
   LiftedInt last;
-  int sign;  // of the perturbed power's excess
+  int sign;  // sign of the excess of the perturbed power
   ALPHASCOPE_INLINE void add(const LiftedInt& centre, int s) {
     if (s == 0 || lexicographically_less(centre, last)) return;
     last = centre;
@@ -34,8 +33,8 @@ struct HullTie {
   }
 };
 
-// Conflict tests of one simplex, made once per tuple; regular() is false when its balls are
-// affinely dependent.
+// The conflict tests of one simplex; an object is made once per tuple. regular() is false when the
+// balls are affinely dependent.
 template <int K, class Integer>
 struct ExactCentre;
 
@@ -55,7 +54,7 @@ struct ExactCentre<1, Integer> {
   }
 };
 
-// Triangle ijk. Cross products of differences below 2^30 stay below 2^61, sums of three fit 63
+// Triangle ijk. Cross products of differences below 2^30 stay below 2^61, and sums of three fit 63
 // bits.
 template <class Integer>
 struct ExactCentre<2, Integer> {
@@ -68,7 +67,7 @@ struct ExactCentre<2, Integer> {
     const int side = triangle_foot_cut(j, k, m);
     if (side != 0) return side > 0 ? Conflict::destroys : Conflict::none;
     if (determinant(j, k, m) != 0) return Conflict::defers;
-    // m = lambda_j d_j + lambda_k d_k; the lambdas from one coordinate of m × k and j × m.
+    // m = lambda_j d_j + lambda_k d_k; the lambdas follow from one coordinate of m × k and j × m.
     const auto mk = cross(m, k), jm = cross(j, m);
     const std::int64_t whole = n.x != 0 ? n.x : n.y != 0 ? n.y : n.z;
     const std::int64_t a = n.x != 0 ? mk.x : n.y != 0 ? mk.y : mk.z;
@@ -82,9 +81,10 @@ struct ExactCentre<2, Integer> {
   }
 };
 
-// Tetrahedron ijkl by Cramer's rule, 2 x D = n; m destroys it where (d_m·n - c_m D) D > 0. With
-// |d_x| < 2^a and |c| < 2^b that is below 24 · 2^(3a + b): 2^118 for kInt128TupleOffset and any
-// weights (a = 20, b = 53), and 2^158 on the whole lattice (a = 30, b = 63).
+// Tetrahedron ijkl by Cramer's rule, 2 x D = n. Ball m destroys it where (d_m·n - c_m D) D > 0.
+// With |d_x| < 2^a and |c| < 2^b, d_m·n - c_m D is below 24 · 2^(3a + b). This is 2^118 for
+// kInt128TupleOffset and any weights (a = 20, b = 53), and 2^158 on the whole lattice (a = 30, b =
+// 63).
 inline constexpr std::int32_t kInt128TupleOffset = 1 << 20;
 
 template <class Integer>

@@ -1,19 +1,21 @@
-// The orthocentre of a tuple in single precision with a certified error: the epsilon band of kernel
-// II, proven instead of tuned. Outside the band a sign is certain; inside it integers decide
-// (tuple_exact.hpp). Single, because laptop GPUs have almost no double precision. Host and device.
+// The orthocentre of a tuple in single precision with a certified error. It is the epsilon band of
+// kernel II, proven instead of tuned: outside the band a sign is certain, and inside it integers
+// decide (tuple_exact.hpp). Single precision, since laptop GPUs have almost no double precision.
+// Host and device.
 //
 // Notation of orthosphere.hpp, measured from the tuple's first ball: ball m has d = p_m - p_i and
 // c = |d|² + w_i - w_m. The orthocentre x of a 4-tuple solves A x = b with rows d and entries c /
 // 2; of a triangle the third row is its normal, with entry 0.
 //
-// The bound. Let X be any approximate inverse of A (here: by LU), and y any approximation of x.
-// With R = I - X A and r = b - A y:  x - y = A⁻¹ r = (I - R)⁻¹ X r, so if |R| <= t < 1 in the
-// maximum norm, A is regular and |x - y| <= |X| |r| / (1 - t), entries of X and r taken absolute.
-// Neither X nor y needs to be good; only R and r are bounded, which are plain sums of products.
+// The bound. Let X be any approximate inverse of A (here by LU), and y any approximation of x. Let
+// R = I - X A and r = b - A y. Then x - y = A⁻¹ r = (I - R)⁻¹ X r. So if |R| <= t < 1 in the
+// maximum norm, A is regular and |x - y| <= |X| |r| / (1 - t), with absolute values of the entries
+// of X and r. Neither X nor y needs to be good. Only R and r are bounded, and these are plain sums
+// of products.
 //
-// u = 2^-24. kU is 3 % above u, for second-order terms and the roundings of the
-// bounds themselves. Differences of centres and sums of radii below 2^24 are exact, products of
-// such numbers far from underflow and overflow; a quotient that is not ends in an infinite error.
+// u = 2^-24. kU is 3 % above u, for terms of second order and the roundings of the bounds
+// themselves. Differences of centres and sums of radii below 2^24 are exact. Products of such
+// numbers are far from underflow and overflow. A quotient that overflows ends in an infinite error.
 #pragma once
 
 #include "core/predicates/rounding.hpp"
@@ -24,7 +26,7 @@ namespace alphascope {
 
 inline constexpr float kU = Rounding<float>::u;
 
-// Ball m as seen from ball i: half is c / 2 within half_error.
+// Ball m as seen from ball i, lattice units. `half` is c / 2 within half_error.
 struct FloatLifted {
   float x, y, z, half, half_error;
 };
@@ -38,12 +40,13 @@ ALPHASCOPE_INLINE FloatLifted float_lifted(const BallRecord& i, const BallRecord
   const float weights =
       static_cast<float>(i.radius - m.radius) * static_cast<float>(i.radius + m.radius);
   v.half = 0.5f * (square + weights);
-  // At most four roundings on any path to the sum, whose halves count.
+  // The sum has at most four roundings on any path; half their error counts for c / 2.
   v.half_error = 2.05f * kU * (square + fabsf(weights));
   return v;
 }
 
-// The exact orthocentre lies within `error` of (x, y, z) in each coordinate; infinite: not known.
+// The exact orthocentre lies within `error` of (x, y, z) in each coordinate, in lattice units. An
+// infinite error means that nothing is known.
 struct FloatCentre {
   float x, y, z, error;
 };
@@ -54,12 +57,12 @@ struct FloatRow {
 
 namespace tuple_detail {
 
-// A row of A beside one of the unit matrix.
+// A row of A, and the same row of the unit matrix.
 struct LuRow {
   float a[3], e[3];
 };
 
-// The row with the larger entry in `column` comes first.
+// Swaps the rows if q has the larger entry in `column`.
 ALPHASCOPE_INLINE void pivot(LuRow& p, LuRow& q, int column) {
   if (!(fabsf(q.a[column]) > fabsf(p.a[column]))) return;
   const LuRow swapped = p;
@@ -72,7 +75,7 @@ ALPHASCOPE_INLINE void eliminate(const LuRow& p, LuRow& q, int column) {
   for (int c = 0; c < 3; ++c) q.e[c] -= factor * p.e[c];
 }
 
-// LU decomposition with partial pivoting, solved for the unit vectors: an approximate inverse.
+// An approximate inverse: LU decomposition with partial pivoting, solved for the unit vectors.
 ALPHASCOPE_INLINE void lu_inverse(const FloatRow (&rows)[3], float (&inverse)[3][3]) {
   LuRow r[3];
   for (int k = 0; k < 3; ++k) {
@@ -97,7 +100,8 @@ ALPHASCOPE_INLINE void lu_inverse(const FloatRow (&rows)[3], float (&inverse)[3]
 
 }  // namespace tuple_detail
 
-// The last row may be off by last_row_error in each entry; the others are exact.
+// Solves A x = b. The entries of the last row may err by last_row_error each; the other rows are
+// exact.
 ALPHASCOPE_INLINE FloatCentre solve_centre(const FloatRow (&rows)[3], float last_row_error) {
   float inverse[3][3], y[3], residual[3], row_sum[3];
   tuple_detail::lu_inverse(rows, inverse);
@@ -123,13 +127,13 @@ ALPHASCOPE_INLINE FloatCentre solve_centre(const FloatRow (&rows)[3], float last
       const float unit = k == c ? 1.0f : 0.0f;
       defect += fabsf(((unit - i0 * rows[0].a[c]) - i1 * rows[1].a[c]) - i2 * rows[2].a[c]);
     }
-    // The same four roundings for each of the three entries; their terms add up by row sums.
+    // Each of the three entries has the same four roundings; their terms add up by row sums.
     defect +=
         4.2f * kU *
             (1.0f + fabsf(i0) * row_sum[0] + fabsf(i1) * row_sum[1] + fabsf(i2) * row_sum[2]) +
         3.03f * last_row_error * fabsf(i2);
     const float step = fabsf(i0) * residual[0] + fabsf(i1) * residual[1] + fabsf(i2) * residual[2];
-    finite = finite && defect < 0.5f && step < HUGE_VALF;  // false of NaN, which fmaxf() drops
+    finite = finite && defect < 0.5f && step < HUGE_VALF;  // false for NaN, which fmaxf() ignores
     largest_defect = fmaxf(largest_defect, defect);
     largest_step = fmaxf(largest_step, step);
   }
@@ -150,8 +154,8 @@ ALPHASCOPE_INLINE FloatCentre float_centre(const FloatLifted& j) {
   return {j.x * t, j.y * t, j.z * t, 1.02f * size * t_error};
 }
 
-// Triangle ijk: the normal is brought to the size of the edges, so that LU sees a balanced matrix.
-// Each of its entries is a scale times the difference of two products: four roundings at most.
+// Triangle ijk. The normal is scaled to the size of the edges, so that LU gets a balanced matrix.
+// Each of its entries is a scale times the difference of two products: at most four roundings.
 ALPHASCOPE_INLINE FloatCentre float_centre(const FloatLifted& j, const FloatLifted& k) {
   const float nx = j.y * k.z - j.z * k.y, ny = j.z * k.x - j.x * k.z, nz = j.x * k.y - j.y * k.x;
   const float size_j = fmaxf(fabsf(j.x), fmaxf(fabsf(j.y), fabsf(j.z)));
@@ -174,7 +178,7 @@ ALPHASCOPE_INLINE Decision centre_within(const FloatCentre& c, std::int32_t radi
   const float r = static_cast<float>(radius), weight = r * r;
   const float square = c.x * c.x + c.y * c.y + c.z * c.z;
   const float difference = square - (weight + alpha);
-  // Four roundings of the square and three of the limit, alpha's own included.
+  // The square has four roundings, and the limit has three, alpha's own included.
   const float margin =
       1.02f * c.error * (2.0f * (fabsf(c.x) + fabsf(c.y) + fabsf(c.z)) + 3.0f * c.error) +
       4.2f * kU * square + 3.2f * kU * (weight + fabsf(alpha));
@@ -183,7 +187,7 @@ ALPHASCOPE_INLINE Decision centre_within(const FloatCentre& c, std::int32_t radi
                                 : Decision::unknown;
 }
 
-// What all conflict tests of one centre share.
+// The data that all conflict tests of one centre share.
 struct FloatConflict {
   float x, y, z, reach_error;
 
@@ -191,8 +195,8 @@ struct FloatConflict {
     const float size = fmaxf(fabsf(x), fmaxf(fabsf(y), fabsf(z)));
     reach_error = 1.02f * c.error + 4.2f * kU * size;  // four roundings of each product
   }
-  // Has ball m less power distance at the centre than the tuple (2 d·x > c)? +1 yes, -1 no, 0 not
-  // known. half_error is 2.05 kU times a sum that is at least 2 |half|.
+  // Has ball m less power distance at the centre than the tuple (2 d·x > c)? +1: yes, -1: no, 0:
+  // not certain. half_error is 2.05 kU times a sum that is at least 2 |half|.
   ALPHASCOPE_INLINE int side(const BallRecord& i, const BallRecord& m) const {
     const FloatLifted v = float_lifted(i, m);
     const float value = (v.x * x + v.y * y + v.z * z) - v.half;

@@ -1,3 +1,4 @@
+// Chooses the cells of the tuple engine's grid and sorts the balls into them.
 #include "core/tuples/tuple_grid.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace alphascope {
 namespace {
 
 constexpr int kThesisCells = 100;  // along each axis
-// Memory for cells stays proportional to the balls, however sparse they are.
+// Bounds the memory for cells by the number of balls, however sparse they are.
 constexpr double kMaxCellsPerBall = 4.0;
 
 struct Extent {
@@ -51,7 +52,7 @@ void choose_cells(const Extent& extent, std::int64_t half_side, TupleGridKind ki
   }
 }
 
-// Counting sort by cell, as cell_index = (cell_x · cells_y + cell_y) · cells_z + cell_z.
+// A counting sort by cell, cell_index = (cell_x · cells_y + cell_y) · cells_z + cell_z.
 void sort_into_cells(const std::vector<BallRecord>& records, const std::vector<BallIndex>& ball,
                      TupleGrid& grid) {
   const TupleGridView& v = grid.view;

@@ -1,6 +1,6 @@
 // The order in which the kernels of the tuple engine run, in batches that bound its memory: balls
-// by their neighbours, pairs by their triples, triples by their 4-tuples. Each is counted, summed
-// up and then written. One template for both executors; what an executor provides:
+// with their neighbours, pairs with their triples, triples with their 4-tuples. The items of each
+// batch are counted, summed up and then written. One template for both executors, which provide:
 //   Reader                          of balls (tuple_scene.hpp)
 //   Buffer<T>                       reserve(count) (content is lost), get()
 //   capacity(), workers()           tuples in a batch; lanes 1 to workers() beside lane 0
@@ -11,7 +11,7 @@
 //   sum(lane, count, value)         waits for the lane
 //   read(lane, from)                one element, waits for the lane
 //   fetch(lane, from, count, to)    appended to `to` by the next wait(lane) at the latest
-//   wait(lane), reset()             after a run that threw: forget what was under way
+//   wait(lane), reset()             after a run that threw: forget the calls in progress
 //   begin(lane, stage), end(lane)   time the calls in between
 // Lanes run side by side; calls of one lane run in order.
 #pragma once
@@ -54,13 +54,13 @@ TupleScene<Reader> make_tuple_scene(const TupleUpload<Reader>& upload, const Tup
   return scene;
 }
 
-// What a run met. Tuples of four where nothing else is said.
+// The counts of one run. They count tuples of four balls where no other number is stated.
 struct TupleCounts {
-  std::uint64_t neighbours = 0;  // in all cubes together
+  std::uint64_t neighbours = 0;  // sum over all cubes
   std::uint64_t pairs = 0, triples = 0;
-  std::uint64_t tuples = 0;  // enumerated: left by the edge optimisation
-  std::uint64_t kept = 0;    // of them by the alpha optimisation: into kernel II
-  std::uint64_t band = 0;    // of them into kernel III
+  std::uint64_t tuples = 0;  // enumerated: kept by the edge optimisation
+  std::uint64_t kept = 0;    // of these, kept by the alpha optimisation: into kernel II
+  std::uint64_t band = 0;    // of these, into kernel III
   std::uint64_t valid = 0;
   std::uint64_t lower_band = 0;  // edges and triangles into kernel III
   std::uint64_t batches = 0;
@@ -76,7 +76,7 @@ class TuplePipeline {
  public:
   explicit TuplePipeline(Executor& executor) : exec_(executor), workers_(executor.workers()) {}
 
-  // Throws Cancelled, and what the executor throws; can be run again after that.
+  // Throws Cancelled, and any exception of the executor. The pipeline can run again after that.
   TupleFindings run(const TupleGrid& grid, const TupleOptions& options, const LatticeAlpha& alpha,
                     bool whole, const RunContext& context) {
     exec_.reset();
@@ -107,7 +107,7 @@ class TuplePipeline {
   template <class T>
   using Buffer = typename Executor::template Buffer<T>;
 
-  // The tests of one batch of tuples, of any size.
+  // Buffers for the tests of one batch of tuples.
   struct Test {
     Buffer<Verdict> verdicts;
     Buffer<std::uint64_t> band_sums, valid_sums;
@@ -139,12 +139,13 @@ class TuplePipeline {
     ++found_.counts.batches;
     return exec_.read(0, batch_end_.get());
   }
-  // `share` of the current batch of triples is done.
+  // Reports progress: `share` of the current batch of triples is done.
   void report(double share) const {
     context_->report(stage::kCandidates, progress_ + share * (progress_end_ - progress_));
   }
 
-  // Neighbours, pairs, and what is made of them. `end.sum` places in the lists.
+  // Handles a batch of balls: neighbours, pairs, and all tuples that extend these. The lists have
+  // `end.sum` places.
   void ball_batch(std::uint64_t first, const BatchEnd& end) {
     const std::uint64_t balls = end.item - first, places = end.sum;
     const auto first_slot = static_cast<std::uint32_t>(first);
@@ -196,9 +197,9 @@ class TuplePipeline {
     drain();
   }
 
-  // The triples of some pairs, and the 4-tuples made of them.
+  // Handles a batch of pairs: their triples, and the 4-tuples that extend these.
   void triple_batch(std::uint64_t first_pair, const BatchEnd& end) {
-    drain();  // the workers read the triples before
+    drain();  // the workers still read the previous triples
     const std::uint64_t triples = end.sum;
     found_.counts.triples += triples;
     if (triples == 0) return;
@@ -222,7 +223,8 @@ class TuplePipeline {
     found_.counts.kept += tuples;
     if (tuples == 0) return;
 
-    // Several workers share even what would fit into one batch, so that they can overlap.
+    // Several workers share even those tuples that would fit into one batch, so that they can
+    // overlap.
     const std::uint64_t shares = 2 * workers_.size();
     const std::uint64_t fair = workers_.size() == 1 ? tuples : tuples / shares + 1;
     const std::uint64_t capacity =
@@ -267,7 +269,7 @@ class TuplePipeline {
     exec_.wait(0);
   }
 
-  // Kernels II and III, and the places of what is valid. Nothing here waits.
+  // Starts kernels II and III, and the prefix sum for the places of valid tuples. Does not wait.
   template <int N>
   void start(int lane, Test& t, const BallTuple<N>* tuples, std::uint64_t count) {
     t.verdicts.reserve(count);
@@ -290,7 +292,7 @@ class TuplePipeline {
     exec_.end(lane);
   }
 
-  // Writes the valid simplices and starts to fetch them.
+  // Writes the valid simplices and starts fetching them.
   template <int N>
   void finish(int lane, Test& t, const BallTuple<N>* tuples, std::uint64_t count,
               OwnSimplices<N>& own) {
@@ -312,7 +314,7 @@ class TuplePipeline {
     exec_.end(lane);
   }
 
-  // Fewer tuples than this are not worth a batch of their own.
+  // A batch of its own is worth it from this number of tuples on.
   static constexpr std::uint64_t kLeastShare = 1 << 16;
 
   Executor& exec_;
@@ -320,7 +322,8 @@ class TuplePipeline {
   const RunContext* context_ = nullptr;
   bool whole_ = false;
   std::uint64_t ball_count_ = 0;
-  double progress_ = 0, progress_end_ = 0;  // before and after the current batch of triples
+  // Progress before and after the current batch of triples.
+  double progress_ = 0, progress_end_ = 0;
   TupleScene<Reader> scene_{};
   NeighbourLists lists_{};
   TupleFindings found_;

@@ -1,6 +1,6 @@
-// What the kernels of the tuple engine read: balls sorted into a grid, the cube of neighbours of a
-// ball, and tuples of neighbours. Host and device; the kernels are tuple_body.hpp.
-// Source: N. P. Ranjanikar's thesis, sections 3.2.2 to 3.2.5.
+// The input of the tuple engine's kernels: balls sorted into a grid, the cube of neighbours of a
+// ball, and tuples of neighbours. Host and device; the kernels are in tuple_body.hpp. Source: N. P.
+// Ranjanikar's thesis, sections 3.2.2 to 3.2.5.
 #pragma once
 
 #include <cmath>
@@ -12,26 +12,27 @@
 
 namespace alphascope {
 
-// 16 bytes, so that a ball is one load or one texel. Lattice units.
+// A ball in lattice units. It has 16 bytes, so that reading it takes one load or one texel.
 struct alignas(16) BallRecord {
   std::int32_t x, y, z, radius;
 };
 
-// Reads balls from plain memory; the CUDA executor has another reader, from textures.
+// Reads balls from plain memory. The CUDA executor has another reader, which uses textures.
 struct PlainReader {
   const BallRecord* records;
   const float* reaches;
   ALPHASCOPE_INLINE BallRecord ball(std::uint32_t slot) const { return records[slot]; }
-  // As grown_reach().
+  // grown_reach() of the ball, lattice units.
   ALPHASCOPE_INLINE float reach(std::uint32_t slot) const { return reaches[slot]; }
 };
 
-// Cells in the order (x, y, z), z fastest, so that the balls of a range of z are contiguous.
+// The cells of the grid, ordered by (x, y, z) with z fastest. So the balls of a range of z are
+// contiguous.
 struct TupleGridView {
   std::int32_t origin[3], width[3], cells[3];
   const std::uint32_t* cell_start;  // first slot of each cell, and the end
 
-  // The cells along `axis` that hold coordinates from low to high.
+  // The index along `axis` of the cell with this coordinate, clamped to the grid.
   ALPHASCOPE_INLINE int cell(int axis, std::int64_t coordinate) const {
     const std::int64_t c = (coordinate - origin[axis]) / width[axis];
     return c < 0 ? 0 : c >= cells[axis] ? cells[axis] - 1 : static_cast<int>(c);
@@ -42,26 +43,26 @@ template <class Reader>
 struct TupleScene {
   Reader read;
   TupleGridView grid;
-  const std::uint32_t* ball;  // per slot: its index in the BallSet
+  const std::uint32_t* ball;  // index in the BallSet, per slot
   float largest_reach;
   LatticeAlpha alpha;
   float alpha_float;  // nearest float
   bool edge_optimisation, alpha_optimisation;
-  bool alpha_covers_all;  // alpha is above every ortho-radius there can be
+  bool alpha_covers_all;  // alpha is above every possible ortho-radius
   bool float_holds;       // differences and sums of radii of neighbours are exact in float
   bool int128_holds;      // see ExactCentre
 };
 
-// Half the side of the cube in which the neighbours of a ball are, r + r_max of the grown radii: a
-// ball outside cannot meet it (grown_balls.hpp: the sum is above the distance). A whole number, as
-// differences are, which are below 2^30.
+// Half the side of the cube that holds the neighbours of a ball, lattice units: r + r_max of the
+// grown radii. A ball outside cannot meet it (grown_balls.hpp: the sum is above the distance).
+// Rounding down is right, because differences of coordinates are integers. They are below 2^30.
 ALPHASCOPE_INLINE std::int32_t cube_half_side(float reach, float largest_reach) {
   const float side = reach + largest_reach;
   return side < 1.0e9f ? static_cast<std::int32_t>(side) : std::int32_t{1} << 30;
 }
 
-// Calls visit(slot) for all other balls with centres in the cube of `slot`, ascending. `sink` gets
-// the slot of each ball that is looked at.
+// Calls visit(slot) for all other balls with centres in the cube of `slot`, in ascending order.
+// `sink` gets the slot of each ball that is tested.
 template <class Reader, class Visit, class Sink = NotRecorded>
 ALPHASCOPE_INLINE void for_cube(const TupleScene<Reader>& scene, std::uint32_t slot,
                                 const Visit& visit, const Sink& sink = {}) {
@@ -93,10 +94,10 @@ ALPHASCOPE_INLINE bool grown_balls_may_meet(const TupleScene<Reader>& scene, std
                               scene.read.reach(b));
 }
 
-// Neighbours of the balls of one batch, ascending by slot, back to back.
+// The neighbours of the balls of one batch, ascending by slot, one list after the other.
 struct NeighbourLists {
   const std::uint32_t* slots;
-  const std::uint64_t* starts;  // per ball of the whole set
+  const std::uint64_t* starts;  // for each ball of the whole set
   std::uint64_t base;           // starts[first ball of the batch]
 
   ALPHASCOPE_INLINE std::uint32_t begin(std::uint32_t slot) const {
@@ -107,8 +108,8 @@ struct NeighbourLists {
   }
 };
 
-// N balls: the one of the lowest slot, and the places of the others in its list, ascending. Each
-// unordered tuple is there once.
+// N balls: the one with the lowest slot, and the places of the others in its list, ascending. Each
+// unordered tuple occurs once.
 template <int N>
 struct BallTuple {
   std::uint32_t first;
@@ -119,7 +120,7 @@ struct BallTuple {
   }
 };
 
-// Ball m as seen from ball i.
+// The lifted vector of ball m, seen from ball i.
 ALPHASCOPE_INLINE LiftedInt lifted_from(const BallRecord& i, const BallRecord& m) {
   return lifted_vector(i, i.radius, m, m.radius);
 }

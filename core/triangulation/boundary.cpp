@@ -1,6 +1,6 @@
-// The surface is followed through the solid: from a triangle, around its side, through tetrahedra,
-// to the next triangle of the boundary. So two sheets that touch along an edge stay apart, and each
-// encloses its own side.
+// The boundary is followed through the solid: from a triangle, around a side, through tetrahedra,
+// to the next triangle of the boundary. So two sheets that touch along an edge stay separate, and
+// each encloses its own side.
 #include "core/triangulation/boundary.hpp"
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace alphascope {
 namespace {
 
 constexpr const char* kStage = "boundary";
-// In Builder::beyond_: the face is of the boundary, and the rest of the number says which one.
+// Flag in Builder::beyond_: the face is on the boundary. The other bits are then its index in
+// faces_.
 constexpr std::uint32_t kOuter = std::uint32_t{1} << 31;
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
@@ -26,7 +27,7 @@ struct Face {
 };
 
 class Builder {
-  // Vertices by triangle and side.
+  // Middle vertices by triangle and side.
   using Middles = std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t>;
 
  public:
@@ -78,7 +79,8 @@ class Builder {
                                     corners.begin());
   }
 
-  // Those of a solid one after another, in the order of their first tetrahedra; then by volume.
+  // Finds the solids one after the other, in the order of their first tetrahedra, and then sorts
+  // them by volume.
   void find_solids() {
     solid_.assign(tetrahedra_.size(), kNone);
     std::vector<std::uint32_t> waiting;
@@ -87,7 +89,7 @@ class Builder {
       if (solid_[first] != kNone) continue;
       const auto id = static_cast<std::uint32_t>(found.size());
       BoundarySolid& solid = found.emplace_back();
-      Int128 six_volumes = 0;  // 93 bits each, so 2^30 of them fit
+      Int128 six_volumes = 0;  // 93 bits each, so 2^30 of them fit into 128 bits
       solid_[first] = id;
       waiting.push_back(first);
       while (!waiting.empty()) {
@@ -106,7 +108,7 @@ class Builder {
     sort_by_volume(found);
   }
 
-  // Returns six times its volume.
+  // Counts the tetrahedron and its boundary faces. Returns six times its volume.
   Int128 add_tetrahedron(std::uint32_t t, BoundarySolid& solid) {
     const auto& corners = tetrahedra_[t];
     const auto from = [&](std::size_t k) { return lifted_vector(balls_, corners[0], corners[k]); };
@@ -152,8 +154,8 @@ class Builder {
     solid_ = {};
   }
 
-  // The triangle of the boundary that follows `from` around the side that lacks ball `c` of the
-  // tetrahedron.
+  // The triangle of the boundary that follows `from` around one of its sides. The side is named by
+  // `c`: the index in the tetrahedron of the ball of `from` that is not on the side.
   std::uint32_t across(Face from, std::size_t c) {
     std::uint32_t t = from.tetrahedron;
     std::size_t k = from.face;
@@ -168,7 +170,8 @@ class Builder {
     return beyond(t, c) & ~kOuter;
   }
 
-  // Corner j of a tetrahedron as a corner of a face of it, before that is turned outwards.
+  // The index of a corner of face `face`, which lies opposite ball k of its tetrahedron. The corner
+  // is ball j of the tetrahedron; the face is not yet turned outwards.
   static std::uint32_t corner(std::uint32_t face, std::size_t k, std::size_t j) {
     return 3 * face + static_cast<std::uint32_t>(j < k ? j : j - 1);
   }
@@ -180,7 +183,7 @@ class Builder {
       for (std::size_t c = 0; c < 4; ++c) {
         if (c == k) continue;
         const std::uint32_t g = across(faces_[f], c);
-        if (g < f) continue;  // done from there
+        if (g < f) continue;  // joined already, from triangle g
         for (std::size_t j = 0; j < 4; ++j) {
           if (j == k || j == c) continue;
           const Face& other = faces_[g];
@@ -194,8 +197,8 @@ class Builder {
 
   void write(UnionFind& corners) {
     vertex_.assign(3 * faces_.size(), kNone);
-    // Arrays that grow are there twice meanwhile. Closed surfaces have half as many vertices as
-    // triangles, and hardly any more than that.
+    // A growing array is copied, and both copies need memory. So the arrays are reserved: closed
+    // surfaces have half as many vertices as triangles, and rarely more.
     boundary_.triangles.reserve(faces_.size());
     boundary_.vertices.reserve(faces_.size() / 2);
     for (BoundarySolid& solid : boundary_.solids) {
@@ -229,7 +232,7 @@ class Builder {
     }
   }
 
-  // The sides of triangles, from vertex `from` to `to`, that several pairs of triangles have.
+  // The sides from vertex `from` to vertex `to` that occur in several pairs of triangles.
   std::vector<std::uint64_t> shared_sides() const {
     std::vector<std::uint64_t> sides, shared;
     sides.reserve(3 * triangles_.size() / 2);
@@ -248,7 +251,8 @@ class Builder {
     return std::uint64_t{t[n]} << 32 | t[(n + 1) % 3];
   }
 
-  // Of all pairs of triangles with the same side but one, the side gets a vertex in its middle.
+  // Writes the triangles. Where several pairs of triangles share a side, all pairs but one get a
+  // vertex in the middle of that side.
   void write_triangles() {
     Middles middles;
     const std::vector<std::uint64_t> shared = shared_sides();
@@ -281,7 +285,7 @@ class Builder {
     const auto& t = triangles_[f];
     std::vector<std::uint32_t>& outline = outline_;
     outline.clear();
-    std::size_t first = 0;  // a middle, if there is one: from there no part is flat
+    std::size_t first = 0;  // a middle vertex if there is one: then no triangle of the fan is flat
     for (std::size_t n = 0; n < 3; ++n) {
       outline.push_back(t[n]);
       if (middles.empty()) continue;
@@ -299,12 +303,12 @@ class Builder {
   const BallSet& balls_;
   const Simplices<4>& tetrahedra_;
   const RunContext& context_;
-  // By 4 × tetrahedron + face: the tetrahedron there, or kOuter and the place in faces_.
+  // Per 4 × tetrahedron + face: the tetrahedron beyond, or kOuter and the index in faces_.
   std::vector<std::uint32_t> beyond_;
-  std::vector<std::uint32_t> solid_;   // of each tetrahedron
-  std::vector<Face> faces_;            // of the boundary, solid by solid
-  std::vector<std::uint32_t> vertex_;  // of each root of corners; or kNone
-  // Of the solid that is being written, by face from first_face_ on.
+  std::vector<std::uint32_t> solid_;   // the solid of each tetrahedron
+  std::vector<Face> faces_;            // faces of the boundary, solid by solid
+  std::vector<std::uint32_t> vertex_;  // the vertex of each root of corners, or kNone
+  // Data of the solid that is being written; faces are counted from first_face_.
   std::uint32_t first_face_ = 0;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<std::uint32_t> outline_;

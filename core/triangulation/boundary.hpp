@@ -1,6 +1,6 @@
-// The boundary of what the tetrahedra of an alpha complex fill, as closed surfaces for programs
-// that need solids: printers, Blender, CGAL. Singular triangles, edges and vertices enclose
-// nothing, and are no part of it.
+// The boundary of the union of the tetrahedra of an alpha complex, as closed surfaces for programs
+// that need solids: printers, Blender, CGAL. Singular triangles, edges and vertices enclose nothing
+// and are left out.
 #pragma once
 
 #include <array>
@@ -13,25 +13,25 @@
 
 namespace alphascope {
 
-// Tetrahedra that hang together by whole triangles. Its surface has an outer sheet and one more
-// around each cavity in it; those are seen from inside the cavity.
+// Tetrahedra that are connected through triangles. The surface of a solid has an outer sheet, and
+// another sheet around each void. The triangles of the latter face into the void.
 struct BoundarySolid {
   std::uint32_t first_vertex = 0, vertices = 0;     // in Boundary::vertices
   std::uint32_t first_triangle = 0, triangles = 0;  // in Boundary::triangles
   std::uint32_t tetrahedra = 0;
-  double volume_cubic_units = 0;  // of its tetrahedra, cubic lattice units; rounded once
+  double volume_cubic_units = 0;  // cubic lattice units, exact but for one rounding
 };
 
-// The centre of a ball or, where `other` is another one, the middle between both centres.
+// The centre of a ball. If `other` is another ball, the middle between both centres.
 struct BoundaryVertex {
   BallIndex ball, other;
   friend bool operator==(const BoundaryVertex&, const BoundaryVertex&) = default;
 };
 
-// Every side of a triangle is that of exactly one other triangle, which goes along it in the other
-// direction; no two such pairs share both ends; and the triangles around a vertex form one fan.
-// Where solids touch, or one touches itself, at a ball only, several vertices are at that ball.
-// Where a solid touches itself along a whole edge, the edge has a vertex in its middle as well.
+// Every side of a triangle belongs to exactly one other triangle, which has it in the opposite
+// direction. No two such pairs share both ends of their side. The triangles around a vertex form
+// one fan. If surfaces touch only at a ball, several vertices are at that ball. If a solid touches
+// itself along an edge, that edge has an additional vertex in its middle.
 struct Boundary {
   std::vector<BoundaryVertex> vertices;
   // Counterclockwise when seen from outside the tetrahedra; indices into `vertices`.
@@ -39,11 +39,11 @@ struct Boundary {
   std::vector<BoundarySolid> solids;  // the largest volume first
 };
 
-// Å.
+// The position of a vertex in Å.
 RealPoint place_angstrom(const BallSet& balls, const BoundaryVertex& vertex);
 
-// The same for any number of threads. Throws Cancelled, and std::length_error for more tetrahedra
-// than can be counted.
+// Makes the boundary of these tetrahedra. The result does not depend on the number of threads.
+// Throws Cancelled, and std::length_error for more tetrahedra than can be counted.
 Boundary make_boundary(const BallSet& balls, const Simplices<4>& tetrahedra,
                        const RunContext& context = {});
 

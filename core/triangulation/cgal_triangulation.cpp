@@ -1,5 +1,6 @@
-// The only source of the core that includes CGAL. The lattice integers are passed to it as doubles,
-// which is exact; its kernel filters and then decides exactly.
+// The triangulation by CGAL, and its copy into our own arrays. This is the only source of the core
+// that includes CGAL. CGAL gets the lattice integers as doubles, which is exact. Its kernel filters
+// and then decides exactly.
 #include "core/triangulation/cgal_triangulation.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -32,7 +33,8 @@ using VertexBase =
     CGAL::Triangulation_vertex_base_with_info_3<BallIndex, Kernel,
                                                 CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
 
-// CGAL keeps hidden points in its cells for later removals of vertices, which never happen here.
+// CGAL keeps hidden points in its cells for a later removal of vertices. This program removes none,
+// so this container stays empty.
 struct NoPoints {
   using iterator = WeightedPoint*;
   using const_iterator = const WeightedPoint*;
@@ -41,7 +43,7 @@ struct NoPoints {
   const_iterator begin() const { return nullptr; }
   const_iterator end() const { return nullptr; }
 };
-// The number of a cell among the finite ones.
+// A cell with its number among the finite cells.
 using NumberedCell = CGAL::Triangulation_cell_base_with_info_3<std::uint32_t, Kernel>;
 using CellBase = CGAL::Regular_triangulation_cell_base_3<Kernel, NumberedCell,
                                                          CGAL::Discard_hidden_points, NoPoints>;
@@ -74,8 +76,8 @@ std::vector<InputPoint> visible_input(const BallSet& balls) {
   return points;
 }
 
-// Spatial sorting, then one point after the other from the cell of the last one: what CGAL's own
-// range insertion does, with a look at the cancel token in between.
+// Inserts the points in spatial order, each from the cell of the one before. CGAL's own range
+// insertion does the same; here the cancel token is read in between.
 void insert_all(CgalTriangulation<CGAL::Sequential_tag>& rt, std::vector<InputPoint>& points,
                 const RunContext& context) {
   using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, CentreOf>;
@@ -97,7 +99,7 @@ void insert_all(CgalTriangulation<CGAL::Sequential_tag>& rt, std::vector<InputPo
 }
 
 // CGAL's parallel range insertion cannot be interrupted, so it gets one chunk after another. The
-// sort's coarse levels come first, hence every chunk but the last ones spreads over all space.
+// coarse levels of the sort come first. So every chunk but the last ones spreads over all space.
 void insert_all(CgalTriangulation<CGAL::Parallel_tag>& rt, std::vector<InputPoint>& points,
                 const RunContext& context) {
   constexpr std::size_t kChunk = 131072;
@@ -123,7 +125,7 @@ std::array<BallIndex, N> ascending_vertices(const Cell& cell) {
   return simplex;
 }
 
-// A corner's ball, and the number of the cell across the face opposite to it.
+// The ball of a corner, and the number of the cell across the face opposite to it.
 using Corner = std::pair<BallIndex, std::uint32_t>;
 
 template <class Cell>
@@ -146,7 +148,7 @@ std::array<Corner, 4> ascending_corners(const Cell& cell) {
   return corners;
 }
 
-// Numbers the cells as they come, then asks each for the numbers of its neighbours.
+// Numbers the cells in CGAL's order, then reads the numbers of each cell's neighbours.
 template <class Rt>
 UnorderedTetrahedra copy_tetrahedra(Rt& rt, const CancelToken& cancel) {
   std::vector<typename Rt::Cell_handle> cells;
@@ -170,7 +172,8 @@ UnorderedTetrahedra copy_tetrahedra(Rt& rt, const CancelToken& cancel) {
   return result;
 }
 
-// What is not of dimension 3 alone.
+// Copies all that is also there below dimension 3: vertices and hidden balls, and the simplices of
+// a triangulation of dimension 1 or 2.
 template <class Rt>
 Triangulation copy_flat(const Rt& rt, std::size_t ball_count) {
   Triangulation out;
@@ -198,7 +201,7 @@ Triangulation copy_flat(const Rt& rt, std::size_t ball_count) {
   return out;
 }
 
-// CGAL's triangulation is let go before its copy is put in order: it is the larger one.
+// Frees CGAL's triangulation, which is larger than its copy, before the copy is put in order.
 template <class Rt>
 Triangulation finish(const BallSet& balls, std::unique_ptr<Rt> rt, const RunContext& context) {
   context.cancel.throw_if_cancelled();
@@ -212,7 +215,7 @@ Triangulation finish(const BallSet& balls, std::unique_ptr<Rt> rt, const RunCont
 
 Triangulation triangulate_parallel(const BallSet& balls, std::vector<InputPoint>& points,
                                    const RunContext& context) {
-  // 30, 50 and 100 cells per axis measured alike up to 217k balls.
+  // 30, 50 and 100 cells per axis took equal time for up to 217,000 balls.
   constexpr int kLockCellsPerAxis = 50;
   using Rt = CgalTriangulation<CGAL::Parallel_tag>;
   CGAL::Bbox_3 box;
@@ -228,8 +231,9 @@ Triangulation triangulate_parallel(const BallSet& balls, std::vector<InputPoint>
 Triangulation make_triangulation(const BallSet& balls, int threads, const RunContext& context) {
   require_balls(balls.size());
   std::vector<InputPoint> points = visible_input(balls);
-  // CGAL's locks make its parallel code 1.4 times as slow on one thread, and its spinning makes it
-  // lose on two as soon as anything else runs on the machine; its first 100 points are sequential.
+  // On one thread CGAL's locks make its parallel code 1.4 times as slow as the sequential one. On
+  // two threads its spinning makes it slower as soon as other programs run. Its first 100 points
+  // are sequential.
   constexpr std::size_t kWorthBalls = 4096;
   constexpr int kWorthThreads = 3;
   if (threads >= kWorthThreads && points.size() >= kWorthBalls) {

@@ -1,5 +1,5 @@
-// A triangulation made by CGAL's Regular_triangulation_3. CGAL itself is seen by
-// cgal_triangulation.cpp only; alpha values are the filtration's business.
+// Makes a regular triangulation with CGAL's Regular_triangulation_3. Only cgal_triangulation.cpp
+// includes CGAL; alpha values are in filtration.hpp.
 #pragma once
 
 #include "core/complex/triangulation.hpp"
@@ -7,9 +7,9 @@
 
 namespace alphascope {
 
-// `threads` changes only the time: CGAL's parallel code runs from 3 on, in the caller's task arena;
-// its sequential code below. Throws Cancelled, and std::length_error for more balls or tetrahedra
-// than can be handled.
+// `threads` changes only the time: 3 or more run CGAL's parallel code, in the caller's task arena;
+// fewer run its sequential code. Throws Cancelled, and std::length_error for more balls or
+// tetrahedra than can be handled.
 Triangulation make_triangulation(const BallSet& balls, int threads, const RunContext& context = {});
 
 }  // namespace alphascope

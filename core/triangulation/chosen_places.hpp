@@ -1,4 +1,4 @@
-// Which elements of a long list are chosen: their places, in order, found by all threads.
+// The indices of the chosen elements of a long list, in order, found by all threads.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace alphascope {
 
-// Places below `count` for which chosen(place) holds, ascending. It is asked twice, from any
-// thread. Throws Cancelled, and std::length_error for a count beyond 32 bits.
+// Indices below `count` for which chosen(index) is true, ascending. `chosen` is called twice for
+// each, from any thread. Throws Cancelled, and std::length_error for a count beyond 32 bits.
 template <class Chosen>
 ResultArray<std::uint32_t> chosen_places(std::size_t count, const Chosen& chosen,
                                          const CancelToken& cancel = {}) {
@@ -36,7 +36,8 @@ ResultArray<std::uint32_t> chosen_places(std::size_t count, const Chosen& chosen
   cancel.throw_if_cancelled();
   ResultArray<std::uint32_t> places(first.back());
   parallel_each(0, blocks, [&](std::size_t block) {
-    // Without a branch: all are written, and what is not chosen is written over.
+    // There is no branch: every index is written, and the next one overwrites it if it is not
+    // chosen.
     std::array<std::uint32_t, kBlock> found;
     std::size_t count_found = 0;
     each_in(block, [&](std::size_t i) {

@@ -1,5 +1,6 @@
-// Thresholding a filtration. The float of an alpha value decides except where alpha itself rounds
-// to it: those simplices, the ties, are decided exactly.
+// The complex at one alpha as a threshold of a filtration. The float of an alpha value decides,
+// except where alpha itself rounds to the same float. Those simplices are the ties, and they are
+// decided exactly.
 #include "core/triangulation/filtration.hpp"
 
 #include <algorithm>
@@ -16,7 +17,8 @@
 namespace alphascope {
 namespace {
 
-// Where ties are decided differently: one simplex after another, and no classes.
+// For ties of which some are in K_alpha and some are not: copies simplex by simplex, without
+// classes.
 template <int N>
 void select_one_by_one(const SimplexList<N>& from, float limit, const Ties<N>& ties,
                        SimplexList<N>& to) {
@@ -44,8 +46,8 @@ void select_one_by_one(const AlphaComplex& top, float limit, const AllTies& ties
   complex.hash = complex_hash(complex);
 }
 
-// From here on all ties are decided alike, so that a bound decides: what is <= bound passes. NaN, a
-// level that is never reached, does not.
+// The bound where all ties are decided alike: a simplex with value <= bound is in K_alpha. NaN
+// marks a level that is never reached; it fails the comparison.
 float bound_of(float limit, bool ties_in) {
   return ties_in ? limit : std::nextafter(limit, -std::numeric_limits<float>::infinity());
 }
@@ -54,16 +56,16 @@ FaceLevels levels_of(const ClassLevels& levels, std::size_t n) {
   return {levels.regular_from[n], levels.interior_from[n]};
 }
 
-// One dimension of what passes a bound, copied by all threads.
+// Copies the simplices of one dimension with alpha values up to a bound, by all threads.
 template <int N>
 class Selection {
  public:
-  // `levels`: null for tetrahedra, which are interior.
+  // `levels` is null for tetrahedra, which are always interior.
   Selection(const SimplexList<N>& from, const ClassLevels* levels, const HashSteps& steps,
             float bound)
       : from_(from), levels_(levels), hashed_(steps.last_within(bound)), bound_(bound) {}
 
-  // Fills `to`, with values and classes if asked for, and returns the sum of its hash terms.
+  // Fills `to`, with values and classes if requested. Returns the sum of its hash terms.
   std::uint64_t copy_to(SimplexList<N>& to, bool with_values) const {
     const std::vector<std::size_t> place = places();
     to.simplices.resize(place.back());
@@ -83,7 +85,8 @@ class Selection {
  private:
   static constexpr std::size_t kBlock = 4096;
 
-  // Where what passes of each block begins in the result; then the size of the result.
+  // For each block, the index in the result of its first simplex within the bound; last, the size
+  // of the result.
   std::vector<std::size_t> places() const {
     const std::size_t size = from_.size(), blocks = (size + kBlock - 1) / kBlock;
     std::vector<std::size_t> place(blocks + 1, 0);
@@ -103,9 +106,9 @@ class Selection {
 
   std::uint64_t copy_block(std::size_t block, std::size_t begin, std::size_t end, bool with_values,
                            SimplexList<N>& to) const {
-    // What does not pass is overwritten by what passes next, up to `end`: there another block's
-    // begin.
-    // No branch: each would be guessed wrong half of the time.
+    // A simplex above the bound is overwritten by the next one. Writing stops at `end`, where the
+    // part of the next block begins. There is no branch, since half of the predictions would be
+    // wrong.
     std::uint32_t to_hash[kBlock];
     std::size_t at = begin, count = 0;
     for (std::size_t n = block * kBlock; at < end; ++n) {
@@ -130,7 +133,7 @@ class Selection {
 
   const SimplexList<N>& from_;
   const ClassLevels* const levels_;
-  const HashSteps::Step hashed_;  // the hash terms up to this value are known
+  const HashSteps::Step hashed_;  // the sum of the hash terms up to this value
   const float bound_;
 };
 
@@ -167,7 +170,7 @@ AlphaComplex threshold(const Filtration& filtration, const LatticeAlpha& alpha,
   complex.alpha_on_lattice = alpha;
   complex.tetrahedra_only = tetrahedra_only;
   complex.engine.rests_on_cgal = top.engine.rests_on_cgal;
-  if (alpha == filtration.alpha_max_on_lattice()) {  // all of it, whatever ties there are
+  if (alpha == filtration.alpha_max_on_lattice()) {  // all simplices, without a look at ties
     select(filtration, std::numeric_limits<float>::infinity(), complex);
     return complex;
   }

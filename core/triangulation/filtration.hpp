@@ -1,5 +1,5 @@
-// The filtration of alpha complexes up to some alpha_max: computed once, after which the complex at
-// any smaller alpha is a threshold. Triangulating and clipping are not done here.
+// The filtration of alpha complexes up to some alpha_max. It is computed once; then the complex at
+// any smaller alpha is a threshold. Engines and CGAL are elsewhere.
 #pragma once
 
 #include <memory>
@@ -12,9 +12,9 @@
 
 namespace alphascope {
 
-// For each simplex of one dimension, the alphas (square lattice units, rounded like the alpha
-// values of which they are copies) from which on it is regular and interior. NaN when never, so
-// that every comparison fails; an alpha value beyond all floats is infinite.
+// For each simplex of one dimension, the alphas from which on it is regular and interior. They are
+// copies of alpha values: square lattice units, rounded to float. NaN stands for never, so that
+// every comparison fails. An alpha value beyond all floats is infinite.
 struct ClassLevels {
   std::vector<float> regular_from, interior_from;
 };
@@ -25,21 +25,22 @@ struct ClassLevelsByDimension {
 
 class Filtration {
  public:
-  // Of the triangulation of these balls: holds for every alpha; top() has no hash.
-  // Works in the caller's task arena. Throws Cancelled.
+  // Makes the filtration of the triangulation of these balls, which holds for every alpha. top()
+  // has no hash. Works in the caller's task arena. Throws Cancelled.
   Filtration(std::shared_ptr<const BallSet> balls, const Triangulation& triangulation,
              const RunContext& context = {});
-  // The same, but shares the triangulation's tetrahedra and so keeps all of it: a sixth less memory
-  // for who keeps it anyway.
+  // The same, but shares the triangulation's tetrahedra, and so keeps the whole triangulation. This
+  // saves a sixth of the memory if the caller keeps it anyway.
   Filtration(std::shared_ptr<const BallSet> balls,
              std::shared_ptr<const Triangulation> triangulation, const RunContext& context = {});
 
-  // Of a whole complex (not tetrahedra-only: std::invalid_argument) of these balls, computed by any
-  // engine: holds up to its alpha. Shares the complex instead of copying it. Throws Cancelled.
+  // Makes the filtration of a complex of these balls by any engine, which holds up to that complex'
+  // alpha. A complex of tetrahedra only is std::invalid_argument. The complex is shared and not
+  // copied. Throws Cancelled.
   Filtration(std::shared_ptr<const BallSet> balls, std::shared_ptr<const AlphaComplex> top,
              const RunContext& context = {});
 
-  // Largest alpha answered, square lattice units.
+  // The largest alpha of the filtration, square lattice units.
   const LatticeAlpha& alpha_max_on_lattice() const { return top_->alpha_on_lattice; }
   // The complex at alpha_max: all simplices with their alpha values.
   const AlphaComplex& top() const { return *top_; }
@@ -47,7 +48,8 @@ class Filtration {
   const HashStepsByDimension& hash_steps() const { return hash_steps_; }
   const BallSet& balls() const { return *balls_; }
 
-  // Memory held beside top(), and by top() itself but for what is a triangulation's.
+  // Memory of the levels and of top(), bytes. Tetrahedra that are shared with a triangulation do
+  // not count.
   std::size_t level_bytes() const;
   std::size_t top_bytes() const;
 
@@ -57,18 +59,18 @@ class Filtration {
 
   std::shared_ptr<const BallSet> balls_;
   std::shared_ptr<const AlphaComplex> top_;
-  std::size_t shared_bytes_ = 0;  // of top_
+  std::size_t shared_bytes_ = 0;  // part of top_ that a triangulation shares
   ClassLevelsByDimension levels_;
   HashStepsByDimension hash_steps_;
 };
 
-// K_alpha for alpha_on_lattice <= filtration.alpha_max_on_lattice() (else std::invalid_argument),
-// exactly: where alpha rounds to the very float of an alpha value, integers decide. The hash is
-// set, and whether it rests on CGAL; the rest of engine and timings is left to the caller.
+// K_alpha for alpha_on_lattice <= filtration.alpha_max_on_lattice() (else std::invalid_argument).
+// The answer is exact: where alpha and an alpha value round to the same float, integers decide.
+// Sets the hash and rests_on_cgal; the caller sets the rest of engine and timings.
 AlphaComplex threshold(const Filtration& filtration, const LatticeAlpha& alpha_on_lattice,
                        bool tetrahedra_only);
 
-// Sets the classes of a whole complex from its simplices alone, whatever they were before.
+// Sets the classes of a whole complex from its simplices alone; previous classes are ignored.
 void classify(AlphaComplex& complex);
 
 }  // namespace alphascope

@@ -15,8 +15,9 @@
 namespace alphascope {
 namespace {
 
-// Own ortho-radius unless a coface's apex is in conflict with the orthosphere: then the least of
-// the cofaces. That only neighbours in the triangulation need to be asked holds for ties as well.
+// The alpha value of a face: its own ortho-radius, or the least value of its cofaces if the apex of
+// a coface is in conflict with its orthosphere. Only neighbours in the triangulation need this
+// test, also for ties.
 template <int N>
 float alpha_value(const BallSet& balls, const std::array<BallIndex, N>& face,
                   const FaceGroups<N>& groups, std::size_t group,
@@ -32,8 +33,8 @@ float alpha_value(const BallSet& balls, const std::array<BallIndex, N>& face,
                     [&] { return ortho_radius_rounded(balls, face); });
 }
 
-// Position in the list of each group's face. The faces are a subsequence of the list from `at` on;
-// afterwards `at` is behind the last of them.
+// The index in the list of each group's face. The faces are a subsequence of the list from `at` on.
+// Afterwards `at` is behind the last of them.
 template <int N>
 std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGroups<N>& groups,
                                         const CancelToken& cancel, std::uint32_t& at) {
@@ -58,7 +59,7 @@ struct Cofaces {
   const ClassLevels* levels = nullptr;
 };
 
-// Sets the levels of some faces, which are at these positions.
+// Sets the levels of the faces of `groups`; position[g] is the index of face g.
 template <int N>
 void set_levels(const FaceGroups<N>& groups, const std::vector<std::uint32_t>& position,
                 const Cofaces<N>& cofaces, const CancelToken& cancel, ClassLevels& levels) {
@@ -79,7 +80,7 @@ void resize(ClassLevels& levels, std::size_t count) {
   levels.interior_from.resize(count, kNever);
 }
 
-// Of a list that is all there.
+// The levels of a list that has all its simplices.
 template <int N>
 ClassLevels class_levels(const SimplexList<N>& list, const Cofaces<N>& cofaces,
                          const CancelToken& cancel) {
@@ -120,8 +121,9 @@ void reserve(std::size_t count, SimplexList<N>& list, ClassLevels& levels) {
   levels.interior_from.reserve(count);
 }
 
-// One dimension of a triangulation, of `count` simplices. The list holds them if they are maximal;
-// else it is empty, and they are the faces of the cofaces.
+// Alpha values, levels and classes of one dimension of a triangulation with `count` simplices. The
+// list holds the simplices if they are maximal. Else it is empty, and the faces of the cofaces fill
+// it.
 template <int N>
 ClassLevels build_dimension(const BallSet& balls, const Cofaces<N>& cofaces, std::size_t count,
                             const CancelToken& cancel, SimplexList<N>& list) {
@@ -179,7 +181,7 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls,
                        const RunContext& context)
     : balls_(std::move(balls)) {
   const Triangulation& all = *triangulation;
-  // top_ is never changed, so neither are they.
+  // The cast is safe because top_ is never changed, so its tetrahedra are not either.
   const std::span tetrahedra(const_cast<std::array<BallIndex, 4>*>(all.tetrahedra.data()),
                              all.tetrahedra.size());
   build(all, in_place(std::shared_ptr<const void>(std::move(triangulation)), tetrahedra), context);
@@ -192,7 +194,7 @@ void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetr
   const CancelToken& cancel = context.cancel;
   top->lattice = balls_->lattice;
   top->alpha_on_lattice = std::numeric_limits<double>::infinity();
-  top->engine.rests_on_cgal = true;  // as every triangulation does that there is
+  top->engine.rests_on_cgal = true;  // every triangulation is CGAL's
 
   context.report(stage::kClassification, 0);
   SimplexList<4>& tetrahedra = top->tetrahedra;

@@ -1,3 +1,5 @@
+// The flow of a triangulation: alpha value and outflow of each tetrahedron, and whether a flow path
+// reaches a sink or infinity.
 #include "core/triangulation/flow.hpp"
 
 #include <atomic>
@@ -9,7 +11,7 @@
 namespace alphascope {
 namespace {
 
-// One tetrahedron with its balls as its first one sees them.
+// One tetrahedron, with its balls lifted from the first one.
 class Tetrahedron {
  public:
   Tetrahedron(const BallSet& balls, const std::array<BallIndex, 4>& simplex)
@@ -31,7 +33,7 @@ class Tetrahedron {
     return round_exact(exact_tetrahedron_rho(v_[0], v_[1], v_[2], weight_));
   }
 
-  // Bits of the faces, as Flow::marks has them.
+  // The faces through which it flows out, as bits of Flow::marks. Counts exact ties in `tied`.
   std::uint8_t flow(FlowTies ties, std::atomic<std::size_t>& tied) const {
     unsigned faces = 0;
     for (unsigned k = 0; k < 4; ++k) {
@@ -60,13 +62,14 @@ class Tetrahedron {
   signed char beyond_[4] = {0, 0, 0, 0};
 };
 
-// Marks those from which flow arrives at what is marked: against the flow, face by face.
+// Marks the tetrahedra from which a flow path leads to a start. It goes against the flow, face by
+// face.
 class Reach {
  public:
   Reach(const Triangulation& triangulation, Flow& flow, std::uint8_t mark)
       : triangulation_(triangulation), flow_(flow), mark_(mark) {}
 
-  // From all tetrahedra that `starts` says yes to.
+  // Marks the starts, for which `starts` is true, and all tetrahedra that flow to them.
   template <class Starts>
   void from(const Starts& starts, const CancelToken& cancel) {
     constexpr std::size_t kGrain = 1024;

@@ -1,6 +1,7 @@
-// The discrete flow of a triangulation (H. Edelsbrunner, M. Facello, J. Liang, On the definition
-// and the construction of pockets in macromolecules, Discrete Appl. Math. 88, 1998): a tetrahedron
-// flows out through each face beyond which its orthocentre lies. Ortho-radii never fall on the way.
+// The discrete flow of a triangulation: a tetrahedron flows out through each face beyond which its
+// orthocentre lies. Ortho-radii never fall along the flow. Source: H. Edelsbrunner, M. Facello, J.
+// Liang, On the definition and the construction of pockets in macromolecules, Discrete Appl. Math.
+// 88 (1998).
 #pragma once
 
 #include <array>
@@ -12,15 +13,16 @@
 
 namespace alphascope {
 
-// Of the tetrahedra of a triangulation of dimension 3. Nothing here depends on alpha: what a
-// tetrahedron outside K_alpha flows to is outside K_alpha, too.
+// The flow of the tetrahedra of a triangulation of dimension 3. It does not depend on alpha: a
+// tetrahedron outside K_alpha flows only to tetrahedra outside K_alpha.
 struct Flow {
-  // marks[t], bit k: t flows out through the face opposite its ball k, which it is attached to.
+  // Bit k of marks[t]: t flows out through the face opposite its ball k, and that face is attached
+  // to t.
   static constexpr std::uint8_t kFaces = 15;
-  static constexpr std::uint8_t kReachesSink = 16;      // on some way, or is one
-  static constexpr std::uint8_t kReachesInfinity = 32;  // on some way
+  static constexpr std::uint8_t kReachesSink = 16;      // on some path, or is a sink
+  static constexpr std::uint8_t kReachesInfinity = 32;  // on some path
   ResultArray<std::uint8_t> marks;
-  // Ortho-radii, square lattice units, rounded to the nearest float: the alpha values.
+  // Ortho-radii, which are the alpha values: square lattice units, rounded to the nearest float.
   ResultArray<float> alpha_values;
   std::size_t ties = 0;  // faces in whose plane the orthocentre of a tetrahedron lies
 
@@ -28,7 +30,7 @@ struct Flow {
   bool through(std::size_t t, std::size_t face) const { return (marks[t] >> face & 1) != 0; }
 };
 
-// Works in the caller's task arena. Throws Cancelled.
+// Makes the flow in the caller's task arena. Throws Cancelled.
 Flow make_flow(const BallSet& balls, const Triangulation& triangulation, FlowTies ties,
                const CancelToken& cancel = {});
 

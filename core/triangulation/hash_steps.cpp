@@ -1,3 +1,4 @@
+// Makes the steps: quantiles of the alpha values, and the hash sums up to each.
 #include "core/triangulation/hash_steps.hpp"
 
 #include <tbb/blocked_range.h>
@@ -11,12 +12,12 @@
 namespace alphascope {
 namespace {
 
-// Half of 1/64 of the simplices is left to be hashed, on average.
+// A threshold then has to hash half of 1/64 of the simplices on average.
 constexpr std::size_t kSteps = 63, kSamplesPerStep = 64;
-using StepSums = std::array<std::uint64_t, kSteps + 1>;  // the last: above all steps
+using StepSums = std::array<std::uint64_t, kSteps + 1>;  // the last one: above all steps
 using StepValues = std::array<float, kSteps + 1>;
 
-// Quantiles of a sample of the alpha values, which ascend strictly.
+// Quantiles of a sample of the alpha values, strictly ascending.
 template <int N>
 std::vector<HashSteps::Step> step_edges(const SimplexList<N>& list) {
   const std::size_t stride = list.size() / (kSteps * kSamplesPerStep) + 1;
@@ -31,8 +32,8 @@ std::vector<HashSteps::Step> step_edges(const SimplexList<N>& list) {
   return steps;
 }
 
-// The steps' alpha values, for a search without branches, which would be guessed wrong half of the
-// time.
+// The alpha values of the steps, padded with infinity for a search without branches. Half of the
+// predictions of a branch would be wrong.
 StepValues search_list(const std::vector<HashSteps::Step>& steps) {
   StepValues values;
   values.fill(std::numeric_limits<float>::infinity());
@@ -40,7 +41,7 @@ StepValues search_list(const std::vector<HashSteps::Step>& steps) {
   return values;
 }
 
-// How many of them are below the value.
+// The number of steps with an alpha value below `value`.
 std::size_t step_of(const StepValues& list, float value) {
   std::size_t at = 0;
   for (std::size_t half = (kSteps + 1) / 2; half > 0; half /= 2) {

@@ -1,5 +1,6 @@
-// Hash sums of all simplices of one dimension up to some alpha values, the steps: what a threshold
-// then has to hash lies between two of them. Hashing was two thirds of a threshold's time.
+// Hash sums of all simplices of one dimension up to some alpha values, the steps. A threshold then
+// hashes only the simplices between the last step and alpha. Hashing was two thirds of a
+// threshold's time before.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace alphascope {
 
 class HashSteps {
  public:
-  // The sum of simplex_hash() over all simplices of alpha values up to and including this one.
+  // The sum of simplex_hash() over all simplices with alpha values up to and including this one.
   struct Step {
     float alpha_value;
     std::uint64_t sum;
@@ -25,7 +26,8 @@ class HashSteps {
   template <int N>
   HashSteps(const SimplexList<N>& list, const CancelToken& cancel);
 
-  // The last step whose alpha value is not above the bound; one below all values if there is none.
+  // The last step whose alpha value is not above the bound. Without such a step: one with the value
+  // minus infinity and the sum 0.
   Step last_within(float bound) const {
     const auto after =
         std::upper_bound(steps_.begin(), steps_.end(), bound,

@@ -1,3 +1,5 @@
+// Makes the triangles and edges of a triangulation from its tetrahedra, sorted by their first ball
+// in parallel.
 #include "core/triangulation/incidence.hpp"
 
 #include <algorithm>
@@ -10,8 +12,8 @@
 namespace alphascope {
 namespace {
 
-// Where the things of each ball begin in an array that is ordered by balls. Counted and then placed
-// by all threads: within a ball's part they come in any order.
+// The bounds of each ball's part of an array that is ordered by balls. All threads count and then
+// place items, so the items within a part are in any order.
 class Buckets {
  public:
   explicit Buckets(std::size_t balls) : first_(balls + 1, 0) {}
@@ -35,7 +37,7 @@ class Buckets {
   std::vector<std::uint32_t> first_, next_;
 };
 
-// A triangle that its lower tetrahedron names, by the corner it lacks. Its first ball is the
+// A triangle, as its lower tetrahedron names it: by the corner that it lacks. Its first ball is the
 // bucket's.
 struct TriangleRecord {
   std::uint64_t rest;  // the second ball, then the third
@@ -43,7 +45,8 @@ struct TriangleRecord {
   bool operator<(const TriangleRecord& other) const { return rest < other.rest; }
 };
 
-// A triangle is named by the lower one of its tetrahedra, so once.
+// Visits the triangles that tetrahedron t names. The lower one of a triangle's tetrahedra names it,
+// so it is visited once.
 template <class Visit>
 void for_own_triangles(const Triangulation& triangulation, std::size_t t, const Visit& visit) {
   for (std::uint32_t k = 0; k < 4; ++k) {
@@ -58,20 +61,20 @@ TriangleRecord triangle_record(const std::array<BallIndex, 4>& balls, std::uint3
   return {second << 32 | third, tetrahedron, corner};
 }
 
-// Collects balls in place, each once; few of them come many times.
+// Collects distinct balls in place. There are few, and each occurs many times.
 class DistinctBalls {
  public:
   using Place = ResultArray<BallIndex>::iterator;
   explicit DistinctBalls(Place begin) : begin_(begin), end_(begin) {}
 
-  // What lies at `begin` and has been added may be overwritten.
+  // Adds a ball. Overwrites the array at `begin`, but only items that were added before.
   void add(BallIndex ball) {
-    // A look at each is faster than sorting, unless there are very many.
+    // A linear search is faster than sorting later, unless there are very many balls.
     constexpr std::ptrdiff_t kWorthALook = 48;
     if (end_ - begin_ < kWorthALook && std::find(begin_, end_, ball) != end_) return;
     *end_++ = ball;
   }
-  // How many there are, in order.
+  // Sorts the balls and returns their number.
   std::uint32_t sort() {
     std::sort(begin_, end_);
     return static_cast<std::uint32_t>(std::unique(begin_, end_) - begin_);
@@ -138,10 +141,10 @@ class IncidenceMaker {
     result_.triangles_of_tetrahedron[across.index()][k] = f;
   }
 
-  // Triangle abc says that a has edges to b and c, and b one to c.
+  // Makes the edges. Triangle abc gives edges from a to b and c, and from b to c.
   void make_edges() {
     const Simplices<3>& triangles = result_.triangles;
-    Buckets ends(balls_);  // of the edges of each ball, several times each
+    Buckets ends(balls_);  // upper ends of the edges of each ball, with repetitions
     parallel_many(triangles.size(), cancel_,
                   [&](std::size_t f) { ends.count(triangles[f][1], 1); });
     for (std::size_t v = 0; v < balls_; ++v) {
@@ -177,11 +180,11 @@ class IncidenceMaker {
   }
 
   void set_edges_of_triangles(const Buckets& edges) {
-    // The edge ab, at or after `from`, where edges of a are.
+    // The index of edge ab; `from` is the first candidate among the edges of a.
     const auto edge = [&](BallIndex a, BallIndex b, std::uint32_t from) {
       const auto begin = result_.edges.begin() + from, end = result_.edges.begin() + edges.end(a);
       const auto before = [b](const std::array<BallIndex, 2>& e) { return e[1] < b; };
-      // Of few, counting is faster: no branch is guessed wrong.
+      // For few edges counting is faster, since it has no branch to predict.
       constexpr std::ptrdiff_t kFew = 24;
       const auto skipped = end - begin <= kFew ? std::count_if(begin, end, before)
                                                : std::partition_point(begin, end, before) - begin;
@@ -202,7 +205,7 @@ class IncidenceMaker {
 
   const Triangulation& triangulation_;
   const CancelToken& cancel_;
-  const std::size_t balls_;  // those from the last vertex on have no part here
+  const std::size_t balls_;  // balls after the last vertex are hidden
   Buckets triangles_by_ball_;
   Incidence result_;
 };
@@ -211,8 +214,8 @@ class IncidenceMaker {
 
 Incidence make_incidence(const Triangulation& triangulation, const CancelToken& cancel) {
   if (triangulation.dimension < 3) return {};
-  // At most two triangles for each tetrahedron and one more for each of the hull, and two or three
-  // mentions of edges for each triangle.
+  // There are at most two triangles for each tetrahedron and one more for each face of the hull.
+  // Each triangle gives two or three ends of edges.
   require_at_most(triangulation.tetrahedra.size(), kMostIndices / 8, "tetrahedra");
   return IncidenceMaker(triangulation, cancel).make();
 }

@@ -1,3 +1,4 @@
+// Membership in K_alpha by a threshold of the filtration, or directly from flow and incidence.
 #include "core/triangulation/membership.hpp"
 
 #include <atomic>
@@ -33,15 +34,15 @@ Membership::Marks marks_of(const SimplexList<N>& list, float limit, const Ties<N
   return marks;
 }
 
-// A dimension below the triangles': a simplex is in K_alpha if a coface is, or if it is unattached
-// and rho <= alpha. Cofaces tell their faces, so nobody needs to know the cofaces of a face; what
-// several threads store at once is the same.
+// Edges or vertices: such a simplex is in K_alpha if a coface is, or if it is unattached and rho <=
+// alpha. Cofaces set the marks of their faces, so no list of a face's cofaces is needed. Threads
+// that store to the same mark at once store the same value.
 class FaceMarks {
  public:
   FaceMarks(std::size_t count, const CancelToken& cancel) : marks_(count, kOut), cancel_(cancel) {}
 
   void set_coface_in(std::size_t n) { mark(n).store(kIn, std::memory_order_relaxed); }
-  // within(n): rho <= alpha.
+  // Tests all simplices without a coface in K_alpha; within(n) is rho <= alpha.
   template <class Within>
   void ask_the_others(const Within& within) {
     parallel_many(marks_.size(), cancel_, [&](std::size_t n) {

@@ -1,5 +1,5 @@
-// Which simplices of a triangulation are in K_alpha, and nothing else of them: exactly, as
-// threshold() decides it.
+// Which simplices of a triangulation are in K_alpha, without alpha values or classes. The answer is
+// exact and equals that of threshold().
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace alphascope {
 
-// 1 for what is in K_alpha, 0 for what is not. Indices are those of the triangulation's tetrahedra,
+// 1 for a simplex in K_alpha, 0 for any other. Indices are those of the triangulation's tetrahedra,
 // of its Incidence and, for vertices, of the balls.
 struct Membership {
   using Marks = ResultArray<std::uint8_t>;
@@ -21,11 +21,12 @@ struct Membership {
   friend bool operator==(const Membership&, const Membership&) = default;
 };
 
-// From the filtration of a whole triangulation of dimension 3, else std::invalid_argument.
+// Membership from the filtration of a whole triangulation of dimension 3, else
+// std::invalid_argument.
 Membership membership(const Filtration& filtration, const LatticeAlpha& alpha_on_lattice);
 
-// From a triangulation of dimension 3 at one alpha, without a filtration: only what no coface
-// decides is computed. Works in the caller's task arena. Throws Cancelled.
+// Membership at one alpha from a triangulation of dimension 3, without a filtration. It computes
+// only what no coface decides. Works in the caller's task arena. Throws Cancelled.
 Membership membership(const BallSet& balls, const Triangulation& triangulation,
                       const Incidence& incidence, const Flow& flow,
                       const LatticeAlpha& alpha_on_lattice, const CancelToken& cancel = {});

@@ -1,3 +1,4 @@
+// Estimates of memory from numbers of simplices, and the numbers of simplices in a triangulation.
 #include "core/triangulation/memory_need.hpp"
 
 #include <algorithm>
@@ -8,10 +9,10 @@
 namespace alphascope {
 namespace {
 
-// 1K4C, 1AON and 3J6R have 6.6 to 6.8.
+// PDB entries 1K4C, 1AON and 3J6R have 6.6 to 6.8.
 constexpr std::uint64_t kTetrahedraPerBall = 7;
-// CGAL's cells, its vertices and what is left unused of its blocks of memory. Measured per
-// tetrahedron, at the end of its making: 1K4C 136, 1AON and 3J6R 135.
+// Bytes of CGAL's cells and vertices, with the unused part of its blocks of memory. Measured per
+// tetrahedron when the triangulation is complete: 1K4C 136, 1AON and 3J6R 135.
 constexpr std::uint64_t kCgalBytesPerTetrahedron = 140;
 
 SimplexCount count_of_molecule(std::size_t balls) {
@@ -24,8 +25,8 @@ constexpr std::uint64_t bytes_of_simplex(std::uint64_t balls) {
 }
 constexpr std::uint64_t kLevels = 2 * sizeof(float);  // from where on regular, and interior
 
-// The list with its levels; the cofaces around each vertex; and the groups of faces that are there
-// at a time, with the positions of these faces in the list.
+// Bytes while faces are grouped: the list with its levels; the cofaces around each vertex; and the
+// groups of faces in memory at a time, with their positions in the list.
 std::uint64_t bytes_while_grouping(std::uint64_t faces, std::uint64_t cofaces,
                                    std::uint64_t vertices, std::uint64_t balls) {
   constexpr std::uint64_t kIndex = sizeof(std::uint32_t);
@@ -51,7 +52,8 @@ MemoryNeed need(const SimplexCount& c) {
 
 }  // namespace
 
-// V - E + F - T = 1, and each tetrahedron has four faces that two share, but for the hull's.
+// V - E + F - T = 1. Each tetrahedron has four faces, which two tetrahedra share, except those of
+// the hull.
 SimplexCount simplex_count(const Triangulation& t) {
   SimplexCount c;
   c.vertices = t.vertices.size();

@@ -1,5 +1,5 @@
-// How much memory a triangulation and a filtration take, before they are made: for those who decide
-// whether there is room.
+// The memory that a triangulation and a filtration will need. Callers use it to decide whether
+// there is room before they make them.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +12,26 @@ namespace alphascope {
 struct SimplexCount {
   std::uint64_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;
 };
-// All of them, also those that it does not list.
+// The numbers of all simplices, including faces that the triangulation does not list.
 SimplexCount simplex_count(const Triangulation& triangulation);
 
-// Bytes.
+// Memory in bytes.
 struct MemoryNeed {
-  std::uint64_t held = 0;  // by the object once it is made
-  std::uint64_t peak = 0;  // while it is made, the object included, its input not
+  std::uint64_t held = 0;  // held by the finished object
+  std::uint64_t peak = 0;  // while it is made: with the object, without its input
 };
 
-// Of a molecule with so many balls. Estimates: molecules have some 6.7 tetrahedra a ball, and these
-// are reckoned with 7; other sets may have far more.
+// The need for a molecule with this number of balls. These are estimates with 7 tetrahedra for each
+// ball. Molecules have some 6.7; other sets may have far more.
 MemoryNeed triangulation_memory(std::size_t balls);
-MemoryNeed filtration_memory(std::size_t balls);  // with tetrahedra of its own
+MemoryNeed filtration_memory(std::size_t balls);  // with its own copy of the tetrahedra
 
-// Of the filtration of this triangulation: held is exact, peak within some percent.
-enum class TetrahedraOfFiltration : std::uint8_t { own, shared };  // shared: the triangulation's
+// The need of the filtration of this triangulation: `held` is exact, `peak` within some percent.
+enum class TetrahedraOfFiltration : std::uint8_t { own, shared };  // shared with the triangulation
 MemoryNeed filtration_memory(const Triangulation& triangulation,
                              TetrahedraOfFiltration tetrahedra = TetrahedraOfFiltration::own);
 
-// What a triangulation holds.
+// Bytes that a triangulation holds.
 std::uint64_t bytes_of(const Triangulation& triangulation);
 
 }  // namespace alphascope

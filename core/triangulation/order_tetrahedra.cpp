@@ -1,3 +1,5 @@
+// Sorts tetrahedra in lexicographic order, renumbers their neighbours and makes the facets of the
+// hull.
 #include "core/triangulation/order_tetrahedra.hpp"
 
 #include <utility>
@@ -12,11 +14,11 @@ namespace {
 
 struct Record {
   std::array<BallIndex, 4> balls;
-  std::uint32_t before;  // its index in the maker's order
+  std::uint32_t before;  // index in the given order
   bool operator<(const Record& other) const { return balls < other.balls; }
 };
 
-// Buckets by the lowest ball, some seven records each, then each bucket by itself.
+// Sorts into buckets by the lowest ball, with some seven records each, and then sorts each bucket.
 ResultArray<Record> sorted_records(const Simplices<4>& tetrahedra, std::size_t balls,
                                    const CancelToken& cancel) {
   std::vector<std::uint32_t> first(balls + 1, 0);
@@ -43,7 +45,7 @@ std::array<BallIndex, 3> face_opposite(const std::array<BallIndex, 4>& tetrahedr
   return face;
 }
 
-// The face opposite a corner, turned so that the tetrahedron is behind it.
+// The face opposite a corner, oriented so that the tetrahedron is behind it.
 HullFacet hull_facet(const BallSet& balls, std::uint32_t t,
                      const std::array<BallIndex, 4>& tetrahedron, int corner) {
   HullFacet facet{face_opposite(tetrahedron, corner), t};
@@ -55,7 +57,7 @@ HullFacet hull_facet(const BallSet& balls, std::uint32_t t,
   return facet;
 }
 
-// Gives each neighbour that is still outside its facet of the hull.
+// Makes the facets of the hull, and sets them as the neighbours that are still missing.
 void set_hull(const BallSet& balls, const std::vector<std::pair<std::uint32_t, int>>& outside,
               Triangulation& result) {
   std::vector<std::pair<HullFacet, int>> facets;
@@ -80,7 +82,7 @@ void set_tetrahedra(const BallSet& balls, const UnorderedTetrahedra& unordered,
   const std::size_t count = unordered.tetrahedra.size();
   require_at_most(count, Neighbour::kMostIndex, "tetrahedra");
   const ResultArray<Record> records = sorted_records(unordered.tetrahedra, balls.size(), cancel);
-  ResultArray<std::uint32_t> after(count);  // index by index in the maker's order
+  ResultArray<std::uint32_t> after(count);  // new index, by index in the given order
   result.tetrahedra.resize(count);
   result.neighbours.resize(count);
   constexpr std::size_t kGrain = 1 << 14;

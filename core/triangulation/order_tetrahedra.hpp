@@ -1,4 +1,4 @@
-// From a maker's tetrahedra, in whatever order it found them, to the one order of a Triangulation.
+// Puts tetrahedra, given in any order, into the one order of a Triangulation.
 #pragma once
 
 #include "core/complex/triangulation.hpp"
@@ -9,7 +9,7 @@ namespace alphascope {
 struct UnorderedTetrahedra {
   static constexpr std::uint32_t kOutside = ~std::uint32_t{0};
 
-  Simplices<4> tetrahedra;  // the balls of each ascend
+  Simplices<4> tetrahedra;  // the balls of each are in ascending order
   // [t][k]: index of the tetrahedron across the face opposite ball k of t, or kOutside.
   ResultArray<std::array<std::uint32_t, 4>> neighbours;
 };

@@ -1,4 +1,5 @@
-// See the header.
+// Finds outer faces: by the regular triangles of a complex, whose tetrahedra are looked up, or by
+// sorting the faces of tetrahedra.
 #include "core/triangulation/outer_faces.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace alphascope {
 namespace {
 
-constexpr FaceCode kNone = ~FaceCode{0};  // of no tetrahedron: there are fewer than 2^30
+constexpr FaceCode kNone = ~FaceCode{0};  // no tetrahedron; there are fewer than 2^30
 
 // The regular triangles of a complex by their first vertex, to find the tetrahedron of each.
 class RegularTriangles {
@@ -29,7 +30,7 @@ class RegularTriangles {
     parallel_many(places.size(), cancel, [&](std::size_t n) {
       const BallIndex first = vertex(n);
       if (n > 0 && vertex(n - 1) == first) return;
-      // They are in order: these are all of this vertex.
+      // The triangles are in order, so this loop covers all triangles of this vertex.
       Begun& begun = begun_by_[first];
       begun.from = static_cast<std::uint32_t>(n);
       for (; n < places.size() && vertex(n) == first; ++n) {
@@ -41,7 +42,8 @@ class RegularTriangles {
     });
   }
 
-  // One tetrahedron each, since they are regular. Throws std::invalid_argument for one without.
+  // The tetrahedron of each triangle: there is exactly one, since the triangle is regular. Throws
+  // std::invalid_argument where there is none.
   ResultArray<FaceCode> owners(const Simplices<4>& tetrahedra) const {
     ResultArray<FaceCode> owner(rest_.size());
     parallel_many(owner.size(), cancel_, [&](std::size_t n) { owner[n] = kNone; });
@@ -64,9 +66,9 @@ class RegularTriangles {
   }
 
  private:
-  // Of a vertex, those that it is the first one of: a few.
+  // The triangles whose first vertex is this one; they are few.
   struct Begun {
-    std::uint64_t marks = 0;  // of all of them: most triangles that are not among them have another
+    std::uint64_t marks = 0;  // the union of their marks; most other triangles have another mark
     std::uint32_t from = 0, to = 0;  // in rest_
   };
   static std::uint64_t key(BallIndex second, BallIndex third) {

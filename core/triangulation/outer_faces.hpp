@@ -1,4 +1,4 @@
-// The faces of tetrahedra that no other tetrahedron has: the outside of what they fill.
+// The faces that belong to one tetrahedron only: the outer boundary of a set of tetrahedra.
 #pragma once
 
 #include "core/complex/alpha_complex.hpp"
@@ -7,15 +7,15 @@
 
 namespace alphascope {
 
-// In lexicographic order of the faces' vertices; the same for any number of threads. Throws
-// Cancelled, and std::length_error for more tetrahedra than can be counted.
+// Outer faces in lexicographic order of their vertices. The result does not depend on the number of
+// threads. Throws Cancelled, and std::length_error for more tetrahedra than can be counted.
 //
-// Of a whole complex its regular triangles, whose tetrahedra are looked up: nothing is sorted. So
-// the classes must be those in this complex, or it says std::invalid_argument; of a part of another
-// complex, take the tetrahedra alone. Where a device has looked them up (AlphaComplex::outside),
-// these are they.
+// In a whole complex the outer faces are its regular triangles. Their tetrahedra are looked up, and
+// nothing is sorted. So the classes must be those in this complex, else std::invalid_argument. For
+// a part of another complex, pass the tetrahedra alone. If a device has found the faces already
+// (AlphaComplex::outside), those are returned.
 ResultArray<FaceCode> outer_faces(const AlphaComplex& complex, const CancelToken& cancel = {});
-// Of tetrahedra alone, whose faces are sorted.
+// Outer faces of tetrahedra alone, by sorting their faces.
 ResultArray<FaceCode> outer_faces(const Simplices<4>& tetrahedra, const CancelToken& cancel = {});
 
 }  // namespace alphascope

@@ -1,3 +1,5 @@
+// Collects the ties of a filtration and decides them by exact predicates, from tetrahedra down to
+// vertices.
 #include "core/triangulation/ties.hpp"
 
 #include "core/complex/face_groups.hpp"
@@ -29,9 +31,9 @@ void decide_tetrahedra(const BallSet& balls, const LatticeAlpha& alpha, Ties<4>&
   }
 }
 
-// A tied face has only cofaces of the same float or a larger one, and if it is attached, the coface
-// from which it has its value, whose apex is in conflict with it, is a tie itself. So the ties of
-// the next dimension are all that needs to be looked at.
+// A tied face has only cofaces with the same float or a larger one. If it is attached, it has its
+// value from a coface whose apex is in conflict with it, and that coface is a tie as well. So only
+// the ties of the next dimension need a look.
 template <int N>
 void decide_faces(const BallSet& balls, const LatticeAlpha& alpha, const Ties<N + 1>& cofaces,
                   Ties<N>& ties) {

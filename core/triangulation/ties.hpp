@@ -1,5 +1,5 @@
-// The simplices of a filtration whose alpha value rounds to the very float that alpha rounds to:
-// there, and only there, the float does not say whether they are in K_alpha.
+// Ties: the simplices of a filtration whose alpha value and alpha itself round to the same float.
+// Only for these the float does not tell whether they are in K_alpha.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace alphascope {
 
-// Of one dimension.
+// The ties of one dimension.
 template <int N>
 struct Ties {
   Simplices<N> simplices;  // in lexicographic order
@@ -29,7 +29,7 @@ struct AllTies {
   }
 };
 
-// Decided in integers. Of tetrahedra_only, the other dimensions are left empty.
+// Decides all ties by exact predicates. With tetrahedra_only the other dimensions are left empty.
 AllTies decide_ties(const Filtration& filtration, const LatticeAlpha& alpha_on_lattice,
                     bool tetrahedra_only);
 

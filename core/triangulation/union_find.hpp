@@ -1,5 +1,5 @@
 // Disjoint sets that many threads unite at once, without locks. The root of a set is its least
-// member, whoever was first.
+// member, whatever the order of calls.
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@ namespace alphascope {
 
 class UnionFind {
  public:
-  // Each item alone.
+  // Each item is a set of its own.
   explicit UnionFind(std::size_t items) : parent_(items) {
     parallel_many(items, {}, [&](std::size_t n) { parent_[n] = static_cast<std::uint32_t>(n); });
   }
@@ -29,7 +29,8 @@ class UnionFind {
     }
   }
 
-  // A parent is never larger than its child, and only ever replaced by one of its own ancestors.
+  // The root of the set of n. A parent is never larger than its child, and is replaced only by one
+  // of its own ancestors.
   std::uint32_t root(std::uint32_t n) {
     for (;;) {
       const std::uint32_t up = parent(n).load(std::memory_order_relaxed);

@@ -1,3 +1,4 @@
+// Hash and memory of a complex.
 #include "core/complex/alpha_complex.hpp"
 
 #include <cstdio>
@@ -8,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-// Below this, one thread is as quick.
+// With fewer simplices than this, one thread is as fast as all.
 constexpr std::size_t kManySimplices = 1 << 15;
 
 template <int N>

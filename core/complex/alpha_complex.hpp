@@ -1,5 +1,5 @@
 // The immutable result of every engine: the simplices of K_alpha with their alpha values and
-// classes. How it is computed is the engines' business.
+// classes.
 #pragma once
 
 #include <array>
@@ -21,15 +21,15 @@ namespace alphascope {
 template <int N>
 struct SimplexList {
   Simplices<N> simplices;
-  // Square lattice units: the exact alpha value rounded to the nearest float. Rounding is monotone,
-  // so a face never has a larger value than its coface.
+  // The exact alpha value rounded to the nearest float, in square lattice units. Rounding is
+  // monotone, so a face never has a larger value than its coface.
   ResultArray<float> alpha_values;
   ResultArray<SimplexClass> classes;
 
   std::size_t size() const { return simplices.size(); }
 };
 
-// Something an engine counted on its way, for display.
+// A number that an engine counted, for display.
 struct EngineCounter {
   std::string name;  // "4-tuples into kernel II"
   std::uint64_t value = 0;
@@ -42,44 +42,45 @@ struct EngineInfo {
   std::string route;   // what this run did: "dual edge clipping", "regular triangulation, then
                        // threshold", "threshold of cached filtration"
   std::vector<EngineCounter> counters = {};  // empty where nothing is counted
-  // It came from CGAL's triangulation, so to be equal to CGAL's says nothing.
+  // The result came from CGAL's triangulation, so equality with CGAL is no evidence.
   bool rests_on_cgal = false;
 };
 
 struct AlphaComplex {
   Lattice lattice;
   LatticeAlpha alpha_on_lattice;  // square lattice units: the exact threshold used
-  // Then vertices, edges and triangles are empty, and tetrahedra have no alpha values or classes.
+  // If set, vertices, edges and triangles are empty, and tetrahedra have no alpha values or
+  // classes.
   bool tetrahedra_only = false;
   SimplexList<1> vertices;
   SimplexList<2> edges;
   SimplexList<3> triangles;
   SimplexList<4> tetrahedra;
-  // The faces of tetrahedra that no other tetrahedron has, where a device has looked for them: as
-  // outer_faces() finds them (core/triangulation/outer_faces.hpp).
+  // The faces that belong to one tetrahedron only, where a device has found them. They are those of
+  // outer_faces() (core/triangulation/outer_faces.hpp).
   std::optional<SharedFaces> outside;
   std::uint64_t hash = 0;  // see complex_hash()
   EngineInfo engine;
   StageTimes timings;
 
   Alpha alpha_angstrom2() const { return lattice.alpha_angstrom2(alpha_on_lattice); }
-  // V - E + F - T; only meaningful when not tetrahedra_only.
+  // V - E + F - T. It has a meaning only if not tetrahedra_only.
   long long euler_characteristic() const {
     return static_cast<long long>(vertices.size()) - static_cast<long long>(edges.size()) +
            static_cast<long long>(triangles.size()) - static_cast<long long>(tetrahedra.size());
   }
 };
 
-// What its arrays hold.
+// Bytes that the arrays hold.
 std::uint64_t bytes_of(const AlphaComplex& complex);
 
-// 64-bit hash of the set of simplices present (dimension and vertex indices; not alpha values, not
-// order): equal sets have equal hashes on every engine. A tetrahedra-only complex hashes to another
-// value than the whole one; tetrahedra_hash() is common to both.
+// 64-bit hash of the set of simplices: of dimension and vertex indices, but not of alpha values or
+// order. Equal sets have equal hashes on every engine. A complex with tetrahedra only has another
+// hash than the whole complex; tetrahedra_hash() is equal for both.
 std::uint64_t complex_hash(const AlphaComplex& complex);
 std::uint64_t tetrahedra_hash(const AlphaComplex& complex);
 
-// The hash as 16 hexadecimal digits, as shown everywhere.
+// The hash as 16 hexadecimal digits, the form in which it is shown.
 std::string hash_text(std::uint64_t hash);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Comparison by one merge of the two sorted lists per dimension.
+// Compares two complexes by one merge of their sorted lists in each dimension.
 #include "core/complex/compare.hpp"
 
 #include <bit>
@@ -6,7 +6,7 @@
 namespace alphascope {
 namespace {
 
-// -0 and 0 are one value; everything else must agree to the bit.
+// -0 and 0 count as equal; all other values must agree in every bit.
 bool same_value(float a, float b) {
   return a == b || std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }

@@ -1,4 +1,4 @@
-// Comparing two complexes as sets of simplices.
+// Comparison of two complexes as sets of simplices.
 #pragma once
 
 #include "core/complex/alpha_complex.hpp"
@@ -14,15 +14,16 @@ struct SetDifference {
 };
 
 struct Comparison {
-  bool tetrahedra_only =
-      false;  // true when either side has only tetrahedra: the rest is not compared
-  // Both came from CGAL's triangulation: that they are identical says nothing of it.
+  // True if either side has only tetrahedra; other simplices are then not compared.
+  bool tetrahedra_only = false;
+  // Both came from CGAL's triangulation, so their equality is no evidence for it.
   bool both_rest_on_cgal = false;
   SetDifference<1> vertices;
   SetDifference<2> edges;
   SetDifference<3> triangles;
   SetDifference<4> tetrahedra;
-  // Simplices common to both whose alpha value or class differ (whole complexes only; 0 expected).
+  // Number of common simplices whose alpha values or classes differ (only for whole complexes;
+  // expected 0).
   std::size_t alpha_values_differing = 0;
   std::size_t classes_differing = 0;
 

@@ -1,6 +1,6 @@
-// How many balls and simplices the 32-bit indices of the program reach. What would need more is
-// refused in words before anything wraps around: each function takes counts, so that a test needs
-// no memory.
+// Limits on the numbers of balls and simplices, which the program's 32-bit indices set. A larger
+// number is an error with a message before any index wraps around. Each function takes counts, so a
+// test needs no memory.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace alphascope {
 
 inline constexpr std::uint64_t kMostIndices = std::numeric_limits<std::uint32_t>::max();
 
-// Throws std::length_error, which says what is too much, when `count` is above `most`.
+// Throws std::length_error if `count` is above `most`; `what` names the things that are too many.
 inline void require_at_most(std::uint64_t count, std::uint64_t most, const char* what) {
   if (count <= most) return;
   throw std::length_error("too many " + std::string(what) + ": " + std::to_string(count) +
@@ -21,8 +21,8 @@ inline void require_at_most(std::uint64_t count, std::uint64_t most, const char*
                           ". Choose a smaller alpha, or a part of the molecule.");
 }
 
-// Balls of one set: the grids have up to four cells for each and some more, and two bits of a
-// number are marks.
+// The largest number of balls in one set. Grids have up to four cells for each ball and a few more,
+// and two bits of an index are flags.
 inline constexpr std::uint64_t kMostBalls = (std::uint64_t{1} << 30) - 1024;
 inline void require_balls(std::uint64_t balls) {
   if (balls <= kMostBalls) return;
@@ -31,7 +31,8 @@ inline void require_balls(std::uint64_t balls) {
                           ". Choose a part of the molecule.");
 }
 
-// Indices and sums of all faces of a list of simplices, `faces` of each (face_groups.hpp).
+// Requires that indices and sums of all faces of a list of simplices fit, with `faces` faces for
+// each simplex (face_groups.hpp).
 inline void require_face_records(std::uint64_t simplices, int faces) {
   require_at_most(simplices, kMostIndices / static_cast<std::uint64_t>(faces), "simplices");
 }

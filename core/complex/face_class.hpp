@@ -1,6 +1,6 @@
-// What a face has from its cofaces: whether it is in K_alpha, its alpha value, its class, and the
-// alphas from which on the class holds. This is the only place that says so; each engine reads the
-// cofaces from where it keeps them. Host and device.
+// The rules by which a face follows from its cofaces: whether it is in K_alpha, its alpha value,
+// its class, and the alphas from which on the class holds. Every engine uses these rules, and reads
+// the cofaces from its own data. Host and device.
 #pragma once
 
 #include <cmath>
@@ -11,22 +11,24 @@
 
 namespace alphascope {
 
-// Where a simplex lies in K_alpha: singular = face of no other simplex of K_alpha; regular = on the
-// boundary of K_alpha and face of another; interior = its whole neighbourhood is filled.
+// The class of a simplex of K_alpha. singular: face of no other simplex of K_alpha. regular: on the
+// boundary of K_alpha, and face of another. interior: its whole neighbourhood is filled.
 enum class SimplexClass : std::uint8_t { singular, regular, interior };
 
-// What is known of a face at one alpha, as flags. The flags from several cofaces are joined with
-// "or", in any order. A tetrahedron has no coface and is interior.
-inline constexpr std::uint32_t kHasCoface = 1;          // in K_alpha
-inline constexpr std::uint32_t kHasBoundaryCoface = 2;  // one in K_alpha that is not interior
+// Facts about a face at one alpha, as flags. The flags from several cofaces are combined by "or",
+// in any order. A tetrahedron has no coface and is interior.
+inline constexpr std::uint32_t kHasCoface = 1;  // a coface is in K_alpha
+// A coface is in K_alpha and is not interior.
+inline constexpr std::uint32_t kHasBoundaryCoface = 2;
 // No ball cuts off the face's own orthocentre, and its ortho-radius is at most alpha.
 inline constexpr std::uint32_t kUnattached = 4;
 
-// What a coface in K_alpha says.
+// The flags that a coface in K_alpha gives to its faces.
 ALPHASCOPE_INLINE constexpr std::uint32_t coface_flags(SimplexClass coface) {
   return coface == SimplexClass::interior ? kHasCoface : kHasCoface | kHasBoundaryCoface;
 }
-// What the tetrahedra of a triangle in K_alpha say, 0 to 2: with one, its other side is empty.
+// The flags of a triangle with 0 to 2 tetrahedra in K_alpha. With one, the other side of the
+// triangle is empty.
 ALPHASCOPE_INLINE constexpr std::uint32_t triangle_flags(std::size_t tetrahedra) {
   return tetrahedra == 0 ? 0 : tetrahedra == 1 ? kHasCoface | kHasBoundaryCoface : kHasCoface;
 }
@@ -40,31 +42,33 @@ ALPHASCOPE_INLINE constexpr SimplexClass face_class(std::uint32_t flags) {
          : (flags & kHasBoundaryCoface) ? SimplexClass::regular
                                         : SimplexClass::interior;
 }
-// The same of a triangle with so many tetrahedra in K_alpha. The number is the class.
+// The class of a triangle by the number of its tetrahedra in K_alpha. The number is the value of
+// the class.
 ALPHASCOPE_INLINE constexpr SimplexClass triangle_class(int tetrahedra) {
   static_assert(face_class(triangle_flags(0)) == SimplexClass{0} &&
                 face_class(triangle_flags(1)) == SimplexClass{1} &&
                 face_class(triangle_flags(2)) == SimplexClass{2});
   return static_cast<SimplexClass>(tetrahedra);
 }
-// The alpha value of a face in K_alpha: its ortho-radius, which own() gives, or, if it is attached,
-// the least value of its cofaces.
+// The alpha value of a face in K_alpha: its ortho-radius own() or, if it is attached, the least
+// value of its cofaces.
 template <class Own>
 ALPHASCOPE_INLINE float face_value(std::uint32_t flags, float least, const Own& own) {
   return flags & kUnattached ? own() : least;
 }
 
-// An alpha that no complex reaches: every comparison with it fails.
+// Marks a level that no alpha reaches: every comparison with NaN is false.
 inline constexpr float kNever = std::numeric_limits<float>::quiet_NaN();
 
-// For all alphas at once: those from which on a face is regular and interior, square lattice units,
-// of the cofaces that were added. Without any, both are kNever (none()).
+// The levels of a face, from the cofaces that were added: the alphas from which on it is regular
+// and interior, in square lattice units. For a face without cofaces both are kNever (none()).
 struct FaceLevels {
   float regular_from = std::numeric_limits<float>::infinity();
   float interior_from = -std::numeric_limits<float>::infinity();
 
   static FaceLevels none() { return {kNever, kNever}; }
-  // `coface_interior_from`: of a tetrahedron its alpha value.
+  // Adds a coface. `coface_interior_from` is the level of the coface; for a tetrahedron, its alpha
+  // value.
   void add(float coface_value, float coface_interior_from) {
     regular_from = coface_value < regular_from ? coface_value : regular_from;
     if (std::isnan(coface_interior_from) || std::isnan(interior_from)) {
@@ -73,13 +77,14 @@ struct FaceLevels {
       interior_from = interior_from < coface_interior_from ? coface_interior_from : interior_from;
     }
   }
-  // The face is a triangle of the hull of all balls: its other side is never filled.
+  // For a triangle on the hull of all balls: its other side is never filled.
   void lie_on_hull() { interior_from = kNever; }
 };
 
-// The class of a simplex in the complex of all simplices of alpha values <= `bound`; it is one.
+// The class of a simplex in the complex of all simplices with alpha values <= `bound`. The simplex
+// must be one of these.
 inline SimplexClass class_at(const FaceLevels& levels, float bound) {
-  // Without a branch, which would be guessed wrong half of the time.
+  // There is no branch, since half of the predictions would be wrong.
   const int regular = levels.regular_from <= bound;
   return static_cast<SimplexClass>(regular + (regular & (levels.interior_from <= bound)));
 }

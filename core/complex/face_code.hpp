@@ -1,4 +1,4 @@
-// Names for the faces of a complex' tetrahedra.
+// Codes for the faces of a complex' tetrahedra.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace alphascope {
 
-// Which face of which tetrahedron: 4 × its place in the list + the place in it of the vertex that
-// the face lacks.
+// The code of a face: 4 × the index of its tetrahedron + the index in it of the vertex opposite to
+// the face.
 using FaceCode = std::uint32_t;
 constexpr FaceCode face_code(std::size_t tetrahedron, std::size_t opposite) {
   return static_cast<FaceCode>(4 * tetrahedron + opposite);
@@ -22,12 +22,12 @@ constexpr std::size_t tetrahedron_of(FaceCode face) {
   return face / 4;
 }
 
-// Where in its tetrahedron's list the vertex number `k` of a face is, k < 3, in ascending order.
+// The index in its tetrahedron of vertex `k` of a face, k < 3, in ascending order.
 ALPHASCOPE_HOST_DEVICE constexpr std::size_t face_corner(FaceCode face, std::size_t k) {
   return k < face % 4 ? k : k + 1;
 }
 
-// Codes that several objects share, none of which changes them.
+// Codes that several objects share; no object may change them.
 struct SharedFaces {
   std::shared_ptr<const void> owner;  // keeps them alive
   std::span<FaceCode> faces;

@@ -1,5 +1,4 @@
-// Which cofaces each face of a sorted list of simplices has: the one place where faces are
-// generated.
+// The faces of a sorted list of simplices, each with its cofaces. Faces are generated only here.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +17,7 @@
 
 namespace alphascope {
 
-// The vertex of a coface that a face of it lacks.
+// The vertex of a coface that is not in its face.
 template <int N>
 BallIndex apex(const std::array<BallIndex, N + 1>& coface, const std::array<BallIndex, N>& face) {
   int n = 0;
@@ -26,12 +25,12 @@ BallIndex apex(const std::array<BallIndex, N + 1>& coface, const std::array<Ball
   return coface[n];
 }
 
-// The simplices with N + 1 vertices around each vertex: those of which it is the first or the
-// second vertex, for only these have faces with N vertices that begin with it.
+// For each vertex, the simplices with N + 1 vertices of which it is the first or second vertex.
+// Only these have faces with N vertices that begin with it.
 template <int N>
 class AroundVertices {
  public:
-  // The list must stay. Throws std::length_error for too many simplices.
+  // The list must outlive this object. Throws std::length_error for too many simplices.
   explicit AroundVertices(const Simplices<N + 1>& cofaces) : cofaces_(cofaces) {
     require_face_records(cofaces.size(), N + 1);
     BallIndex end = 0;
@@ -52,14 +51,14 @@ class AroundVertices {
   }
 
   const Simplices<N + 1>& cofaces() const { return cofaces_; }
-  // Above the first vertex of every face.
+  // An upper bound (exclusive) on the first vertex of every face.
   BallIndex vertex_end() const { return static_cast<BallIndex>(from_.size() - 1); }
-  // Of the vertex, ascending.
+  // The simplices of this vertex, ascending.
   std::span<const std::uint32_t> of(BallIndex vertex) const {
     return {around_.data() + from_[vertex], around_.data() + from_[vertex + 1]};
   }
-  // The end of the longest run of vertices from this one that have together at most `most`
-  // simplices around them; at least one vertex.
+  // The end of the longest run of vertices from `vertex` on with at most `most` simplices together.
+  // The run has at least one vertex.
   BallIndex after(BallIndex vertex, std::size_t most) const {
     const auto begin = from_.begin() + vertex;
     const auto end = std::upper_bound(begin, from_.end(), *begin + most);
@@ -68,22 +67,22 @@ class AroundVertices {
 
  private:
   const Simplices<N + 1>& cofaces_;
-  std::vector<std::uint32_t> from_;  // in around_, of each vertex
+  std::vector<std::uint32_t> from_;  // per vertex: index of its first simplex in around_
   ResultArray<std::uint32_t> around_;
 };
 
-// The distinct faces with N vertices of a list of simplices with N + 1, in lexicographic order,
-// each with the indices of its cofaces in that list, ascending.
+// The distinct faces with N vertices of a list of simplices with N + 1 vertices. They are in
+// lexicographic order, each with the indices of its cofaces in that list, ascending.
 template <int N>
 class FaceGroups {
   static_assert(N >= 1 && N <= 3, "two vertices fit into a record's number");
 
  public:
-  // Throws Cancelled, with no more than one pass over the simplices after the token was, and
-  // std::length_error for too many simplices.
+  // Throws Cancelled after at most one pass over the simplices, and std::length_error for too many
+  // simplices.
   explicit FaceGroups(const Simplices<N + 1>& cofaces, const CancelToken& cancel = {})
       : FaceGroups(AroundVertices<N>(cofaces), cancel) {}
-  // Only of the faces whose first vertex is one of [begin, end). Throws Cancelled.
+  // Only the faces whose first vertex is in [begin, end). Throws Cancelled.
   FaceGroups(const AroundVertices<N>& around, BallIndex begin, BallIndex end,
              const CancelToken& cancel)
       : begin_(begin) {
@@ -109,8 +108,8 @@ class FaceGroups {
   }
 
  private:
-  // One face of one coface; its first vertex is the bucket's, the others are packed into a number
-  // (sorting is half of the work, and there are 40 records per ball).
+  // One face of one coface. Its first vertex is the bucket's, and the others are packed into one
+  // number, since sorting takes half of the time and there are 40 records per ball.
   using Rest = std::conditional_t<(N > 2), std::uint64_t, std::uint32_t>;
   struct Record {
     Rest rest;
@@ -133,13 +132,13 @@ class FaceGroups {
     return record;
   }
 
-  // Bucket after bucket, sorted within each.
+  // Fills the records bucket by bucket, and sorts each bucket.
   void list_records(const AroundVertices<N>& around, BallIndex end, const CancelToken& cancel) {
     const auto& cofaces = around.cofaces();
     bucket_.assign(std::size_t{end} - begin_ + 1, 0);
     parallel_each(begin_, end, [&](BallIndex v) {
       std::uint32_t& count = bucket_[v - begin_ + 1];
-      // Dropping vertex 0 leaves vertex 1 first; every other face starts with vertex 0.
+      // The face without vertex 0 starts with vertex 1; every other face starts with vertex 0.
       for (const std::uint32_t c : around.of(v)) count += cofaces[c][0] == v ? N : 1;
     });
     std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
@@ -156,11 +155,11 @@ class FaceGroups {
         }
         for (int dropped = 1; dropped <= N; ++dropped) *at++ = record(coface, c, dropped);
       }
-      if (N > 1) std::sort(begin, at);  // vertices: they are in order already
+      if (N > 1) std::sort(begin, at);  // single vertices are in order already
     });
   }
 
-  // Counts the faces of each bucket, then writes them to where they belong.
+  // Counts the faces of each bucket, then writes them to their places.
   void mark_faces() {
     const std::size_t buckets = bucket_.size() - 1;
     std::vector<std::uint32_t> first_face(buckets + 1, 0);
@@ -191,19 +190,19 @@ class FaceGroups {
     }
   }
 
-  const BallIndex begin_;              // the first bucket's vertex
-  std::vector<std::uint32_t> bucket_;  // first record of each first vertex
+  const BallIndex begin_;              // vertex of the first bucket
+  std::vector<std::uint32_t> bucket_;  // per first vertex: index of its first record
   ResultArray<Record> records_;
   Simplices<N> faces_;
   ResultArray<std::uint32_t> first_record_;
 };
 
-// How many simplices around vertices for_face_groups() takes at a time.
+// The number of simplices around vertices that for_face_groups() takes at a time.
 inline constexpr std::size_t kSimplicesAtATime = std::size_t{1} << 16;
 
-// Calls visit(groups) with FaceGroups of all faces, of few first vertices at a time and in order:
-// the records of all of a large triangulation would take as much memory as its filtration. Throws
-// as FaceGroups do.
+// Calls visit(groups) for groups of all faces, in order, with few first vertices at a time. The
+// records of all faces of a large triangulation would need as much memory as its filtration. Throws
+// as FaceGroups does.
 template <int N, class Visit>
 void for_face_groups(const Simplices<N + 1>& cofaces, const CancelToken& cancel, const Visit& visit,
                      std::size_t simplices_at_a_time = kSimplicesAtATime) {
@@ -215,8 +214,8 @@ void for_face_groups(const Simplices<N + 1>& cofaces, const CancelToken& cancel,
   }
 }
 
-// Puts simplices into lexicographic order; their first vertices are below `vertex_end`. Throws
-// Cancelled (then they are as they were), std::length_error for too many.
+// Sorts simplices in lexicographic order; their first vertices are below `vertex_end`. Throws
+// Cancelled, with the list unchanged, and std::length_error for too many simplices.
 template <int N>
 void sort_simplices(Simplices<N>& simplices, std::size_t vertex_end,
                     const CancelToken& cancel = {}) {

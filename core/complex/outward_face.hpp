@@ -1,4 +1,4 @@
-// Which way a face of a tetrahedron looks.
+// The outward orientation of a face of a tetrahedron.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace alphascope {
 
-// The face opposite ball `k` of a tetrahedron that is not flat, counterclockwise when seen from the
-// other side of it. Exact.
+// The face opposite ball `k` of a tetrahedron that is not flat: counterclockwise when seen from
+// outside the tetrahedron. Exact.
 inline std::array<BallIndex, 3> outward_face(const BallSet& balls,
                                              const std::array<BallIndex, 4>& tetrahedron,
                                              std::size_t k) {

@@ -1,3 +1,4 @@
+// Classes of a complex whose centres are in a plane, on a line or at a point, by counting cofaces.
 #include "core/complex/own_dimension.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ void make_interior(ResultArray<SimplexClass>& classes) {
   std::fill(classes.begin(), classes.end(), SimplexClass::interior);
 }
 
-// visit(place of the face in its list) for each face with one vertex less.
+// Calls visit(index of the face in its list) for each face with one vertex less.
 template <std::size_t N, class List, class Visit>
 void for_faces(const std::array<BallIndex, N>& simplex, const List& faces, const Visit& visit) {
   for (std::size_t left_out = 0; left_out < N; ++left_out) {
@@ -24,7 +25,7 @@ void for_faces(const std::array<BallIndex, N>& simplex, const List& faces, const
   }
 }
 
-// Of the faces of the largest simplices: the rule of triangles and tetrahedra.
+// Sets the classes of the faces of the largest simplices, by the rule for triangles and tetrahedra.
 template <class Faces, class Largest>
 void by_number(Faces& faces, const Largest& largest) {
   std::vector<std::size_t> count(faces.size(), 0);

@@ -1,7 +1,7 @@
-// Where all centres lie in a plane, on a line or at one point, the largest simplices are triangles,
-// edges or vertices. This is the only place that gives a complex the classes of its own dimension.
-// Engines give those of space, where nothing of a plane is ever interior: areas and volumes are
-// measured in space, and engines are compared there.
+// The classes of a complex in its own dimension. If all centres are in a plane, on a line or at one
+// point, the largest simplices are triangles, edges or vertices. Engines give the classes of space,
+// where nothing in a plane is ever interior. Areas and volumes are measured in space, and engines
+// are compared there. Only this file converts the classes.
 #pragma once
 
 #include <array>
@@ -12,17 +12,18 @@
 
 namespace alphascope {
 
-// `dimension`: of all centres (dimension_of_centres()). The largest simplices become interior; a
-// face of theirs singular, regular or interior by how many of them it has, 0 to 2; a smaller one by
-// its cofaces, as in space. Does nothing in dimension 3, or where only tetrahedra were computed.
+// Sets the classes for the dimension of all centres (dimension_of_centres()). The largest simplices
+// become interior. Their faces become singular, regular or interior by the number of largest
+// simplices that they belong to, 0 to 2. Smaller faces follow from their cofaces, as in space. Does
+// nothing in dimension 3, or if only tetrahedra were computed.
 void set_classes_in(int dimension, AlphaComplex& complex);
 
-// A complex as it is shown: itself in space, else a copy with other classes.
+// A complex as it is shown: the complex itself in space, else a copy with other classes.
 class InOwnDimension {
  public:
-  // Both must outlive this.
+  // Both arguments must outlive this object.
   InOwnDimension(const BallSet& balls, const AlphaComplex& complex);
-  // Not to be moved: it may show its own copy.
+  // Not movable, since it may refer to its own copy.
   InOwnDimension(const InOwnDimension&) = delete;
   InOwnDimension& operator=(const InOwnDimension&) = delete;
 
@@ -35,7 +36,8 @@ class InOwnDimension {
   std::optional<AlphaComplex> copy_;
 };
 
-// How many simplices of each class; [0] of vertices, [3] of tetrahedra.
+// The number of simplices of each class, in an array by dimension: [0] is for vertices, [3] for
+// tetrahedra.
 struct ClassCounts {
   std::size_t singular = 0, regular = 0, interior = 0;
   std::size_t all() const { return singular + regular + interior; }

@@ -1,5 +1,5 @@
-// What complex_hash() is made of, for host and device: a sum over the simplices of a dimension, so
-// that no order of them matters.
+// The parts of complex_hash(), for host and device: a sum over the simplices of each dimension,
+// which does not depend on their order.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ ALPHASCOPE_INLINE std::uint64_t mix_bits(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// One simplex's term.
+// The term of one simplex.
 template <int N>
 ALPHASCOPE_INLINE std::uint64_t simplex_hash(const std::uint32_t* vertices) {
   std::uint64_t h = N;
@@ -25,12 +25,12 @@ ALPHASCOPE_INLINE std::uint64_t simplex_hash(const std::uint32_t* vertices) {
   return h;
 }
 
-// Per dimension, 0 to 3: the sum of the terms, and the number of simplices.
+// The sum of the terms and the number of simplices, for each dimension 0 to 3.
 struct HashSums {
   std::uint64_t sum[4] = {0, 0, 0, 0};
   std::size_t count[4] = {0, 0, 0, 0};
 
-  // complex_hash() of the whole complex, or of tetrahedra alone.
+  // The hash of the whole complex, or of its tetrahedra alone.
   std::uint64_t combined(bool tetrahedra_only) const {
     const auto set = [&](int dimension) { return mix_bits(sum[dimension] ^ count[dimension]); };
     std::uint64_t h = set(3);

@@ -1,4 +1,5 @@
-// The arrays that results are made of.
+// The arrays in which results are stored: without initialisation, with large pages, or in the
+// memory of another object.
 #pragma once
 
 #include <array>
@@ -14,10 +15,10 @@
 
 namespace alphascope {
 
-// What resize() adds is not initialised: who resizes an array fills it, and many threads at once
-// when it is large. Nearly all of the time that goes is the system handing out pages, which it does
-// when they are first written. An array can also begin where its content already is, in memory that
-// somebody else made; copies of it are ordinary ones.
+// An allocator for result arrays. Elements that resize() adds are not initialised; the caller fills
+// them, with many threads if the array is large. Nearly all of the cost is the first write to each
+// page, when the system provides the page. An array can also begin in memory that another object
+// made and filled; its copies are ordinary arrays.
 template <class T>
 class ResultAllocator {
  public:
@@ -27,7 +28,8 @@ class ResultAllocator {
   using is_always_equal = std::false_type;
 
   ResultAllocator() = default;
-  // The first allocation of up to `room` is `at`, which `owner` keeps alive as long as it is used.
+  // The first allocation of up to `room` elements returns `at`. `owner` keeps that memory alive as
+  // long as it is used.
   ResultAllocator(std::shared_ptr<const void> owner, T* at, std::size_t room)
       : owner_(std::move(owner)), at_(at), room_(room) {}
   ResultAllocator(const ResultAllocator&) = default;
@@ -67,13 +69,13 @@ class ResultAllocator {
 
   std::shared_ptr<const void> owner_;
   T* at_ = nullptr;
-  std::size_t room_ = 0;  // elements at `at_`, until they are allocated
+  std::size_t room_ = 0;  // elements at `at_`; 0 once they are allocated
 };
 
 template <class T>
 using ResultArray = std::vector<T, ResultAllocator<T>>;
 
-// An array of what is there already.
+// An array over existing elements, without a copy.
 template <class T>
 ResultArray<T> in_place(const std::shared_ptr<const void>& owner, std::span<T> content) {
   ResultArray<T> array(ResultAllocator<T>(owner, content.data(), content.size()));
@@ -81,7 +83,7 @@ ResultArray<T> in_place(const std::shared_ptr<const void>& owner, std::span<T> c
   return array;
 }
 
-// Simplices of N vertices, which ascend.
+// Simplices of N vertices in ascending order.
 template <int N>
 using Simplices = ResultArray<std::array<BallIndex, N>>;
 

@@ -1,5 +1,5 @@
-// The regular triangulation of a set of balls as plain arrays: data only. Who makes it is
-// core/triangulation's business, its proof core/verify's.
+// The regular triangulation of a set of balls as plain arrays. core/triangulation makes it, and
+// core/verify proves it.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace alphascope {
 
-// What lies across a face of a tetrahedron: another tetrahedron, or the outside, behind one facet
-// of the hull. The indices are those of Triangulation::tetrahedra and ::hull.
+// The neighbour across a face of a tetrahedron: another tetrahedron, or a facet of the hull if the
+// face is on the outside. The index is one of Triangulation::tetrahedra or ::hull.
 class Neighbour {
  public:
   static constexpr std::uint32_t kMostIndex = (std::uint32_t{1} << 31) - 1;
   static constexpr Neighbour tetrahedron(std::uint32_t index) { return Neighbour(index); }
   static constexpr Neighbour hull_facet(std::uint32_t index) { return Neighbour(index | kHull); }
-  Neighbour() = default;  // not initialised, as elements of result arrays are
+  Neighbour() = default;  // not initialised, like all elements of result arrays
 
   constexpr bool is_hull() const { return (code_ & kHull) != 0; }
   constexpr std::uint32_t index() const { return code_ & kMostIndex; }
@@ -33,9 +33,9 @@ class Neighbour {
 
 // A triangle on the boundary of the convex hull of all centres.
 struct HullFacet {
-  // Counterclockwise when seen from outside; the lowest index is the first.
+  // Counterclockwise when seen from outside, beginning with the lowest index.
   std::array<BallIndex, 3> balls;
-  std::uint32_t tetrahedron;  // the only one that it is a face of
+  std::uint32_t tetrahedron;  // the only tetrahedron with this face
 
   std::array<BallIndex, 3> ascending() const {
     return {balls[0], std::min(balls[1], balls[2]), std::max(balls[1], balls[2])};
@@ -43,13 +43,13 @@ struct HullFacet {
   friend bool operator==(const HullFacet&, const HullFacet&) = default;
 };
 
-// Unique: equal powers are decided by CGAL's symbolic perturbation (core/predicates/
-// perturbation.hpp), and of balls with the same centre only the largest is a vertex, or the one of
-// lowest index among the largest. So the arrays are the same, byte for byte, whoever made them and
-// with however many threads. Of balls in one plane, on one line or at one point, the simplices are
-// those of a triangulation of that plane, line or point, and there is no hull.
+// The triangulation is unique. CGAL's symbolic perturbation decides equal powers
+// (core/predicates/perturbation.hpp). Among balls with the same centre only one is a vertex: the
+// largest, and among equal ones the one with the lowest index. So the arrays are equal in every
+// byte, whatever program made them and with any number of threads. For balls in one plane, on one
+// line or at one point, the simplices triangulate that plane, line or point, and there is no hull.
 struct Triangulation {
-  int dimension = -1;  // of the affine hull of the centres: -1 (no ball) to 3
+  int dimension = -1;  // of the affine hull of the centres: 0 to 3, or -1 without balls
 
   // Dimension 3. The balls of each tetrahedron ascend, and the list is in lexicographic order.
   Simplices<4> tetrahedra;
@@ -57,11 +57,11 @@ struct Triangulation {
   ResultArray<std::array<Neighbour, 4>> neighbours;
   std::vector<HullFacet> hull;  // in lexicographic order of ascending()
 
-  Simplices<3> triangles;  // dimension 2: all of them, ordered as the tetrahedra are
-  Simplices<2> edges;      // dimension 1: likewise
+  Simplices<3> triangles;  // dimension 2 only, in lexicographic order
+  Simplices<2> edges;      // dimension 1 only, in lexicographic order
 
-  std::vector<BallIndex> vertices;  // any dimension; ascending
-  std::vector<BallIndex> hidden;    // the balls that are no vertex; ascending
+  std::vector<BallIndex> vertices;  // in any dimension; ascending
+  std::vector<BallIndex> hidden;    // balls that are no vertex; ascending
 
   friend bool operator==(const Triangulation&, const Triangulation&) = default;
 };

@@ -1,3 +1,4 @@
+// Finds balls with equal centres by hash tables, in groups that fit the cache.
 #include "core/neighbours/coincident.hpp"
 
 #include <tbb/concurrent_vector.h>
@@ -18,8 +19,8 @@ std::uint64_t centre_hash(const LatticePoint& p) {
   return h ^ (h >> 32);
 }
 
-// The balls in groups by their hash, ascending in each. Balls with the same centre are in one, and
-// looking for them in a group of some thousand does not leave the cache.
+// The balls in groups by the hash of their centres, ascending in each group. Balls with the same
+// centre are in the same group. The table of a group with some thousand balls fits the cache.
 class HashGroups {
  public:
   explicit HashGroups(const std::vector<LatticePoint>& centres)
@@ -33,28 +34,28 @@ class HashGroups {
   }
 
   std::size_t count() const { return std::size_t{1} << bits_; }
-  // Where the last run's next ball would go.
+  // The end of a group: after all runs, the place behind the group's last ball.
   std::size_t end(std::size_t group) const { return places_[(runs_ - 1) * count() + group]; }
   std::size_t begin(std::size_t group) const { return group == 0 ? 0 : end(group - 1); }
   BallIndex member(std::size_t at) const { return members_[at]; }
 
  private:
   static constexpr std::size_t kRun = std::size_t{1} << 16, kGroup = std::size_t{1} << 13;
-  static constexpr int kMostBits = 12;  // half a byte a ball of places
+  static constexpr int kMostBits = 12;  // at most half a byte of places_ for each ball
 
-  // Calls visit(ball, its run's place in its group) for runs of balls side by side.
+  // Calls visit(ball, the next place of its run in its group), for many runs of balls in parallel.
   template <class Visit>
   void for_runs(const Visit& visit) {
     parallel_each(0, runs_, [&](std::size_t run) {
       const std::size_t end = std::min(centres_.size(), (run + 1) * kRun);
       for (std::size_t i = run * kRun; i < end; ++i) {
-        // The upper bits: the lower ones are for the tables.
+        // Groups use the upper bits of the hash, because the tables use the lower ones.
         const std::size_t group = bits_ == 0 ? 0 : centre_hash(centres_[i]) >> (64 - bits_);
         visit(static_cast<BallIndex>(i), places_[run * count() + group]);
       }
     });
   }
-  // From how many balls of each group a run has to where its first one goes.
+  // Turns the number of balls of each group and run into the place of the run's first ball.
   void start_groups() {
     std::size_t sum = 0;
     for (std::size_t group = 0; group < count(); ++group) {
@@ -69,13 +70,13 @@ class HashGroups {
 
   const std::vector<LatticePoint>& centres_;
   const std::size_t runs_;
-  int bits_ = 0;  // of the hash that choose the group
+  int bits_ = 0;  // bits of the hash that choose the group
   std::vector<std::size_t> places_;
   std::vector<BallIndex> members_;
 };
 
-// Calls hide(ball) for those of a group that are hidden. Open addressing with the centre as the
-// key; each entry holds the visible ball at that centre.
+// Calls hide(ball) for the hidden balls of a group. The hash table has open addressing with the
+// centre as its key. Each entry holds the visible ball at that centre.
 template <class Hide>
 void hide_in_group(const BallSet& balls, const HashGroups& groups, std::size_t group,
                    const Hide& hide) {

@@ -1,4 +1,4 @@
-// Balls with exactly the same centre: all but one are hidden and belong to no simplex.
+// Balls with exactly the same centre. All but one of them are hidden, and belong to no simplex.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 namespace alphascope {
 
 // Marks every ball that shares its centre with a larger one, or with an equal one of lower index.
-// Empty when there is none.
+// The result is empty if there is none.
 std::vector<bool> coincident_hidden(const BallSet& balls);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Makes the uniform grid: chooses the width of the cells and sorts the balls into them.
 #include "core/neighbours/uniform_grid.hpp"
 
 #include <algorithm>
@@ -9,13 +10,13 @@
 namespace alphascope {
 namespace {
 
-// Of a cell's width over the distance at which the two largest balls touch. Two that pass the test
-// of grown_balls.hpp are nearer than 1 + 2^-18 + 10 u of that, below 1 + 4.5e-6; and as a
-// coordinate is below 2^30 cells, cell_at()'s division errs by less than 2^-22 of one, 2.4e-7. So
-// they are in the same or in neighbouring cells.
+// The width of a cell, relative to the distance at which the two largest balls touch. Two balls
+// that pass the test of grown_balls.hpp are nearer than 1 + 2^-18 + 10 u of that distance, which is
+// below 1 + 4.5e-6. A coordinate is below 2^30 cells, so the division in cell_at() errs by less
+// than 2^-22 of a cell, 2.4e-7. So the two balls are in the same cell or in neighbouring cells.
 constexpr double kReachMargin = 1.0 + 1e-5;
 
-// Memory for cells stays proportional to the balls, however sparse they are.
+// Bounds the memory for cells by the number of balls, however sparse they are.
 constexpr double kMaxCellsPerBall = 4.0;
 
 struct Box {
@@ -35,11 +36,11 @@ double cells_along(std::int32_t low, std::int32_t high, double width) {
   return std::floor((static_cast<double>(high) - low) / width) + 1;
 }
 
-// The balls that the grid is for.
+// The balls in the grid.
 struct AliveBalls {
   std::vector<BallIndex> indices;
-  Box box;                      // of their centres
-  double max_reach_square = 0;  // of the largest of the grown balls
+  Box box;                      // box of their centres
+  double max_reach_square = 0;  // squared radius of the largest grown ball
 };
 
 AliveBalls find_alive(const BallSet& balls, const LatticeAlpha& alpha_on_lattice,
@@ -73,7 +74,7 @@ void set_cells(const AliveBalls& alive, UniformGrid& grid) {
   grid.nz = static_cast<int>(cells_along(low.z, high.z, width));
 }
 
-// Fills cell_start; returns the slot of each ball. Counting sort by cell.
+// Fills cell_start by a counting sort, and returns the slot of each ball.
 std::vector<std::uint32_t> sort_into_cells(const BallSet& balls,
                                            const std::vector<BallIndex>& indices,
                                            UniformGrid& grid) {

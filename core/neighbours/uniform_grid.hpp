@@ -1,4 +1,4 @@
-// Balls sorted into cubic cells, for neighbour search. Knows nothing of complexes.
+// Balls sorted into cubic cells, for neighbour search.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,12 @@
 
 namespace alphascope {
 
-// The balls that are not empty at alpha (weight + alpha >= 0), in cell order; `slot` below is a
-// position in this order. Cells are wider than any two balls reach that may meet, so all
-// neighbours of a ball are in the 27 cells around it; cells of one (x, y) column are contiguous.
+// The balls that are not empty at alpha (weight + alpha >= 0), in the order of cells. A slot is an
+// index in this order. Cells are wider than the largest distance at which two balls may meet. So
+// all neighbours of a ball are in the 27 cells around it. The cells of one (x, y) column are
+// contiguous.
 struct UniformGrid {
-  std::vector<std::uint32_t> cell_start;  // per cell, first slot; one more entry than cells
+  std::vector<std::uint32_t> cell_start;  // first slot of each cell; one more entry than cells
   std::vector<BallIndex> ball;            // per slot
   std::vector<std::int32_t> x, y, z;      // per slot: centre, lattice units
   std::vector<float> reach;               // per slot: grown_reach()
@@ -22,7 +23,7 @@ struct UniformGrid {
   int nx = 0, ny = 0, nz = 0;
 
   std::size_t size() const { return ball.size(); }
-  // Of a point within the box of all centres.
+  // The cell of a point, which must be within the box of all centres.
   struct Cell {
     int x, y, z;
   };
@@ -41,7 +42,7 @@ struct UniformGrid {
       }
     }
   }
-  // Number of (ball, candidate) distance tests that a search of all balls makes.
+  // Number of distance tests, of a ball with a candidate, that a search for all balls makes.
   double search_cost() const;
 
  private:
@@ -50,7 +51,8 @@ struct UniformGrid {
   }
 };
 
-// `hidden` marks balls to leave out (coincident with a larger one); may be empty.
+// Makes the grid. `hidden` marks balls to leave out, which coincide with a larger one; it may be
+// empty.
 UniformGrid make_uniform_grid(const BallSet& balls, const LatticeAlpha& alpha_on_lattice,
                               const std::vector<bool>& hidden);
 

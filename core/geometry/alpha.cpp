@@ -1,4 +1,4 @@
-// See the header.
+// Reading and writing alpha as a decimal, without rounding.
 #include "core/geometry/alpha.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ double nearest_to(const std::string& digits) {
   return value;
 }
 
-// A decimal as it is written: digits, of which `places` are behind the point.
+// A decimal number as its text has it: digits, of which `places` are behind the point.
 struct Written {
   std::string digits;
   std::int64_t places = 0;
@@ -56,7 +56,7 @@ bool split(std::string_view text, Written& written) {
     written.places -= minus ? -exponent : exponent;
   }
   if (p != end) return false;
-  // Neither zeros in front nor, behind the point, at the end.
+  // Drop zeros in front, and zeros at the end behind the point.
   written.digits.erase(0, std::min(written.digits.find_first_not_of('0'), written.digits.size()));
   while (written.places > 0 && !written.digits.empty() && written.digits.back() == '0') {
     written.digits.pop_back();
@@ -147,7 +147,7 @@ std::string decimal_text(Int128 whole, std::int64_t fraction) {
 }
 
 std::partial_ordering operator<=>(const Alpha& a, const Alpha& b) {
-  // The nearest double grows with the number.
+  // The nearest double grows with the number, so it decides where it differs.
   if (const auto order = a.nearest_ <=> b.nearest_; order != 0) return order;
   if (const auto order = a.whole_ <=> b.whole_; order != 0) return order;
   return a.fraction_ <=> b.fraction_;

@@ -1,3 +1,4 @@
+// Balls on finer lattices, and balls grown by a solvent radius.
 #include "core/geometry/ball_set.hpp"
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 namespace alphascope {
 namespace {
 
-// Digits that a length needs; those of the finest lattice when it is no decimal of so many.
+// The digits that a length (Å) needs. If it has more than the finest lattice, the digits of that
+// lattice.
 int digits_of(double length_angstrom, int at_least) {
   int digits = at_least;
   while (digits < kMaxLatticeDigits && !Lattice{digits}.holds(length_angstrom)) ++digits;

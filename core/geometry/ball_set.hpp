@@ -1,4 +1,4 @@
-// The one input of every engine: balls on the lattice. From here on nobody knows files or elements.
+// The input of every engine: balls on the lattice. Later steps know no files or elements.
 #pragma once
 
 #include <cstddef>
@@ -22,17 +22,18 @@ struct BallSet {
   std::int64_t weight(BallIndex i) const { return std::int64_t{radii[i]} * radii[i]; }
 };
 
-// The digits of the finest lattice, up to `wanted` digits, that holds these balls when their radii
-// grow by `growth_angstrom`; never fewer than they have.
+// The digits of the finest lattice, up to `wanted`, that holds these balls when their radii grow by
+// `growth_angstrom`. Never fewer than the balls have now.
 int finest_digits(const BallSet& balls, int wanted, double growth_angstrom);
 
-// The same balls in units of 10^-digits Å, with digits >= those they have and within the bounds.
+// The same balls in units of 10^-digits Å. `digits` must be at least what they have, and within the
+// bounds.
 BallSet on_finer_lattice(const BallSet& balls, int digits);
 
-// The same balls with every radius grown by the solvent radius (Å, >= 0), on a finer lattice where
-// theirs does not hold that radius. Where the bounds leave no room for one, it is rounded to
-// `solvent_on_lattice` of the result's lattice. Throws std::invalid_argument when a grown radius
-// leaves the lattice's bounds.
+// The same balls with every radius grown by the solvent radius (Å, >= 0), on a finer lattice if the
+// solvent radius needs one. If the bounds allow none that is fine enough, the solvent radius is
+// rounded to `solvent_on_lattice` of the result's lattice. Throws std::invalid_argument when a
+// grown radius exceeds the lattice's bounds.
 BallSet with_solvent(const BallSet& balls, double solvent_radius_angstrom);
 inline double solvent_on_lattice(const Lattice& lattice, double solvent_radius_angstrom) {
   return lattice.angstrom(lattice.nearest_units(solvent_radius_angstrom));

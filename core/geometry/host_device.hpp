@@ -7,14 +7,14 @@
 #define ALPHASCOPE_HOST_DEVICE
 #endif
 
-// For hot leaves that must vanish into their loop.
+// For small functions in hot loops, which must be inlined.
 #ifdef __CUDACC__
 #define ALPHASCOPE_INLINE __host__ __device__ __forceinline__
 #else
 #define ALPHASCOPE_INLINE inline __attribute__((always_inline))
 #endif
 
-// For large leaves that many places of a kernel call: inlined everywhere, they make the compiler
+// For large functions that many places of a kernel call. Inlining all of them makes the compiler
 // slow.
 #ifdef __CUDACC__
 #define ALPHASCOPE_DEVICE_CALL inline __host__ __device__ __noinline__

@@ -1,4 +1,4 @@
-// See the header.
+// Conversion of alpha to square lattice units and back.
 #include "core/geometry/lattice.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 // The decimal lattice on which all geometry is exact: coordinates and radii are integers, in units
-// of 10^-digits Å. Holds the unit, the bounds and the conversion of alpha; reading text onto the
-// lattice is core/io's business.
+// of 10^-digits Å. This file has the unit, the bounds and the conversion of alpha; core/read reads
+// text onto the lattice.
 #pragma once
 
 #include <cmath>
@@ -11,16 +11,16 @@
 
 namespace alphascope {
 
-// Bounds that keep every exact predicate inside its fixed integer width (see exact_rho.hpp):
-// coordinate differences fit 31 bits, weights are exact as doubles, power differences fit int64.
+// Bounds that keep every exact predicate within its integer width (exact_rho.hpp). Coordinate
+// differences fit 31 bits, weights are exact as doubles, and power differences fit 64 bits.
 inline constexpr std::int32_t kMaxLatticeCoordinate = (1 << 29) - 1;
 inline constexpr std::int32_t kMaxLatticeRadius = (1 << 26) - 1;
 
-// Files with fewer digits still get this lattice, so that typed solvent radii are on it.
+// Files with fewer digits get this lattice too, so that typed solvent radii are on it.
 inline constexpr int kMinLatticeDigits = 3;
 
-// Files with more digits have them from a program, not from a measurement; this leaves room for
-// radii up to 67 Å, which the solvent radius and the radii sets need.
+// If a file has more digits, they come from a program and not from a measurement. Six digits leave
+// room for radii up to 67 Å, which the solvent radius and the radii sets need.
 inline constexpr int kMaxLatticeDigits = 6;
 
 struct LatticePoint {
@@ -29,8 +29,8 @@ struct LatticePoint {
 };
 
 struct Lattice {
-  int digits =
-      kMinLatticeDigits;  // 0 to 6: the unit is 10^-digits Å, less fine for huge coordinates
+  // 0 to 6: the unit is 10^-digits Å, coarser for huge coordinates.
+  int digits = kMinLatticeDigits;
 
   double units_per_angstrom() const { return std::pow(10.0, digits); }
   double unit_angstrom() const { return 1.0 / units_per_angstrom(); }
@@ -40,19 +40,20 @@ struct Lattice {
     return square_units / std::pow(10.0, 2 * digits);
   }
 
-  // The multiple of the unit that is nearest to a length (Å), as a whole number.
+  // The multiple of the unit nearest to a length (Å), as an integer.
   double nearest_units(double length_angstrom) const {
     return std::round(length_angstrom * units_per_angstrom());
   }
-  // Whether a decimal length, such as 1.4, is a multiple of the unit. Both sides are the double
-  // nearest to one decimal number when it is.
+  // Is a decimal length (Å), such as 1.4, a multiple of the unit? If so, both sides are the double
+  // nearest to the same decimal.
   bool holds(double length_angstrom) const {
     return angstrom(nearest_units(length_angstrom)) == length_angstrom;
   }
 
-  // alpha in square lattice units: exact, as alpha is, and what every engine and CGAL compare with.
+  // alpha in square lattice units. It is exact, and every engine and CGAL compare with it.
   LatticeAlpha alpha_on_lattice(const Alpha& alpha) const;
-  // The other way; of a double, by the shortest decimal that says which one it is.
+  // Alpha in Å² from square lattice units. A double stands for the shortest decimal that reads as
+  // it.
   Alpha alpha_angstrom2(const LatticeAlpha& alpha) const;
   friend bool operator==(const Lattice&, const Lattice&) = default;
 };

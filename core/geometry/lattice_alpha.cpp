@@ -1,4 +1,4 @@
-// See the header.
+// Alpha on the lattice between two doubles: splitting, rounding and text.
 #include "core/geometry/lattice_alpha.hpp"
 
 #include <charconv>
@@ -15,7 +15,7 @@ int bits_of(UInt128 value) {
 }
 
 // The largest double of at most 53 bits that is not above whole + fraction / kParts, and the rest.
-// Not 0.
+// The number must not be 0.
 struct Split {
   double base, rest;
   bool exact;
@@ -30,7 +30,8 @@ Split split(UInt128 whole, std::int64_t fraction) {
             static_cast<double>(low) + static_cast<double>(fraction) / kParts,
             low == 0 && fraction == 0};
   }
-  // So many bits behind the point that there are 53 in all: at most 53 + 60, and 10^18 < 2^60.
+  // Shift so that there are 53 bits in all. The product needs at most 53 + 60 bits, as 10^18 <
+  // 2^60.
   int shift = 53 - bits;
   if (whole == 0) {
     while ((static_cast<UInt128>(fraction) << (shift - 52)) < static_cast<UInt128>(Alpha::kParts)) {
@@ -92,7 +93,8 @@ std::string LatticeAlpha::text() const {
 float LatticeAlpha::nearest_float() const {
   const auto low = static_cast<float>(below), high = static_cast<float>(above);
   if (low == high) return low;
-  // The half between two floats is a double, so it is below or above, and alpha is not it.
+  // The middle between two floats is a double, so it is `below` or `above`, and alpha is not equal
+  // to it.
   const double half = 0.5 * (static_cast<double>(low) + static_cast<double>(high));
   return below == half ? high : low;
 }

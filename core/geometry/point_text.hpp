@@ -1,4 +1,4 @@
-// Places in sentences.
+// Coordinates of a point as text.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace alphascope {
 
-// "1.000, -2.500, 0.000": three decimals, without its unit.
+// "1.000, -2.500, 0.000": three decimals, without the unit.
 inline std::string point_text(const RealPoint& p) {
   return fixed_digits(p.x, 3) + ", " + fixed_digits(p.y, 3) + ", " + fixed_digits(p.z, 3);
 }

@@ -1,4 +1,4 @@
-// See the header.
+// Eigenvectors of the spread of the centres, and the axes that follow from them.
 #include "core/geometry/principal_axes.hpp"
 
 #include <algorithm>
@@ -38,13 +38,13 @@ namespace {
 
 struct Spread {
   RealPoint middle;  // lattice units
-  std::array<RealPoint, 3>
-      axes;                     // unit vectors; that in which the centres spread most is the first
+  // Unit vectors; the first is the one in which the centres spread most.
+  std::array<RealPoint, 3> axes;
   std::array<double, 3> along;  // the spread
 };
 
-// The first component that is as long as any, but for rounding. An axis where it is positive always
-// begins a profile at the same end.
+// The first component of largest size, up to rounding. An axis where it is positive always begins a
+// profile at the same end.
 double first_large_component(const RealPoint& axis) {
   constexpr double kAsLong = 1 - 1e-6;
   const double values[] = {axis.x, axis.y, axis.z};
@@ -86,12 +86,13 @@ Spread spread_of(const BallSet& balls) {
   return result;
 }
 
-// Copies differ by rounding only; those of a crystal by more.
+// Spreads count as equal within this share of the largest one. The spreads of computed copies
+// differ by rounding only, those in a crystal by more.
 constexpr double kAlike = 0.01;  // of the largest spread
 bool is_alike(const Spread& spread, std::size_t a, std::size_t b) {
   return spread.along[a] - spread.along[b] <= kAlike * spread.along[0];
 }
-// Which of the axes is the main one.
+// The index of the main axis.
 std::size_t main_of(const Spread& spread) {
   return is_alike(spread, 0, 1) && !is_alike(spread, 1, 2) ? 2 : 0;
 }

@@ -1,4 +1,5 @@
-// In which directions a set of points spreads most and least. Rounded: for views and defaults.
+// The directions in which a set of points spreads most and least. The results are rounded, for
+// views and defaults.
 #pragma once
 
 #include <array>
@@ -11,21 +12,21 @@ namespace alphascope {
 
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 
-// Eigenvectors (columns of `vectors`) of a symmetric matrix; `a` ends up diagonal.
+// Computes the eigenvectors of a symmetric matrix as columns of `vectors`; `a` becomes diagonal.
 void diagonalise(Matrix3& a, Matrix3& vectors);
 
 struct MainAxis {
-  RealPoint middle_angstrom;  // of the centres
+  RealPoint middle_angstrom;  // mean of the centres
   RealPoint axis{0, 0, 1};    // unit vector
 };
-// The axis around which the centres spread alike, such as that of several equal copies around a
-// pore; without one, the direction in which they spread most. Of many balls only some are looked
-// at. There must be a ball.
+// The axis around which the centres spread equally, such as that of several equal copies around a
+// pore. Without one, the direction in which they spread most. For many balls, only a sample is
+// used. There must be at least one ball.
 MainAxis main_axis(const BallSet& balls);
 
-// Directions in which a pore may lead through them, unit vectors: the main axis and, unless the
-// centres spread alike around it, the other two. An axis of symmetry of order 2 is one of these,
-// and one of a higher order is the main axis.
+// Directions, as unit vectors, in which a pore may lead through the balls: the main axis and,
+// unless the centres spread equally around it, the other two. An axis of symmetry of order 2 is one
+// of these, and an axis of higher order is the main axis.
 std::vector<RealPoint> pore_axes(const BallSet& balls);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// A point or a vector of space in double precision, for results that are not exact: curves, their
-// lengths, places. What decides a sign works on the lattice.
+// A point or a vector in double precision, for inexact results: curves, lengths, positions. Signs
+// are decided on the lattice.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ struct RealPoint {
 inline RealPoint real_point(const LatticePoint& p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
-// Each coordinate within the lattice's bounds.
+// Rounds each coordinate, which must be within the lattice's bounds.
 inline LatticePoint nearest_lattice_point(const RealPoint& p) {
   return {static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y)),
           static_cast<std::int32_t>(std::lround(p.z))};
@@ -41,7 +41,7 @@ inline RealPoint cross(const RealPoint& a, const RealPoint& b) {
 inline double length(const RealPoint& a) {
   return std::sqrt(dot(a, a));
 }
-// (0, 0, 0) of a vector without direction.
+// (0, 0, 0) for a vector without a direction.
 inline RealPoint unit_vector(const RealPoint& a) {
   const double size = length(a);
   return size > 0 ? (1 / size) * a : RealPoint{};

@@ -1,4 +1,4 @@
-// See the header.
+// Sets the priority of a thread on Linux.
 #include "core/run/background.hpp"
 
 #ifdef __linux__
@@ -11,8 +11,10 @@ namespace alphascope {
 
 void give_way_to_others([[maybe_unused]] Share share) {
 #ifdef __linux__
-  const auto thread = static_cast<id_t>(syscall(SYS_gettid));  // Linux: nice is a thread's own
-  setpriority(PRIO_PROCESS, thread, static_cast<int>(share));  // refused: as before
+  // On Linux each thread has its own nice value.
+  const auto thread = static_cast<id_t>(syscall(SYS_gettid));
+  // If refused, the priority stays as it is.
+  setpriority(PRIO_PROCESS, thread, static_cast<int>(share));
 #endif
 }
 

@@ -1,17 +1,17 @@
-// Threads whose work may wait.
+// Low priority for threads whose work can wait.
 #pragma once
 
 namespace alphascope {
 
-// How much a thread gets of a core that other threads want, too: the kernel's "nice" value. Where
-// nobody else wants it, it gets all.
+// A thread's share of a core that other threads also want; the values are the kernel's "nice"
+// values. An idle core is used fully.
 enum class Share {
-  third = 5,       // of what a usual thread gets
-  seventieth = 19  // Never nothing: on a machine that is always busy its work would not end.
+  third = 5,       // of the time of a normal thread
+  seventieth = 19  // not zero: on a machine that is always busy the work must still end
 };
 
-// For the calling thread, and the threads that it starts from now on; for good. Where the system
-// has no such rule, nothing happens.
+// Applies to the calling thread and to the threads that it starts later, permanently. Does nothing
+// where the system has no such priorities.
 void give_way_to_others(Share share);
 
 }  // namespace alphascope

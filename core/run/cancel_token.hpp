@@ -1,4 +1,4 @@
-// Cancelling long work from another thread, and reporting how far it is. Knows no work itself.
+// Cancels long work from another thread, and reports its progress.
 #pragma once
 
 #include <atomic>
@@ -9,12 +9,12 @@
 
 namespace alphascope {
 
-// Thrown by work that noticed its token was cancelled; not an error.
+// Thrown by work whose token was cancelled. It is not an error.
 struct Cancelled : std::exception {
   const char* what() const noexcept override { return "cancelled"; }
 };
 
-// Copies share one flag. A default token can be cancelled too.
+// Copies share one flag. A default-constructed token can be cancelled too.
 class CancelToken {
  public:
   CancelToken() : flag_(std::make_shared<std::atomic<bool>>(false)) {}
@@ -28,8 +28,8 @@ class CancelToken {
   std::shared_ptr<std::atomic<bool>> flag_;
 };
 
-// What a computation gets from its caller. `progress` is called from the computing thread with the
-// stage's label and a share done in [0, 1]; it must be quick and may be empty.
+// The context of a computation, from its caller. `progress` is called on the computing thread with
+// the label of the stage and the share that is done, in [0, 1]. It must be quick and may be empty.
 struct RunContext {
   CancelToken cancel;
   std::function<void(std::string_view stage, double share)> progress;

@@ -1,5 +1,5 @@
-// See the header. Input goes through a socket: writing to one whose other end has ended gives an
-// error without a signal, which a pipe does not.
+// Starts, feeds and ends a child program. Input goes through a socket: writing to a socket whose
+// other end is closed returns an error, while a pipe raises a signal.
 #include "core/run/child_program.hpp"
 
 #include <fcntl.h>
@@ -32,10 +32,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLookMilliseconds = 50;  // how often a cancel is looked for
+constexpr int kLookMilliseconds = 50;  // interval at which the token is read
 
-// Those that run, as a signal handler can read them. One beyond the last place is ended by its
-// object only.
+// Running child programs, in a form that a signal handler can read. If all places are in use, a
+// further one is ended by its object only.
 constexpr int kPlaces = 16;
 std::atomic<int> children[kPlaces];
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads them");
@@ -58,7 +58,7 @@ int status_of(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-// What the child begins with: its streams, default signals, a group of its own.
+// The settings of a new child: its streams, default signals, a process group of its own.
 class SpawnSettings {
  public:
   SpawnSettings(int input, int errors, int file) {
@@ -66,7 +66,7 @@ class SpawnSettings {
     posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
     posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO);
-    // The last, since one of the others may have this number here.
+    // This is last, since an earlier descriptor may have this number.
     if (file >= 0) posix_spawn_file_actions_adddup2(&actions_, file, kChildFile);
     posix_spawnattr_init(&attributes_);
     sigset_t none, all;
@@ -120,7 +120,8 @@ ChildProgram::ChildProgram(const fs::path& program, const std::vector<std::strin
   }
   input_ = ends[0];
   errors_ = ::memfd_create("errors", MFD_CLOEXEC);
-  std::vector<char*> words{const_cast<char*>(program.c_str())};  // execv's type; it changes nothing
+  // The type of execv, which changes nothing.
+  std::vector<char*> words{const_cast<char*>(program.c_str())};
   for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
   words.push_back(nullptr);
   pid_t process = -1;
@@ -150,7 +151,8 @@ ChildProgram::~ChildProgram() {
   }
 }
 
-// Its status when it has ended, else less than 0. From then on its number may be another's.
+// Returns the exit status if the child has ended, else a negative number. Afterwards its process
+// number may be reused.
 int ChildProgram::reap(int options) {
   const UndividedStep step;
   int status = 0;
@@ -180,7 +182,8 @@ bool ChildProgram::write(std::span<const std::uint8_t> bytes, const CancelToken&
   while (!bytes.empty()) {
     cancel.throw_if_cancelled();
     pollfd ready{input_, POLLOUT, 0};
-    if (::poll(&ready, 1, kLookMilliseconds) <= 0) continue;  // a signal, or not yet
+    // Interrupted by a signal, or not ready yet.
+    if (::poll(&ready, 1, kLookMilliseconds) <= 0) continue;
     const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (sent < 0) return false;

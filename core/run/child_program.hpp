@@ -1,4 +1,4 @@
-// Another program that is fed through its standard input. It never outlives this object.
+// Runs another program and writes to its standard input. The program never outlives this object.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +13,29 @@
 
 namespace alphascope {
 
-// On PATH; none: it is not installed.
+// Looks for a program on PATH; empty if it is not installed.
 std::optional<std::filesystem::path> find_program(std::string_view name);
 
 inline constexpr int kChildFile = 3;
 
 class ChildProgram {
  public:
-  // In a process group of its own, so that Ctrl+C in a terminal reaches the caller alone, who then
-  // decides. Its standard output is thrown away. It gets `file`, an open descriptor, as its
-  // descriptor kChildFile; -1: none. Throws std::runtime_error, a sentence.
+  // Starts the program in its own process group, so that Ctrl+C in a terminal reaches the caller
+  // only. Its standard output is discarded. It gets the open descriptor `file` as its descriptor
+  // kChildFile; -1: none. Throws std::runtime_error with a sentence.
   ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                int file = -1);
-  ~ChildProgram();  // kills it if it still runs
+  ~ChildProgram();  // kills the program if it still runs
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
-  // Waits until it has taken all. False: it takes no more, since it has ended. Throws Cancelled.
+  // Waits until the program has taken all bytes. False if it has ended and takes no more. Throws
+  // Cancelled.
   bool write(std::span<const std::uint8_t> bytes, const CancelToken& cancel);
-  // Ends its input and waits. Its exit status, or 128 and its signal. Throws Cancelled.
+  // Closes its input and waits for its end. Returns its exit status, or 128 + the number of the
+  // signal. Throws Cancelled.
   int finish(const CancelToken& cancel);
-  // What it has written to standard error, at most this much of the end.
+  // The text that it has written to standard error, at most the last `most` bytes.
   std::string said(std::size_t most = 2000) const;
 
  private:
@@ -44,8 +46,8 @@ class ChildProgram {
   int process_ = -1;
 };
 
-// Kills those of all ChildPrograms and waits for their end, a second at most. For a signal handler
-// that ends the program: calls only what is allowed there.
+// Kills the programs of all ChildPrograms and waits at most a second for their end. For a signal
+// handler that ends the program: it makes only calls that are allowed there.
 void kill_child_programs() noexcept;
 
 }  // namespace alphascope

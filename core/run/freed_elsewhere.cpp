@@ -1,4 +1,4 @@
-// See the header.
+// The thread that frees large objects, and its queue.
 #include "core/run/freed_elsewhere.hpp"
 
 #include <condition_variable>
@@ -16,7 +16,7 @@ namespace {
 class Freer {
  public:
   Freer() : thread_([this] { run(); }) {}
-  // What waits is freed first.
+  // Frees all waiting objects before it ends.
   ~Freer() {
     {
       const std::lock_guard lock(mutex_);
@@ -69,7 +69,7 @@ class Freer {
   std::thread thread_;  // last: starts when everything above exists
 };
 
-// Until the program ends.
+// Lives until the program ends.
 Freer& freer() {
   static Freer the_one;
   return the_one;
@@ -82,7 +82,7 @@ void free_elsewhere(void (*free_it)(const void*) noexcept, const void* object) n
     freer().add(free_it, object);
   } catch (const std::bad_alloc&) {
     free_it(object);
-  } catch (const std::system_error&) {  // no thread
+  } catch (const std::system_error&) {  // the thread could not be started
     free_it(object);
   }
 }

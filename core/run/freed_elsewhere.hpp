@@ -1,5 +1,5 @@
-// Large objects that are freed on a thread of its own: to give some hundred megabytes back to the
-// system takes tens of milliseconds, in which a window must not stand still.
+// Frees large objects on a separate thread. Returning some hundred megabytes to the system takes
+// tens of milliseconds, and a window must not freeze for so long.
 #pragma once
 
 #include <memory>
@@ -8,16 +8,16 @@
 
 namespace alphascope {
 
-// Has that thread call `free_it`, soon. Where it cannot be asked for want of memory, the caller's
-// own calls it.
+// Makes that thread call `free_it` soon. If memory is too short for that, the calling thread calls
+// it.
 void free_elsewhere(void (*free_it)(const void*) noexcept, const void* object) noexcept;
 
-// Returns when all that was given to free_elsewhere() before is freed. For who counts free memory;
-// not from a destructor of what is freed there.
+// Waits until all objects given to free_elsewhere() before are freed. For code that measures free
+// memory. Do not call it from a destructor of such an object.
 void wait_until_freed();
 
-// Like std::make_shared<const T>(std::move(value)); weak pointers expire at once, and the last who
-// lets go of it does not wait for the memory.
+// Like std::make_shared<const T>(std::move(value)), but the last owner does not wait for the memory
+// to be freed. Weak pointers expire at once.
 template <class T>
 std::shared_ptr<const T> freed_elsewhere(T value) {
   static_assert(std::is_nothrow_destructible_v<T>);

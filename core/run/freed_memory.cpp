@@ -1,3 +1,4 @@
+// Returns freed memory by malloc_trim() of glibc.
 #include "core/run/freed_memory.hpp"
 
 #include <malloc.h>

@@ -1,10 +1,10 @@
-// Memory that the program has freed.
+// Returns freed memory to the system.
 #pragma once
 
 namespace alphascope {
 
-// Gives whole pages of it back to the system. The allocator itself keeps most of what many small
-// objects had. Other threads that allocate may wait meanwhile.
+// Returns whole free pages to the system. By itself the allocator keeps most of the memory of many
+// small objects. Other threads may wait for their allocations meanwhile.
 void give_back_freed_memory();
 
 }  // namespace alphascope

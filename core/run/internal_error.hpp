@@ -1,5 +1,5 @@
-// A fault of the program itself: something that must be there is not. Said instead of going on with
-// what would be wrong.
+// An exception for faults of the program itself: something that must exist is missing. It is thrown
+// instead of continuing with a wrong result.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@ namespace alphascope {
 
 class InternalError : public std::logic_error {
  public:
-  // `what`: a sentence about what is missing, with its full stop.
+  // `what` is a sentence about the missing thing, with its full stop.
   explicit InternalError(const std::string& what)
       : std::logic_error("internal error: " + what +
                          " This is a fault of the program: please report it with your input.") {}

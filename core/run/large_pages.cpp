@@ -1,4 +1,4 @@
-// See the header.
+// Allocates memory that is aligned to large pages, and asks the kernel to use them.
 #include "core/run/large_pages.hpp"
 
 #include <sys/mman.h>
@@ -10,14 +10,15 @@
 namespace alphascope {
 
 void* allocate_large(std::size_t bytes) {
-  constexpr std::size_t kPage = std::size_t{2} << 20;  // x86-64's and most of arm64's
+  // Page size of x86-64 and of most arm64 systems.
+  constexpr std::size_t kPage = std::size_t{2} << 20;
   if (bytes > std::numeric_limits<std::size_t>::max() - kPage) throw std::bad_alloc();
   const std::size_t whole = (bytes + kPage - 1) / kPage * kPage;
   void* const memory = std::aligned_alloc(kPage, whole);
   if (memory == nullptr) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  // A wish: where it is not granted, pages are as usual. What is left of the last one stays so, for
-  // nobody will write there.
+  // This is a request; if the system refuses, pages have the usual size. The last incomplete page
+  // is left out, since the rest of it will not be written.
   static_cast<void>(madvise(memory, bytes / kPage * kPage, MADV_HUGEPAGE));
 #endif
   return memory;

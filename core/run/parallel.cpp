@@ -1,4 +1,4 @@
-// See the header.
+// The one place where loops call oneTBB.
 #include "core/run/parallel.hpp"
 
 #include <tbb/blocked_range.h>
@@ -13,8 +13,8 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-// A context for each loop: where a task beside the caller throws, oneTBB would leave parts of the
-// caller's loops out as well, and nobody would tell the caller.
+// Each loop has an isolated context. Otherwise, when a task beside the caller throws, oneTBB would
+// skip parts of the caller's loops as well, and the caller would not notice.
 constexpr auto kOwn = tbb::task_group_context::isolated;
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Loops whose parts run side by side, on the threads of the caller's task arena. A body may be
-// called from any of them. What it throws is thrown to the caller; parts that have not begun are
-// left out.
+// Loops whose parts run in parallel, on the threads of the caller's task arena. A body may be
+// called on any of them. If it throws, the caller gets the exception, and parts that have not begun
+// are skipped.
 //
 // All loops share one call of oneTBB, in parallel.cpp: each call takes 0.15 s to compile, and its
 // headers take a source 0.6 s or more.
@@ -14,7 +14,7 @@
 
 namespace alphascope {
 
-// What the loops below share; not for others. `call` gets `body` and a range of indices.
+// Shared by the loops below, not for other callers. `call` gets `body` and a range of indices.
 using CallRange = void (*)(const void* body, std::size_t begin, std::size_t end);
 using CallSumRange = std::uint64_t (*)(const void* body, std::size_t begin, std::size_t end);
 void run_ranges(std::size_t begin, std::size_t end, std::size_t grain, const void* body,
@@ -22,8 +22,8 @@ void run_ranges(std::size_t begin, std::size_t end, std::size_t grain, const voi
 std::uint64_t sum_ranges(std::size_t begin, std::size_t end, std::size_t grain, const void* body,
                          CallSumRange call);
 
-// Calls body(first, last) for ranges [first, last) that together are [begin, end), each index in
-// one of them. A range of more than `grain` indices may be halved.
+// Calls body(first, last) for ranges [first, last) that divide [begin, end), each index in one of
+// them. A range of more than `grain` indices may be halved.
 template <class Index, class Body>
 void parallel_ranges(std::type_identity_t<Index> begin, Index end, std::size_t grain,
                      const Body& body) {
@@ -37,15 +37,15 @@ void parallel_ranges(std::type_identity_t<Index> begin, Index end, std::size_t g
 template <class Index, class Body>
 void parallel_each(std::type_identity_t<Index> begin, Index end, const Body& body) {
   static_assert(std::is_unsigned_v<Index>);
-  // The loop over a range is here, so that the compiler sees the body in it.
+  // This loop is in the header so that the compiler can inline the body.
   run_ranges(begin, end, 1, &body, [](const void* of, std::size_t first, std::size_t last) {
     const Body& each = *static_cast<const Body*>(of);
     for (std::size_t n = first; n != last; ++n) each(static_cast<Index>(n));
   });
 }
 
-// Calls body(n) for each n below `count`: many that take little time each. Throws Cancelled; then
-// some calls are left out.
+// Calls body(n) for each n below `count`. It is for many calls that take little time each. Throws
+// Cancelled; some calls are skipped then.
 template <class Body>
 void parallel_many(std::size_t count, const CancelToken& cancel, const Body& body) {
   constexpr std::size_t kGrain = 512;
@@ -56,7 +56,7 @@ void parallel_many(std::size_t count, const CancelToken& cancel, const Body& bod
   cancel.throw_if_cancelled();
 }
 
-// The sum, modulo 2^64, of body(first, last) over ranges as those of parallel_ranges().
+// The sum, modulo 2^64, of body(first, last) over the ranges of parallel_ranges().
 template <class Body>
 std::uint64_t parallel_sum(std::size_t begin, std::size_t end, std::size_t grain,
                            const Body& body) {

@@ -1,4 +1,4 @@
-// Wall time of the named stages of a computation. The labels are the ones shown everywhere.
+// Wall time of the named stages of a computation. Users see these labels.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace alphascope {
 
-// The stage table, common to all engines and executors (docs/algorithm.md).
+// The stage table of all engines and executors (docs/algorithm.md).
 namespace stage {
 inline constexpr std::string_view kCoincident = "coincident centres";
 inline constexpr std::string_view kGrid = "grid";
@@ -16,18 +16,18 @@ inline constexpr std::string_view kHostToDevice = "host→device";
 inline constexpr std::string_view kCandidates = "kernel I (candidates)";
 inline constexpr std::string_view kPrefixSum = "prefix sum";
 inline constexpr std::string_view kFilteredValidity = "kernel II (filtered validity)";
-// One launch on the GPU: a block finds its neighbours and clips their facets.
+// These are one launch on the GPU: a block finds its neighbours and clips their facets.
 inline constexpr std::string_view kCandidatesAndFiltered =
     "kernels I+II (candidates, filtered validity)";
 inline constexpr std::string_view kExactValidity = "kernel III (exact validity)";
 inline constexpr std::string_view kDeviceToHost = "device→host";
-// Memory that had to be reserved, and runs that found too little of it.
+// Time to reserve memory, and for runs that found too little of it.
 inline constexpr std::string_view kMakingRoom = "making room";
 inline constexpr std::string_view kTriangulation = "regular triangulation";
 inline constexpr std::string_view kClassification = "classification";
 inline constexpr std::string_view kThreshold = "threshold";
 inline constexpr std::string_view kHash = "hash and cache";
-// Not an engine's.
+// Stages outside engines.
 inline constexpr std::string_view kFlow = "flow of the triangulation";
 inline constexpr std::string_view kCavities = "cavities";
 inline constexpr std::string_view kExactVolumes = "exact volumes of cavities";
@@ -37,13 +37,13 @@ inline constexpr std::string_view kDefinition = "checking the definition";
 struct StageTime {
   std::string label;
   double milliseconds = 0;
-  // Setup is paid once per set of balls, the rest at every alpha.
+  // Setup is done once per set of balls, all else for every alpha.
   bool setup = false;
 };
 
 struct StageTimes {
   std::vector<StageTime> stages;
-  double wall_milliseconds = 0;  // whole computation, as its caller waited for it
+  double wall_milliseconds = 0;  // of the whole computation, as its caller waited for it
 
   double setup_milliseconds() const {
     double sum = 0;
@@ -62,8 +62,7 @@ class StageTimer {
     times_.stages.push_back({std::string(label), milliseconds(lap_, now), setup});
     lap_ = now;
   }
-  // As lap(), for two interleaved stages: `milliseconds_of_second` of the time belong to the
-  // second.
+  // Like lap(), for two interleaved stages: the second took `milliseconds_of_second` of the time.
   void lap_split(std::string_view first, std::string_view second, double milliseconds_of_second) {
     const Clock::time_point now = Clock::now();
     const double both = milliseconds(lap_, now);

@@ -1,4 +1,4 @@
-// See the header.
+// Blocks signals during a step, and counts the steps that are in progress.
 #include "core/run/undivided_step.hpp"
 
 #include <poll.h>
@@ -14,7 +14,7 @@ std::atomic<bool> ended{false};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
               "a signal handler reads them");
 
-// All but those that come from an error of this very thread, which cannot wait.
+// All signals but those that an error of this thread raises; these cannot wait.
 sigset_t signals_that_can_wait() {
   sigset_t set;
   sigfillset(&set);

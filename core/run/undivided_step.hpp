@@ -1,13 +1,13 @@
-// Steps that no signal divides: a file that is made is also known to those who remove it, files
-// that belong together get their names together, a program that is started is also known.
+// Steps that no signal interrupts halfway. Such a step makes a file and notes its name for removal,
+// gives several files their names, or starts a program and notes its process.
 #pragma once
 
 #include <csignal>
 
 namespace alphascope {
 
-// While one is there, signals wait: on this thread they are blocked, and a handler on another
-// thread waits for its end in end_of_steps(). For steps of milliseconds.
+// Signals wait while an object exists: they are blocked on this thread, and a handler on another
+// thread waits in end_of_steps(). A step should take milliseconds.
 class UndividedStep {
  public:
   // Does not return once end_of_steps() was called: the process is about to end.
@@ -20,8 +20,8 @@ class UndividedStep {
   sigset_t before_;
 };
 
-// For a signal handler that ends the program: no step begins any more, and those under way are
-// finished, or a second has passed. Calls only what is allowed there.
+// For a signal handler that ends the program. Afterwards no step can begin, and the steps in
+// progress have finished or a second has passed. It makes only calls that are allowed in a handler.
 void end_of_steps() noexcept;
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header. A oneTBB arena; oneTBB itself lends it no more threads than the machine has.
+// WorkThreads as a oneTBB arena. oneTBB itself gives it no more threads than the machine has.
 #include "core/run/work_threads.hpp"
 
 #include <tbb/global_control.h>
@@ -21,8 +21,8 @@ int most_threads() {
 
 }  // namespace
 
-// With one thread, each of two who share it brings its own and gets no other: else a short job
-// would wait for the whole of a long one.
+// For one thread the arena has two places, both for callers. So each of two callers runs on its own
+// thread and gets no other. Otherwise a short job would wait for the whole of a long one.
 WorkThreads::WorkThreads(int count)
     : arena_(std::make_unique<Arena>()), count_(count > 0 ? count : most_threads()) {
   if (count_ == 1) {
@@ -34,7 +34,8 @@ WorkThreads::WorkThreads(int count)
 
 WorkThreads::~WorkThreads() = default;
 
-// Isolated: a thread that waits for a part of its own work takes on no other caller's meanwhile.
+// The work is isolated: a thread that waits for a part of its own work takes no task of another
+// caller meanwhile.
 void WorkThreads::run(const std::function<void()>& work) {
   arena_->arena.execute([&] { tbb::this_task_arena::isolate([&] { work(); }); });
 }

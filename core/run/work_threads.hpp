@@ -1,4 +1,5 @@
-// The CPU's threads for one kind of work. Several who share them never have more at work together.
+// A number of CPU threads for one kind of work. Several callers share them and together never use
+// more.
 #pragma once
 
 #include <functional>
@@ -11,15 +12,15 @@ namespace alphascope {
 
 class WorkThreads {
  public:
-  // 0: as many as the machine has.
+  // 0: all threads of the machine.
   explicit WorkThreads(int count = 0);
   ~WorkThreads();
   WorkThreads(const WorkThreads&) = delete;
   WorkThreads& operator=(const WorkThreads&) = delete;
 
-  // Runs `work`, with all that it does in parallel through oneTBB, on these threads, the caller's
-  // being one of them where it can; returns when it is done. What one caller waits for is never
-  // held up by a part of another's work that its thread took on. Throws what `work` throws.
+  // Runs `work` and all its parallel parts on these threads, and returns when it is done. The
+  // calling thread is one of them if possible. A caller never waits for a task of another caller
+  // that its thread took. Throws the exceptions of `work`.
   void run(const std::function<void()>& work);
 
   int asked() const { return count_; }  // the machine may have fewer
@@ -32,7 +33,7 @@ class WorkThreads {
   int count_;
 };
 
-// The same threads for everybody who asks for the same number of them. From any thread.
+// Gives callers that ask for the same number the same threads. May be called from any thread.
 class SharedThreads {
  public:
   std::shared_ptr<WorkThreads> of(int count);

@@ -1,4 +1,5 @@
-// The worker's thread and the hand-over under its lock. No job is ever run with the lock held.
+// The worker's thread and the hand-over of results under its lock. No job runs while the lock is
+// held.
 #include "core/run/worker.hpp"
 
 #include <new>
@@ -8,7 +9,7 @@ namespace alphascope {
 
 namespace {
 
-// The exception at hand, for its user.
+// The current exception, as a message for the user.
 Worker::Failure present_failure() {
   try {
     throw;
@@ -74,7 +75,8 @@ void Worker::cancel() {
   dropped.swap(waiting_);
   if (running_) {
     running_->cancel();
-    // Of two unfinished requests only the latest is told: the older was superseded already.
+    // Only the latest of two unfinished requests gets the message, since the older one was
+    // superseded before.
     ending_ = dropped ? Ending::discard : Ending::tell_cancelled;
   }
   if (dropped && dropped->on_failure) {
@@ -143,7 +145,7 @@ void Worker::run_job(Request request) {
   } catch (...) {
     failure = present_failure();
   }
-  request.job = {};  // what it captured may be large, and must not outlive the hand-over
+  request.job = {};  // its captures may be large, and must be freed before the hand-over
   hand_over(request, delivery, std::move(failure));
   if (wake_) wake_();
 }
@@ -156,7 +158,7 @@ void Worker::hand_over(Request& request, Delivery& delivery, std::optional<Failu
   if (ending_ == Ending::tell_cancelled) {
     failure = Failure{.message = "cancelled", .cancelled = true, .too_late = !failure};
   } else if (failure && request.cancel.cancelled()) {
-    return;  // superseded: nobody waits for this request
+    return;  // superseded, so no caller waits for it
   }
   if (!failure) {
     if (!delivery) return;

@@ -1,5 +1,5 @@
-// A thread that runs one job at a time for a main thread that must never wait; the latest request
-// wins. Knows nothing of molecules or engines.
+// A thread that runs one job at a time for a main thread that must never wait. The latest request
+// wins.
 #pragma once
 
 #include <chrono>
@@ -15,19 +15,18 @@
 
 namespace alphascope {
 
-// submit(), cancel() and poll() belong to one thread, the main thread; jobs run on the worker's
-// own.
+// Only the main thread calls submit(), cancel() and poll(). Jobs run on the worker's own thread.
 class Worker {
  public:
-  // What a finished job leaves to be done on the main thread, inside poll().
+  // The part of a job that runs on the main thread afterwards, inside poll().
   using Delivery = std::function<void()>;
-  // Runs on the worker's thread. Throws to report failure; Cancelled when its token says so.
+  // Runs on the worker's thread. An exception is a failure; Cancelled follows its token.
   using Job = std::function<Delivery(const RunContext&)>;
 
   struct Failure {
     std::string message;
-    bool cancelled = false;  // by cancel(), not by a newer request (that is silent)
-    bool too_late = false;   // cancelled, but the job had come to its end: its effects are there
+    bool cancelled = false;  // by cancel(); a newer request cancels without a message
+    bool too_late = false;   // the job had finished before the cancel, so its effects remain
     bool out_of_memory = false;
   };
   // Runs on the main thread, inside poll().
@@ -48,7 +47,7 @@ class Worker {
   // grace of zero at once; with more, jobs shorter than it still finish while a slider is dragged
   // (the main thread then has to poll while the worker is busy, as an animation does).
   explicit Worker(std::function<void()> wake = {}, std::chrono::milliseconds grace = {});
-  // Cancels what runs, drops what waits, joins. Nothing is delivered any more.
+  // Cancels the running job, drops the waiting one and joins. Nothing is delivered afterwards.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
@@ -58,17 +57,19 @@ class Worker {
   // Replaces a job that has not started yet, and cancels the running one (see `grace`).
   void submit(Job job, FailureHandler on_failure = {});
 
-  // Has the worker's thread call `task` when no job waits or runs; instead of an earlier one that
-  // it has not called. It is no job: it shows no activity, delivers nothing and must not throw.
+  // Makes the worker's thread call `task` when no job waits or runs. It replaces an earlier task
+  // that was not called yet. A task is no job: it shows no activity, delivers nothing and must not
+  // throw.
   void when_idle(std::function<void()> task);
 
-  // Drops the waiting job and cancels the running one; the latest submitted one, if it had not
-  // finished, fails with `cancelled`.
+  // Drops the waiting job and cancels the running one. The latest submitted job fails with
+  // `cancelled` unless it has finished.
   void cancel();
 
-  // Runs what has arrived on the calling thread; returns how many jobs that were. An exception from
-  // a delivery goes to its job's failure handler, as the job's own would. Without a handler, or
-  // from it, it passes through; the deliveries after it stay for the next poll.
+  // Runs the arrived deliveries on the calling thread, and returns their number. An exception of a
+  // delivery goes to the failure handler of its job, as one of the job would. If there is no
+  // handler, or if the handler throws, the exception leaves poll(). Later deliveries wait for the
+  // next poll.
   std::size_t poll();
 
   Activity activity() const;

@@ -1,4 +1,4 @@
-// A phrase as a sentence of its own.
+// Turns a phrase into a sentence.
 #pragma once
 
 #include <cctype>
@@ -6,8 +6,8 @@
 
 namespace alphascope {
 
-// With a capital first letter, where that is an English one, and with a full stop. Of nothing,
-// nothing.
+// Makes the first letter a capital if it is an English one, and adds a full stop. An empty phrase
+// stays empty.
 inline std::string as_sentence(std::string phrase) {
   if (phrase.empty()) return phrase;
   phrase.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(phrase.front())));

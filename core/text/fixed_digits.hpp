@@ -1,4 +1,4 @@
-// Numbers that are printed with a fixed number of decimals.
+// Numbers as text with a fixed number of decimals.
 #pragma once
 
 #include <cstdio>
@@ -7,7 +7,7 @@
 
 namespace alphascope {
 
-// As "%.3f" prints them, but "0.000" where that would say "-0.000".
+// Like "%.3f", but "0.000" instead of "-0.000".
 inline std::string fixed_digits(double number, int decimals) {
   char text[400];  // the largest double has 309 digits
   std::snprintf(text, sizeof text, "%.*f", decimals, number);

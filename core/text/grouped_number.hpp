@@ -1,4 +1,4 @@
-// Whole numbers with commas between thousands, as every text for people writes them: "16,445".
+// Whole numbers with commas between thousands, as in all text for people: "16,445".
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Capitals and small letters of names, keywords and file endings. ASCII only and whatever the
-// locale: the bytes of other letters stay as they are.
+// Upper and lower case of names, keywords and file endings. Only ASCII letters change, whatever the
+// locale; bytes of other letters stay as they are.
 #pragma once
 
 #include <string>

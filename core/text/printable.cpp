@@ -1,3 +1,4 @@
+// Decodes UTF-8 and replaces characters that cannot be seen.
 #include "core/text/printable.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 struct Character {
   std::uint32_t code = 0;
   std::size_t bytes = 1;
-  bool valid = true;  // UTF-8; else it is one byte
+  bool valid = true;  // valid UTF-8; an invalid byte is one character
 };
 
 // The first character of a text that is not empty.
@@ -31,8 +32,8 @@ Character first_character(std::string_view text) {
   return {code, bytes, true};
 }
 
-// Control characters, and characters of Unicode that control instead of being seen: directions,
-// joiners, line and paragraph ends, marks of byte order, annotations, tags.
+// Control characters, and characters of Unicode that are not visible but control the text:
+// directions, joiners, line and paragraph ends, byte order marks, annotations, tags.
 bool is_hidden(std::uint32_t code) {
   struct Range {
     std::uint32_t first, last;
@@ -94,7 +95,7 @@ std::string printable_json(std::string_view json) {
   std::string result;
   for_each_character(json, [&](const Character& c, std::string_view bytes) {
     if (!c.valid || !is_hidden(c.code) || c.code < 0x20) {
-      result += bytes;  // what is below a blank are the line ends between the values
+      result += bytes;  // below a blank there are only line ends between the values
     } else if (c.code < 0x10000) {
       result += hexadecimal("\\u%04x", c.code);
     } else {

@@ -1,6 +1,6 @@
-// Text that comes from a file, made safe to show: on a terminal, in a window, in a table. A title
-// may hold escape sequences that change colours, the window's title or what was printed before, and
-// names may hold bytes that are no UTF-8.
+// Makes text from files safe to show on a terminal, in a window or in a table. A title may hold
+// escape sequences that change colours, the window's title or earlier output. Names may hold bytes
+// that are no UTF-8.
 #pragma once
 
 #include <string>
@@ -8,20 +8,20 @@
 
 namespace alphascope {
 
-// Correct UTF-8 on one line, in which everything that is no visible character or blank stands as it
-// would in a program: "\x1B" for the byte of ESC and for bytes that are no UTF-8, "\u202E" for what
-// turns the direction of writing round, and for other characters that cannot be seen. So texts that
-// differ stay different. A tab becomes a blank.
+// Valid UTF-8 on one line. Each character that is neither visible nor a blank becomes an escape as
+// in a program: "\x1B" for ESC and for bytes that are no UTF-8, "\u202E" for a change of the
+// writing direction and for other invisible characters. So different texts stay different. A tab
+// becomes a blank.
 std::string printable(std::string_view text);
 
-// Whether printable() would change nothing.
+// Does the text stay unchanged under printable()?
 bool is_printable(std::string_view text);
 
-// JSON as it is written, with every character that printable() would change (but line ends) as JSON
-// has it: "\u009b". A reader gets back what was there.
+// JSON in which every character that printable() would change, except line ends, is a JSON escape
+// such as "\u009b". A reader gets the original characters.
 std::string printable_json(std::string_view json);
 
-// The first characters of a text, printable, for messages.
+// The first 60 bytes of a text, printable, for messages.
 std::string shortened(std::string_view text);
 
 }  // namespace alphascope

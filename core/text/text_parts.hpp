@@ -1,5 +1,5 @@
-// The parts of a text between separators, and its words between blanks. Not by streams: one that
-// runs out of memory ends as if the text did, and what follows would be left out without a word.
+// Splits a text at separators, or into words at blanks. Streams are not used: a stream that runs
+// out of memory behaves as if the text ended, and the rest would be lost without a message.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace alphascope {
 
-// "a,b,,c" has four, "a," one, "" none: nothing is behind the last separator.
+// "a,b,,c" has four parts, "a," has one, "" has none: an empty part at the end does not count.
 inline std::vector<std::string> parts_of(std::string_view text, char separator) {
   std::vector<std::string> parts;
   while (!text.empty()) {
@@ -19,7 +19,7 @@ inline std::vector<std::string> parts_of(std::string_view text, char separator) 
   return parts;
 }
 
-// Between blanks, tabs and line ends, however many; none is empty.
+// Words between any number of blanks, tabs and line ends; no word is empty.
 inline std::vector<std::string> words_of(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\n\r\v\f";
   std::vector<std::string> words;

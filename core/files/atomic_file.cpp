@@ -1,3 +1,4 @@
+// Writes a temporary file beside the target, and gives it the target's name in one step.
 #include "core/files/atomic_file.hpp"
 
 #include <fcntl.h>
@@ -24,9 +25,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Names of temporary files, as a signal handler can read them. A file beyond the last place is
-// written all the same; only a signal would leave its temporary file behind. Nothing is allocated,
-// which could fail when the file is there.
+// Names of temporary files, in a form that a signal handler can read. If all places are in use, a
+// further file is still written, but a signal would leave its temporary file behind. Nothing is
+// allocated here, because an allocation could fail when the file already exists.
 enum PlaceState : int { kFree, kTaken, kNamed };
 struct Place {
   std::atomic<int> state{kFree};
@@ -52,27 +53,28 @@ void forget(int place) {
   if (place >= 0) places[place].state = kFree;
 }
 
-// Behind all links, also where the last one leads to nothing yet. Sets errno when that fails.
+// Follows all links, also to a file that does not exist yet. Sets errno on failure.
 bool follow_links(fs::path& path) {
-  constexpr int kMostLinks = 40;  // as Linux has it
+  constexpr int kMostLinks = 40;  // the limit of Linux
   std::error_code error;
   for (int k = 0; k < kMostLinks; ++k) {
     if (!fs::is_symlink(path, error)) return true;
     const fs::path next = fs::read_symlink(path, error);
     if (error) break;
-    path = path.parent_path() / next;  // `next` alone when it is absolute
+    path = path.parent_path() / next;  // only `next` if it is absolute
   }
   errno = error ? error.value() : ELOOP;
   return false;
 }
 
-// False with errno. Where there is nothing to wait for, as in some file systems, all is well.
+// Waits until the file is on the disk; false with errno. A file system that cannot do this counts
+// as success.
 bool on_the_disk(int descriptor) {
   return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP ||
          errno == EROFS;
 }
 
-// The new name, too. A folder that cannot be opened for it does not matter.
+// Waits until the new name is on the disk as well. A folder that cannot be opened is ignored.
 void folder_on_the_disk(const fs::path& folder) noexcept {
   const char* const name = folder.empty() ? "." : folder.c_str();
   const int descriptor = ::open(name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -104,9 +106,10 @@ AtomicFile::AtomicFile(const fs::path& path, FileKind kind) : name_(path.string(
   if (exists && S_ISDIR(status.st_mode)) {
     throw WriteError("Cannot write " + name_ + ": it is a folder. Give a file name.");
   }
-  // No new file can take the place of one that has no name (any more).
+  // Something other than a regular file, or a file without a name, cannot be replaced by a new
+  // file, so it is written directly.
   if (exists && (!S_ISREG(status.st_mode) || status.st_nlink == 0)) {
-    do {  // a pipe waits for its reader
+    do {  // opening a pipe waits for its reader
       descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     } while (descriptor_ < 0 && errno == EINTR);
     if (descriptor_ < 0) fail("open");
@@ -115,9 +118,9 @@ AtomicFile::AtomicFile(const fs::path& path, FileKind kind) : name_(path.string(
   refuse_to_replace_input("Writing " + name_, path, kind);
   target_ = path;
   if (!follow_links(target_)) fail("open");
-  // A name that is too long would show only when the file is renamed.
+  // Without this check a name that is too long would fail only at the rename.
   if (::lstat(target_.c_str(), &status) != 0 && errno != ENOENT) fail("open");
-  // Renaming would replace a file that its owner has made read-only.
+  // A rename would also replace a read-only file, so its permission is checked here.
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail("write");
   open_temporary();
   if (exists) keep_owner_and_mode();
@@ -145,7 +148,7 @@ void AtomicFile::open_temporary() {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     temporary_ = temporary_name(target_, attempt);
     const UndividedStep step;
-    // The mode that any new file gets.
+    // The mode of any new file.
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) {
       slot_ = remember(temporary_);
@@ -164,10 +167,12 @@ void AtomicFile::keep_owner_and_mode() const {
   if (::stat(target_.c_str(), &old) != 0 || ::fstat(descriptor_, &made) != 0) return;
   mode_t mode = old.st_mode & 0777;
   if (old.st_uid != made.st_uid || old.st_gid != made.st_gid) {
-    // Only root gives a file away; its owner may still change the group to one of theirs.
+    // Only root can give a file away, but its owner can still change the group to one of their
+    // groups.
     const bool group_kept = ::fchown(descriptor_, old.st_uid, old.st_gid) == 0 ||
                             ::fchown(descriptor_, static_cast<uid_t>(-1), old.st_gid) == 0;
-    // Another group must not read what the old one's members alone could.
+    // If the group could not be kept, the new group must not be able to read what only the old
+    // group could.
     if (!group_kept) mode &= ~mode_t{070} | ((mode & 07) << 3);
   }
   static_cast<void>(::fchmod(descriptor_, mode));
@@ -193,12 +198,12 @@ void AtomicFile::make_whole() {
     return;
   }
   if (!on_the_disk(descriptor_)) fail("write");
-  // It may have been read since it was opened here.
+  // The target may have been read after it was opened here.
   refuse_to_replace_input("Writing " + name_, target_, kind_);
 }
 
-// What was there is kept under the name of the temporary file where others follow, one of which may
-// fail.
+// Gives the file its name. When other files follow, one of which may fail, the old file is kept
+// under the temporary name.
 void AtomicFile::take_name(bool alone) {
   if (temporary_.empty()) return;
   struct stat status {};
@@ -218,8 +223,8 @@ void AtomicFile::take_name(bool alone) {
   fail("rename the new file to");
 }
 
-// Where the file system exchanges no names, such as NFS. Where it has no second names either, a
-// file that has been replaced stays replaced.
+// For file systems that cannot exchange names, such as NFS. Where they have no second names either,
+// a replaced file stays replaced.
 bool AtomicFile::set_aside() {
   constexpr int kAttempts = 10000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
@@ -238,7 +243,7 @@ void AtomicFile::give_name_back() noexcept {
   } else if (taken_ == Taken::set_aside) {
     std::rename(old_.c_str(), target_.c_str());
   }
-  taken_ = Taken::no;  // and the temporary file is removed
+  taken_ = Taken::no;  // the temporary file is removed afterwards
 }
 
 void AtomicFile::finish() noexcept {
@@ -272,7 +277,8 @@ void commit_together(std::span<AtomicFile* const> files) {
 void AtomicFile::fail(const char* action) const {
   const int error = errno;
   const std::string what = std::string("Cannot ") + action + " " + name_ + ": ";
-  // A descriptor that is not open for writing stands in for one that was closed at the start.
+  // EBADF also stands for a descriptor that was closed when the program started: one that is not
+  // open for writing.
   if (error == EBADF) throw WriteError(what + "it is closed.");
   const char* const remedy = target_.empty()         ? ""
                              : error == ENAMETOOLONG ? " Give it a shorter name."
@@ -313,7 +319,7 @@ std::string why_not_writable(const fs::path& path) {
   if (exists && ::access(path.c_str(), W_OK) != 0) {
     return path.filename().string() + " is write-protected.";
   }
-  // A device is written as it is; all else by a new file where a link leads.
+  // A device is written directly. For all else a new file is made where the links lead.
   if (exists && !fs::is_regular_file(path, ignored)) return {};
   const fs::path target = exists ? fs::canonical(path, ignored) : path;
   const fs::path made_in = target.empty() ? folder : target.parent_path();

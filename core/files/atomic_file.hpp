@@ -1,4 +1,5 @@
-// Writing a file so that its name never shows half of it, and never in the place of what was read.
+// Writes a file so that its name never shows an incomplete file, and never replaces a file that was
+// read.
 #pragma once
 
 #include <filesystem>
@@ -12,43 +13,43 @@
 
 namespace alphascope {
 
-// what() is the complete sentence, naming the path, printable.
+// what() is a complete printable sentence that names the path.
 struct WriteError : std::runtime_error {
   explicit WriteError(std::string_view sentence) : std::runtime_error(printable(sentence)) {}
 };
 
-// An output that would replace a file that was read. Nothing is wrong with disk or folder.
+// An output would replace a file that was read. Disk and folder are in order.
 struct ReplacesInput : WriteError {
   using WriteError::WriteError;
 };
-// Throws ReplacesInput when the file was read (files_read.hpp); `what` begins the sentence and
-// names the output: "--csv out.csv".
+// Throws ReplacesInput if `output` is a file that was read (files_read.hpp). `what` begins the
+// sentence and names the output: "--csv out.csv".
 void refuse_to_replace_input(const std::string& what, const std::filesystem::path& output,
                              FileKind kind = FileKind::other);
 
-// Text goes to a temporary file in the same folder that commit() renames; without commit() nothing
-// is left behind and an older file of that name stays. A link is followed, also to a file that is
-// not there yet. A file that is replaced keeps its mode, and its owner and group where the system
-// allows it. Something that is there and no ordinary file (/dev/null, a pipe), or has no name in
-// any folder (memory), is written directly.
+// Text goes to a temporary file in the same folder, and commit() renames it. Without commit() no
+// file is left behind, and an older file of that name stays. Links are followed, also to a file
+// that does not exist yet. A replaced file keeps its mode, and its owner and group if the system
+// allows it. A device or pipe (/dev/null), and a file without a name in any folder (memory), is
+// written directly.
 class AtomicFile {
  public:
-  // All throw WriteError; this and commit() also ReplacesInput. Whatever name, folder and file do
-  // not allow shows here.
+  // All members throw WriteError; this constructor and commit() also throw ReplacesInput. Every
+  // fault of name, folder or existing file is found here.
   explicit AtomicFile(const std::filesystem::path& path, FileKind kind = FileKind::other);
-  // Writes directly to a copy of an open descriptor; `name` is for messages.
+  // Writes directly to a copy of an open descriptor. `name` is for messages.
   AtomicFile(int descriptor, const std::string& name);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(std::string_view text);
-  // Once the file is whole on the disk.
+  // Gives the file its name after all of it is on the disk.
   void commit();
 
-  // The file that commit() makes or replaces, behind all links; "" when written directly.
+  // The file that commit() makes or replaces, with links followed; empty if written directly.
   const std::filesystem::path& replaced() const { return target_; }
-  // For another program that writes it in place of write(); -1 when written directly.
+  // The descriptor for another program that writes instead of write(); -1 if written directly.
   int descriptor_of_temporary() const { return temporary_.empty() ? -1 : descriptor_; }
 
  private:
@@ -67,27 +68,27 @@ class AtomicFile {
   std::string name_;  // for messages
   FileKind kind_ = FileKind::other;
   std::filesystem::path target_, temporary_;
-  std::filesystem::path old_;  // another name of what was there, while others take theirs
+  std::filesystem::path old_;  // second name of the old file while other files take their names
   int descriptor_ = -1;
-  int slot_ = -1;  // where remove_temporary_files() finds temporary_
+  int slot_ = -1;  // index in the list of remove_temporary_files()
   Taken taken_ = Taken::no;
 };
 
-// All of them get their names, once each is whole, or none does. Throws as commit() does.
+// Gives all files their names after each is complete, or none of them. Throws as commit() does.
 void commit_together(std::span<AtomicFile* const> files);
 
-// Removes the temporary files of all AtomicFiles of the process. Calls only what is allowed in a
-// signal handler.
+// Removes the temporary files of all AtomicFiles of the process. Makes only calls that are allowed
+// in a signal handler.
 void remove_temporary_files() noexcept;
-// For a signal handler that ends the program: no file is made or gets a name any more, programs
-// that write to temporary files are killed, and these are removed.
+// For a signal handler that ends the program. Afterwards no file is made or renamed. Programs that
+// write to temporary files are killed, and these files are removed.
 void end_all_writing() noexcept;
 
-// Makes the folder and those above it, and checks that files can be made in it. Throws WriteError.
+// Makes the folder and its parents, and checks that files can be made in it. Throws WriteError.
 void make_output_folder(const std::filesystem::path& folder);
 
-// A sentence where no AtomicFile can be made of this path, as far as that is known without making
-// one; empty where it seems so that one can.
+// A sentence that says why no AtomicFile can be made of this path, as far as can be known without
+// making one. Empty if one seems possible.
 std::string why_not_writable(const std::filesystem::path& path);
 
 }  // namespace alphascope

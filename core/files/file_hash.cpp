@@ -1,4 +1,4 @@
-// See the header.
+// Reads a file in pieces and hashes them.
 #include "core/files/file_hash.hpp"
 
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// SHA-256 of a file as it lies on disk, whatever it holds and however large it is.
+// SHA-256 of a file on disk (compressed, if it is), of any content and size.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace alphascope {
 
-// 64 hexadecimal digits. Throws ReadError for what load_text() refuses before it reads: no file, a
-// folder, a pipe or device, no permission; and when reading stops. Throws Cancelled.
+// 64 hexadecimal digits. Throws ReadError for a missing file, a folder, a pipe or device, a file
+// without permission, and when reading stops. Throws Cancelled.
 std::string hash_of_file(const std::filesystem::path& path, const RunContext& context = {});
 
 }  // namespace alphascope

@@ -1,5 +1,6 @@
-// See the header. A file is known by its number, and by the folder and name that the system gives
-// it. Numbers are used again after a file was removed, so a number alone proves nothing.
+// The list of files that were read. A file is identified by its inode number, and by the folder and
+// name that the system gives it. Numbers are reused after a file is removed, so a number alone
+// proves nothing.
 #include "core/files/files_read.hpp"
 
 #include <sys/stat.h>
@@ -17,11 +18,11 @@ namespace fs = std::filesystem;
 using Number = std::pair<dev_t, ino_t>;
 
 struct FileRead {
-  std::string name;  // as the user has it
-  fs::path path;     // without links
+  std::string name;  // as the user wrote it
+  fs::path path;     // with links followed
   off_t bytes = 0;
   timespec changed{};
-  unsigned kinds = 0;  // a bit for each
+  unsigned kinds = 0;  // a bit for each FileKind
 };
 
 struct FilesRead {
@@ -31,7 +32,7 @@ struct FilesRead {
   std::map<fs::path, std::size_t> by_path;
 };
 
-// Never destroyed: threads may read to the end.
+// Never destroyed, since threads may read files until the program ends.
 FilesRead& all() {
   static auto& files = *new FilesRead;
   return files;
@@ -77,7 +78,7 @@ bool may_replace(FileKind output, const FileRead& file) {
   return output != FileKind::other && file.kinds == bit(output);
 }
 
-// Whether a file that was read with this number is still the one that has it.
+// Is the file with this number still the one that was read?
 bool is_still(const FileRead& file, const struct stat& now) {
   struct stat there {};
   const bool at_its_path =
@@ -94,7 +95,7 @@ std::optional<std::string> find(const struct stat& status, const fs::path& path,
     const FileRead& file = noted.files[at->second];
     if (is_still(file, status) && !may_replace(kind, file)) return file.name;
   }
-  const auto at = noted.by_path.find(path);  // replaced by another since it was read
+  const auto at = noted.by_path.find(path);  // another file has this name now
   if (at == noted.by_path.end() || may_replace(kind, noted.files[at->second])) return std::nullopt;
   return noted.files[at->second].name;
 }

@@ -1,5 +1,5 @@
-// What is read is never written: the files that this process has read, under all of their names,
-// which no output replaces. RegularFile notes them, AtomicFile asks.
+// The files that this process has read, under all of their names. No output may replace them.
+// RegularFile adds files to the list, and AtomicFile checks it.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace alphascope {
 
-// What a file is read as, and what an output is. A session may replace a session that was read, and
-// preferences those; nothing else replaces what was read.
+// The kind of a file that is read or written. A session may replace a session that was read, and
+// preferences may replace preferences. Nothing else replaces a file that was read.
 enum class FileKind : std::uint8_t { other, session, preferences };
 
-// The file behind an open descriptor. What is no ordinary file is not noted.
+// Adds the file of an open descriptor, unless it is a pipe or device.
 void note_read(int descriptor, const std::filesystem::path& name, FileKind kind = FileKind::other);
-// A file that is going to be read; nothing when it is not there.
+// Adds a file that will be read; does nothing if it does not exist.
 void note_read(const std::filesystem::path& file, FileKind kind = FileKind::other);
 
-// The name by which the file was read that an output of this kind would replace, or that the
-// descriptor writes to; none: no such file was read.
+// The name of the file that was read and that this output would replace, or that the descriptor
+// writes to. Empty if no such file was read.
 std::optional<std::string> read_behind(const std::filesystem::path& output,
                                        FileKind kind = FileKind::other);
 std::optional<std::string> read_behind(int descriptor);

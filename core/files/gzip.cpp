@@ -1,3 +1,5 @@
+// Inflates gzip data by zlib, and refuses data that are damaged, followed by other data, or a gzip
+// bomb.
 #include "core/files/gzip.hpp"
 
 #include <zlib.h>
@@ -13,8 +15,8 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 
-// Coordinates of molecules pack to a third or a tenth, a file of equal lines to a hundredth; a gzip
-// bomb to a thousandth. Small files may do what they like.
+// Files of coordinates shrink to a third or a tenth, a file of equal lines to a hundredth, a gzip
+// bomb to a thousandth. The limit does not apply to small files.
 constexpr std::uint64_t kMostExpansion = 200;
 constexpr std::uint64_t kSuspiciousFrom = std::uint64_t{256} << 20;  // bytes
 
@@ -38,7 +40,7 @@ class Inflater {
                   "Fetch or copy the file again");
 }
 
-// `tail` follows the last member.
+// Refuses data behind the last member; `tail` are these data.
 void refuse_rest(const std::filesystem::path& path, std::string_view packed,
                  std::string_view tail) {
   if (tail.find_first_not_of('\0') == std::string_view::npos) return;

@@ -1,4 +1,4 @@
-// Unpacking gzip data in memory.
+// Unpacks gzip data in memory.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace alphascope {
 
-// All members of a gzip file, one after another, as gunzip does; zero bytes that pad the file are
-// no data. `path` is for messages. Throws ReadError for data that are damaged or end too early, for
-// anything else behind the last member (a text that was appended would be lost), a line
-// longer than kLongestLine, more than max_bytes, or more than any molecule would unpack to; and
-// Cancelled.
+// Unpacks all members of a gzip file, one after another, as gunzip does. Zero bytes of padding are
+// ignored. `path` is for messages. Throws ReadError for data that are damaged or end too early, for
+// other data behind the last member (an appended text would be lost), for a line longer than
+// kLongestLine, for more than max_bytes, and for data that expand more than any molecule does.
+// Throws Cancelled.
 TextBuffer unpack_gzip(const std::filesystem::path& path, std::string_view packed,
                        std::uint64_t max_bytes, const RunContext& context);
 

@@ -1,4 +1,4 @@
-// See the header.
+// Names temporary files by process, and removes those of processes that have ended.
 #include "core/files/left_behind.hpp"
 
 #include <fcntl.h>
@@ -41,7 +41,7 @@ bool is_there(pid_t process) {
   return ::kill(process, 0) == 0 || errno != ESRCH;
 }
 
-// Ours, and marked by nobody.
+// Does the file belong to this user, without a mark of use?
 bool is_free(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return false;

@@ -1,19 +1,21 @@
-// Temporary files beside outputs: their names, and what to do about those of processes that were
-// killed.
+// The names of temporary files beside outputs, and the removal of those that killed processes left
+// behind.
 #pragma once
 
 #include <filesystem>
 
 namespace alphascope {
 
-// In the folder of `target`, and short, since the name of `target` may be as long as can be.
+// A short name in the folder of `target`; the name of `target` itself may have the greatest
+// possible length.
 std::filesystem::path temporary_name(const std::filesystem::path& target, int attempt);
 
-// So that nobody takes a file for one left behind: kept until the descriptor is closed.
+// Marks a file as in use, so that no process removes it as left behind. The mark lasts until the
+// descriptor is closed.
 void mark_as_in_use(int descriptor);
 
-// Removes the temporary files in this folder of processes that are no more; once for each folder.
-// What another computer or container writes there is in use, and stays.
+// Removes the temporary files in this folder whose processes have ended; once for each folder.
+// Files that another computer or container writes there are marked as in use, and stay.
 void remove_left_behind(const std::filesystem::path& folder);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Walking over the lines and fields of a loaded text, with line numbers for messages.
+// Reads the lines and fields of a loaded text, with line numbers for messages.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ inline std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Lines end with LF, CRLF, LFCR or the end of the text; the ends are not part of them.
+// Lines end with LF, CRLF, LFCR or the end of the text. The line ends are not part of them.
 class LineReader {
  public:
   explicit LineReader(std::string_view text) : rest_(text) {}
@@ -38,7 +38,7 @@ class LineReader {
 
   std::size_t number() const { return number_; }  // of the last line, from 1
   std::size_t bytes_left() const { return rest_.size(); }
-  // The last line had no end: the file may be truncated there.
+  // True if the last line had no line end: the file may be truncated there.
   bool cut() const { return cut_; }
 
  private:

@@ -1,4 +1,4 @@
-// See the header.
+// Compares the ending of a name with those of its format.
 #include "core/files/output_ending.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Whether the name of an output ends as its format does: a PNG file named a.jpg deceives whoever
-// opens it.
+// Checks whether the name of an output has an ending of its format. A PNG file named a.jpg would
+// mislead its readers.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 
 namespace alphascope {
 
-// In small letters, with the point, of whatever case in the name: ".png"; "" when there is none. A
-// number is none: "areas_at_1.4".
+// The ending in lower case with its point: ".png"; empty if there is none. A number does not count
+// as an ending: "areas_at_1.4".
 std::string output_ending(const std::filesystem::path& path);
 
-// Empty when the name has one of these endings, or none at all; what is there and no ordinary file
-// (/dev/null, a pipe) may be called anything. Else what is wrong, without full stop: "the name must
-// end in .ply or .glb, not .jpg".
+// Empty if the name has one of these endings or none at all, or if a device or pipe of that name
+// exists (/dev/null). Else the fault, without a full stop: "the name must end in .ply or .glb, not
+// .jpg".
 std::string fault_of_ending(const std::filesystem::path& path,
                             std::span<const std::string_view> endings);
 inline std::string fault_of_ending(const std::filesystem::path& path,

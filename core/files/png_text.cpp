@@ -1,3 +1,4 @@
+// Makes text chunks and inserts them behind the header of a PNG file.
 #include "core/files/png_text.hpp"
 
 #include <zlib.h>

@@ -1,4 +1,4 @@
-// The one exception of the readers: which file, which line, what is wrong, what to do.
+// The exception of all readers: the file, the line, the fault and the remedy.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace alphascope {
 
-// what() is the complete sentence, printable: "FILE, line N: reason. Remedy."
+// what() is a complete printable sentence: "FILE, line N: reason. Remedy."
 class ReadError : public std::runtime_error {
  public:
-  // line counts from 1; 0 when the fault belongs to no line. reason and remedy without full stop.
+  // line counts from 1; 0: the fault is in no line. reason and remedy have no full stop.
   ReadError(std::filesystem::path file, std::size_t line, std::string reason, std::string remedy)
       : std::runtime_error(sentence(file, line, reason, remedy)),
         file_(std::move(file)),

@@ -1,4 +1,4 @@
-// See the header.
+// Opens a regular file, and refuses folders, pipes and devices with a message.
 #include "core/files/regular_file.hpp"
 
 #include <fcntl.h>
@@ -40,12 +40,12 @@ void refuse_opening(const std::filesystem::path& path, int error) {
 }
 
 RegularFile::RegularFile(const std::filesystem::path& path, FileKind kind) {
-  // Looked at before it is opened, which may do something to a device; and again afterwards, should
-  // something else be there by then.
+  // The kind is checked before opening, since opening may have an effect on a device. It is checked
+  // again afterwards, in case another file has taken the name.
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) refuse_opening(path, errno);
   refuse_what_is_no_file(path, status);
-  // Not waiting for a writer, should this be a pipe.
+  // O_NONBLOCK: do not wait for a writer, if this is a pipe.
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) refuse_opening(path, errno);
   try {

@@ -1,4 +1,4 @@
-// An ordinary file, open for reading. What is none is refused: a pipe or a device could block for
+// A regular file, open for reading. Pipes and devices are refused, because they could block for
 // ever.
 #pragma once
 
@@ -9,20 +9,20 @@
 
 namespace alphascope {
 
-// Throws the ReadError that says why this file cannot be looked at or opened: `error` is errno.
+// Throws a ReadError that says why the file cannot be opened; `error` is errno.
 [[noreturn]] void refuse_opening(const std::filesystem::path& path, int error);
 
 class RegularFile {
  public:
-  // Throws ReadError for a missing file, a folder, a pipe or device, and without permission. From
-  // now on no output of the process replaces it (files_read.hpp).
+  // Throws ReadError for a missing file, a folder, a pipe or device, and a file without permission.
+  // From then on no output of the process replaces the file (files_read.hpp).
   explicit RegularFile(const std::filesystem::path& path, FileKind kind = FileKind::other);
   ~RegularFile();
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;
 
   int descriptor() const { return descriptor_; }
-  std::uint64_t bytes() const { return bytes_; }  // when it was opened
+  std::uint64_t bytes() const { return bytes_; }  // size when it was opened
 
  private:
   int descriptor_ = -1;

@@ -1,4 +1,4 @@
-// FIPS 180-4, sections 4.1.2, 5.1.1 and 6.2.2; names as there.
+// SHA-256 by FIPS 180-4, sections 4.1.2, 5.1.1 and 6.2.2, with the names used there.
 #include "core/files/sha256.hpp"
 
 #include <algorithm>

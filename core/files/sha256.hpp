@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), so that a result can name the very file it came from.
+// SHA-256 (FIPS 180-4). With it a result can name the exact file that it came from.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace alphascope {
 class Sha256 {
  public:
   void update(std::string_view bytes);
-  // 64 hexadecimal digits; nothing can be added afterwards.
+  // 64 hexadecimal digits. Do not call update() afterwards.
   std::string finish();
 
  private:

@@ -1,4 +1,4 @@
-// See the header.
+// Reads a small text from a file, a pipe or standard input.
 #include "core/files/small_text.hpp"
 
 #include <fcntl.h>
@@ -43,7 +43,7 @@ std::string read_to_end(int descriptor, const fs::path& path, const SmallTextRul
   }
 }
 
-// "<(command)" of a shell, a terminal.
+// Is this a pipe, as for "<(command)" in a shell, or a terminal?
 bool is_stream(const fs::path& path) {
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 &&

@@ -1,4 +1,4 @@
-// A text of commands or names, read at once: a script, a list of files.
+// Reads a small text of commands or names at once: a script, a list of files.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ namespace alphascope {
 struct SmallTextRule {
   const char* what = "";  // "the script"
   std::uint64_t most_bytes = 0;
-  const char* remedy = "";  // where it is larger; without full stop
+  const char* remedy = "";  // for a larger text; without a full stop
 };
 
-// As it is in the file, or in the pipe of that name; "-" is standard input. Throws ReadError for
-// what cannot be read, a folder, and more bytes than there may be.
+// The unchanged content of a file or pipe; "-" is standard input. Throws ReadError for a text that
+// cannot be read, a folder, and more than rule.most_bytes.
 std::string read_small_text(const std::filesystem::path& path, const SmallTextRule& rule);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// Bytes that grow without being copied or cleared: for texts of gigabytes, where std::string would
-// hold two copies while growing and write every byte once more.
+// A buffer that grows without copying or clearing. It is for texts of gigabytes, for which
+// std::string would hold two copies while growing and write every byte twice.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ class TextBuffer {
   std::size_t capacity() const { return capacity_; }
   std::string_view view() const { return {data_, size_}; }
 
-  // Large blocks are moved by the system's page tables, not by copying.
+  // realloc() moves large blocks by the system's page tables, without copying.
   void reserve(std::size_t capacity) {
     if (capacity <= capacity_) return;
     void* const moved = std::realloc(data_, capacity);
@@ -38,7 +38,7 @@ class TextBuffer {
     data_ = static_cast<char*>(moved);
     capacity_ = capacity;
   }
-  // At most capacity(); bytes that were not written before are undefined.
+  // `size` must be at most capacity(). Bytes that were not written are undefined.
   void set_size(std::size_t size) { size_ = size; }
 
  private:

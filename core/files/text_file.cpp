@@ -1,3 +1,4 @@
+// Reads a text file or descriptor to its end, unpacks it and normalises its line ends.
 #include "core/files/text_file.hpp"
 
 #include <unistd.h>
@@ -18,22 +19,22 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // UTF-8's
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
 [[noreturn]] void refuse_errno(const std::filesystem::path& path, const char* what,
                                const char* remedy) {
   throw ReadError(path, 0, std::string(what) + ": " + std::strerror(errno), remedy);
 }
 
-// `expected` bytes, which may turn out to be more or fewer.
+// Reads to the end. `expected` bytes are likely, but there may be more or fewer.
 TextBuffer read_to_end(const std::filesystem::path& path, int descriptor, std::uint64_t expected,
                        std::uint64_t max_bytes, const RunContext& context) {
   LineLengths lengths(path);
   TextBuffer bytes;
-  bytes.reserve(expected + 1);  // one more, to meet the end within it
+  bytes.reserve(expected + 1);  // one more, so that the end is found without growing
   for (;;) {
     context.cancel.throw_if_cancelled();
-    // By half as much again, should it grow meanwhile or come through a pipe.
+    // Grow by half, for a file that grows while it is read and for a pipe.
     if (bytes.size() == bytes.capacity()) bytes.reserve(bytes.size() + bytes.size() / 2 + kChunk);
     const std::size_t room = std::min(kChunk, bytes.capacity() - bytes.size());
     const ssize_t got = ::read(descriptor, bytes.data() + bytes.size(), room);
@@ -73,7 +74,7 @@ LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
   loaded.text = loaded.buffer.view();
   loaded.byte_order_mark = loaded.text.starts_with(kByteOrderMark);
   if (loaded.byte_order_mark) loaded.text.remove_prefix(kByteOrderMark.size());
-  // Lines of the oldest systems end with CR alone.
+  // In files of the oldest systems, CR alone ends a line.
   if (loaded.text.find('\n') == std::string_view::npos &&
       loaded.text.find('\r') != std::string_view::npos) {
     loaded.sha256 = file_hash(loaded);

@@ -1,4 +1,4 @@
-// Loading a whole text file, packed with gzip or not, with every ordinary mishap named.
+// Loads a whole text file, compressed with gzip or not. Each common fault has its own message.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,24 @@ namespace alphascope {
 
 struct LoadedText {
   TextBuffer buffer;
-  std::string_view text;  // in the buffer: unpacked, without a UTF-8 mark, CR-only lines with LF
+  // View of the buffer: unpacked, without byte order mark, LF for CR-only line ends.
+  std::string_view text;
   std::uint64_t file_bytes = 0;
-  bool compressed = false;       // told by content, not by name
-  bool byte_order_mark = false;  // was there
-  std::string sha256;            // when it is known already; see file_hash()
+  bool compressed = false;       // found from the content, not from the name
+  bool byte_order_mark = false;  // the file began with one
+  std::string sha256;            // empty if not known yet; see file_hash()
 };
 
-// Throws ReadError for a missing file, a directory, a pipe or device (which could block for ever),
-// a file without permission, damaged gzip data, a line longer than kLongestLine, more than
-// max_bytes of text, or gzip data that unpack to more than any molecule would. With a descriptor,
-// that is read to its end, whatever it is, and the path only names it. What was read is never
-// replaced, unless by an output of its kind (files_read.hpp).
+// Loads a file. With a descriptor, its content is read to the end, whatever its kind, and the path
+// is only a name. Throws ReadError for a missing file, a folder, a pipe or device (which could
+// block for ever), a file without permission, damaged gzip data, a line longer than kLongestLine,
+// more than max_bytes of text, and gzip data that expand more than any molecule does. Only an
+// output of the same kind may replace the file later (files_read.hpp).
 LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
                      const RunContext& context, std::optional<int> descriptor = {},
                      FileKind kind = FileKind::other);
 
-// SHA-256 of the file's bytes, from what was loaded.
+// SHA-256 of the bytes of the file, computed from the loaded text.
 std::string file_hash(const LoadedText& loaded);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Messages for a text or a line that is too long.
 #include "core/files/text_limits.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ std::string size_text(std::uint64_t bytes) {
   return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
 }
 
-// No limit of molecules is so small; those of sessions, lessons, tables and lists are.
+// Limits for molecules are larger than this; those for sessions, lessons, tables and lists are not.
 constexpr std::uint64_t kLargestOther = std::uint64_t{64} << 20;
 
 }  // namespace

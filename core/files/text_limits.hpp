@@ -1,4 +1,4 @@
-// Limits of what is accepted as a text with coordinates, and the messages when they are passed.
+// Limits on the sizes of texts with coordinates, and the messages for texts beyond them.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +8,20 @@
 
 namespace alphascope {
 
-// No line of a coordinate file is nearly so long; what has one is no text, and is refused before
-// its gigabytes are read.
+// Lines of coordinate files are far shorter. A file with a longer line is no text, and is refused
+// before its gigabytes are read.
 inline constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes
 
 [[noreturn]] void refuse_text_beyond(const std::filesystem::path& path, std::uint64_t limit_bytes);
 
-// Refuses a line that is too long while the text still grows.
+// Checks line lengths while the text is still growing.
 class LineLengths {
  public:
-  // `path` is for the message; it must live as long as this.
+  // `path` is for the message, and must outlive this object.
   explicit LineLengths(const std::filesystem::path& path) : path_(path) {}
 
-  // The text up to now; what was seen before must not have changed. Throws ReadError.
+  // Checks the text so far. The part that was checked before must not have changed. Throws
+  // ReadError.
   void look_at(std::string_view text);
 
  private:

@@ -1,5 +1,5 @@
-// See the header. Coordinates have less than 2^29 units: differences have 30 bits, cross and dot
-// products of them 62, and a triple product 93.
+// Distances and angles from exact dot and cross products. Coordinates are below 2^29 units, so
+// differences have 30 bits, their cross and dot products 62, and a triple product 93.
 #include "core/measure/angles.hpp"
 
 #include <array>
@@ -28,7 +28,7 @@ bool is_zero(const Vector& a) {
   return a == Vector{};
 }
 
-// The entries of products are too large for exact squares.
+// The entries of cross products are too large for exact squares, so this is in doubles.
 double real_dot(const Vector& a, const Vector& b) {
   double sum = 0;
   for (int k = 0; k < 3; ++k) sum += static_cast<double>(a[k]) * static_cast<double>(b[k]);
@@ -48,7 +48,7 @@ double distance_on_lattice(const LatticePoint& a, const LatticePoint& b) {
   return std::sqrt(static_cast<double>(dot(v, v)));
 }
 
-// The arctangent is as exact near 0 and 180 degrees as elsewhere; the arccosine is not.
+// The arctangent is equally exact near 0 and 180 degrees; the arccosine is not.
 std::optional<double> angle_degrees(const LatticePoint& a, const LatticePoint& b,
                                     const LatticePoint& c) {
   const Vector u = from_to(b, a), v = from_to(b, c);
@@ -56,8 +56,8 @@ std::optional<double> angle_degrees(const LatticePoint& a, const LatticePoint& b
   return degrees(std::atan2(length(cross(u, v)), static_cast<double>(dot(u, v))));
 }
 
-// Of the normals of both planes: sine and cosine times the same lengths. The triple product is the
-// sine's sign, exactly.
+// The angle between the normals of both planes, from sine and cosine times the same lengths. The
+// triple product has the sign of the sine exactly.
 std::optional<double> dihedral_degrees(const LatticePoint& a, const LatticePoint& b,
                                        const LatticePoint& c, const LatticePoint& d) {
   const Vector first = from_to(a, b), axis = from_to(b, c), last = from_to(c, d);
@@ -67,7 +67,7 @@ std::optional<double> dihedral_degrees(const LatticePoint& a, const LatticePoint
   for (int k = 0; k < 3; ++k) triple += static_cast<Int128>(first[k]) * after[k];
   const double sine = length(axis) * static_cast<double>(triple);
   const double turn = degrees(std::atan2(sine, real_dot(before, after)));
-  return turn == -180 ? 180 : turn;  // of a tiny negative sine, rounded
+  return turn == -180 ? 180 : turn;  // -180 is a tiny negative sine, rounded
 }
 
 }  // namespace alphascope

@@ -1,9 +1,9 @@
-// Closed forms for one, two and three balls and the angles of tetrahedra. Lengths are in any one
-// unit; differences of lattice points are exact as doubles. Nothing is divided by the radius of a
+// Closed forms for one, two and three balls, and the angles of tetrahedra. All lengths are in one
+// unit. Differences of lattice points are exact as doubles. No formula divides by the radius of a
 // circle in which two spheres meet, so tangent balls lose no digits. Host and device.
 //
-// The radical plane of balls i and j is where their powers are equal. h_ij is the distance of
-// centre i from it, positive towards j; |h_ij| <= R_i where the spheres meet.
+// On the radical plane of balls i and j their powers are equal. h_ij is the distance of centre i
+// from it, positive towards j. If the spheres meet, |h_ij| <= R_i.
 #pragma once
 
 #include <math.h>
@@ -18,10 +18,10 @@ namespace alphascope {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-// A ball grown by alpha. Centre and radius are of the lattice, so that differences are exact.
+// A ball grown by alpha. Centre and radius are in lattice units, so that differences are exact.
 struct GrownBall {
   std::int32_t x, y, z;
-  std::int32_t radius;   // before it was grown
+  std::int32_t radius;   // before growing
   double square_radius;  // R² = radius² + alpha; 0 where that is negative
   double grown_radius;   // R
 };
@@ -31,7 +31,8 @@ ALPHASCOPE_INLINE GrownBall grown_ball(const LatticePoint& p, std::int32_t radiu
   const double positive = square > 0 ? square : 0;
   return {p.x, p.y, p.z, radius, positive, sqrt(positive)};
 }
-// Ball k as seen from ball i: p_k - p_i, and |p_k - p_i|² + R_i² - R_k², both exact.
+// The lifted vector of ball k, seen from ball i: p_k - p_i, and |p_k - p_i|² + R_i² - R_k². Both
+// are exact.
 ALPHASCOPE_INLINE LiftedInt lifted_vector(const GrownBall& i, const GrownBall& k) {
   return lifted_vector(i, i.radius, k, k.radius);
 }
@@ -42,7 +43,7 @@ ALPHASCOPE_INLINE double sphere_area(double radius) {
 ALPHASCOPE_INLINE double ball_volume(double radius) {
   return 4 * kPi / 3 * radius * radius * radius;
 }
-// Of the part of a ball beyond a plane; the height is from 0 to two radii.
+// Area and volume of the part of a ball beyond a plane; the height is between 0 and two radii.
 ALPHASCOPE_INLINE double cap_area(double radius, double height) {
   return 2 * kPi * radius * height;
 }
@@ -59,19 +60,19 @@ ALPHASCOPE_INLINE double solid_angle(const V& a, const V& b, const V& c) {
   return 2 * atan2(fabs(dot(a, cross(b, c))), below);
 }
 
-// The angle at the edge `u` between the half-planes towards a and b, 0 to pi.
+// The angle at edge `u` between the half-planes towards a and b, 0 to pi.
 template <class V>
 ALPHASCOPE_INLINE double dihedral_angle(const V& u, const V& a, const V& b) {
   const auto ua = cross(u, a), ub = cross(u, b);
   return atan2(sqrt(dot(u, u)) * fabs(dot(a, ub)), dot(ua, ub));
 }
 
-// Two balls i and j whose spheres meet: distances of their centres from the radical plane, and the
-// disc in which both spheres meet it.
+// Two balls i and j whose spheres meet: the distances of their centres from the radical plane, and
+// the disc that both spheres have in it.
 struct BallPair {
-  double distance;     // of the centres
+  double distance;     // distance of the centres
   double height[2];    // h_ij, h_ji
-  double square_disc;  // square of the radius of the disc
+  double square_disc;  // squared radius of the disc
 };
 ALPHASCOPE_INLINE BallPair ball_pair(const GrownBall& i, const GrownBall& j) {
   const LiftedInt v = lifted_vector(i, j);
@@ -81,14 +82,14 @@ ALPHASCOPE_INLINE BallPair ball_pair(const GrownBall& i, const GrownBall& j) {
   const double half = 0.5 / pair.distance;
   pair.height[0] = static_cast<double>(v.c) * half;
   pair.height[1] = static_cast<double>(square - (v.c - square)) * half;
-  // The smaller ball has the smaller error.
+  // The smaller ball gives the smaller error.
   const int small = i.square_radius <= j.square_radius ? 0 : 1;
   const double radius = small == 0 ? i.grown_radius : j.grown_radius;
   const double below = radius - fabs(pair.height[small]);
   pair.square_disc = below > 0 ? below * (radius + fabs(pair.height[small])) : 0;
   return pair;
 }
-// Height of the cap of ball `end` that is beyond the radical plane.
+// The height of the cap of ball `end` beyond the radical plane.
 ALPHASCOPE_INLINE double cap_height(const BallPair& pair, int end, double radius) {
   const double height = radius - pair.height[end];
   return height < 0 ? 0 : height > 2 * radius ? 2 * radius : height;

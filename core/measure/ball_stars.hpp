@@ -1,4 +1,4 @@
-// The neighbours of balls in a triangulation, looked up as they are asked for.
+// The neighbours of balls in a triangulation, found on request.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace alphascope {
 
-// One tetrahedron of each ball.
+// One tetrahedron of each ball; 0 for hidden balls.
 inline std::vector<std::uint32_t> tetrahedron_of_balls(const Triangulation& triangulation,
                                                        std::size_t balls) {
   std::vector<std::uint32_t> of(balls, 0);
@@ -22,7 +22,7 @@ inline std::vector<std::uint32_t> tetrahedron_of_balls(const Triangulation& tria
   return of;
 }
 
-// For one thread. Keeps what it has found.
+// For one thread. Results are kept for later calls.
 class BallStars {
  public:
   BallStars(const Triangulation& triangulation, const std::vector<std::uint32_t>& tetrahedron_of)
@@ -30,7 +30,7 @@ class BallStars {
         tetrahedron_of_(tetrahedron_of),
         walk_of_(triangulation.tetrahedra.size(), 0) {}
 
-  // Ascending. Valid until the next call.
+  // The neighbours of ball i, ascending. Valid until the next call.
   std::span<const BallIndex> neighbours(BallIndex i) {
     const auto [at, is_new] = range_of_.try_emplace(i);
     if (is_new) at->second = walk(i);
@@ -67,7 +67,7 @@ class BallStars {
 
   const Triangulation& triangulation_;
   const std::vector<std::uint32_t>& tetrahedron_of_;
-  std::vector<std::uint32_t> walk_of_;  // the last that met each tetrahedron
+  std::vector<std::uint32_t> walk_of_;  // per tetrahedron: the last walk that met it
   std::uint32_t walks_ = 0;
   std::unordered_map<BallIndex, Range> range_of_;
   std::vector<BallIndex> found_;

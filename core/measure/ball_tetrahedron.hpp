@@ -1,6 +1,6 @@
-// What a tetrahedron of balls gives to each of them: the part of it that is nearer, by power, to
-// one ball than to the others. It consists of six orthoschemes a ball, with corners at the ball's
-// centre and the orthocentres of an edge, a triangle and the tetrahedron; the volume of one is a
+// The part of a tetrahedron of balls that belongs to each ball: where its power is the least of the
+// four. It consists of six orthoschemes for each ball, with corners at the ball's centre and at the
+// orthocentres of an edge, a triangle and the tetrahedron. The volume of an orthoscheme is a
 // product of barycentric coordinates, with its sign. Host and device.
 #pragma once
 
@@ -15,11 +15,12 @@ namespace alphascope {
 // Edges are numbered 01, 02, 03, 12, 13, 23: edge e is opposite edge 5 - e.
 struct BallTetrahedron {
   TetrahedronCoordinates at;
-  // foot[m]: barycentric coordinates of the orthocentre of the face opposite ball m, whose balls
-  // are numbered as they come.
+  // foot[m]: barycentric coordinates of the orthocentre of the face opposite ball m. The balls of
+  // the face are numbered in ascending order.
   double foot[4][3];
   double square_edge[6];
-  double radical[6];  // where the radical plane cuts the edge: 0 at the first ball, 1 at the other
+  // Position of the radical plane on the edge: 0 at the first ball, 1 at the other.
+  double radical[6];
 };
 ALPHASCOPE_INLINE BallTetrahedron ball_tetrahedron(const GrownBall (&ball)[4]) {
   const LiftedInt v01 = lifted_vector(ball[0], ball[1]), v02 = lifted_vector(ball[0], ball[2]);
@@ -48,7 +49,7 @@ ALPHASCOPE_INLINE BallTetrahedron ball_tetrahedron(const GrownBall (&ball)[4]) {
   return t;
 }
 
-// Volumes of the four parts; their sum is the tetrahedron's.
+// Volumes of the four parts; their sum is that of the tetrahedron.
 ALPHASCOPE_INLINE void orthoscheme_shares(const BallTetrahedron& t, double (&share)[4]) {
   constexpr int kEdge[4][3] = {{3, 4, 5}, {1, 2, 5}, {0, 2, 4}, {0, 1, 3}};  // 01, 02, 12 of a face
   constexpr int kBall[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
@@ -64,7 +65,7 @@ ALPHASCOPE_INLINE void orthoscheme_shares(const BallTetrahedron& t, double (&sha
   }
 }
 
-// Angle of the tetrahedron at edge e between its faces, 0 to pi.
+// The angle of the tetrahedron between its faces at edge e, 0 to pi.
 ALPHASCOPE_INLINE double dihedral_at(const BallTetrahedron& t, int e) {
   constexpr int kFaces[6][2] = {{2, 3}, {1, 3}, {1, 2}, {0, 3}, {0, 2}, {0, 1}};
   const auto& m = t.at.normal[kFaces[e][0]];

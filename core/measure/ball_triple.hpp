@@ -1,6 +1,6 @@
-// What three balls have in common: H. Edelsbrunner, P. Koehl, "The geometry of biomolecular
-// solvation" (2005), with cap heights and spherical excess in place of angles of corners, so that
-// tangent balls lose no digits. Host and device.
+// The intersection of three balls. Source: H. Edelsbrunner, P. Koehl, "The geometry of biomolecular
+// solvation" (2005). Cap heights and spherical excess replace angles of corners, so that tangent
+// balls lose no digits. Host and device.
 #pragma once
 
 #include <math.h>
@@ -11,21 +11,21 @@
 
 namespace alphascope {
 
-// Of balls 0, 1 and 2, whose spheres meet in two points, or touch; mirror images of each other, so
-// all is of the half on one side of their plane. Edge m is the one opposite ball m.
+// Three balls 0, 1 and 2 whose spheres meet in two points, or touch. The points are mirror images,
+// so all numbers are for the half on one side of the centres' plane. Edge m is opposite ball m.
 struct BallTriple {
   double half_chord;     // distance of a common point from the plane
-  double reach[3];       // distance of the points' middle from edge m, positive towards ball m
-  double half_angle[3];  // of the circle of edge m, inside ball m; 0 to pi
-  // Of the part of sphere m, and of ball m, that is beyond both radical planes: half of A_m;.. and
-  // of V_m;.. The union of three such balls loses them where it would count them twice.
+  double reach[3];       // distance of the points' midpoint from edge m, positive towards ball m
+  double half_angle[3];  // half angle of the circle of edge m inside ball m; 0 to pi
+  // Area and volume of the part of sphere m and of ball m beyond both radical planes: half of
+  // A_m;jk and of V_m;jk. The union of three balls subtracts them, as it would count them twice.
   double area[3];
   double volume[3];
 };
 
-// The half of A_m;jk. `to`: at both other balls. The part of the sphere in front of both planes is
-// the two sectors of caps less the triangle of their poles and the common point; behind a plane the
-// opposite pole takes its place, so that a small circle stays small.
+// Half of A_m;jk. The pairs of numbers are for the other two balls. The part of the sphere beyond
+// both planes is the two sectors of caps minus the triangle of their poles and the common point.
+// For a plane with a negative height the opposite pole is used, so that a small circle stays small.
 struct TripleCorner {
   double radius, height[2], half_angle[2], edge[2], product;  // product: edge[0] edge[1] cosine
 };
@@ -43,7 +43,7 @@ ALPHASCOPE_INLINE double triple_corner_area(const TripleCorner& at, double chord
   return area;
 }
 
-// `pair[m]`: of the balls of edge m, the lower one first.
+// `pair[m]` has the balls of edge m, the lower one first.
 ALPHASCOPE_INLINE BallTriple ball_triple(const GrownBall (&ball)[3], const BallPair (&pair)[3]) {
   const LiftedInt b = lifted_vector(ball[0], ball[1]), c = lifted_vector(ball[0], ball[2]);
   const TriangleCoordinates at = triangle_coordinates(b, c);

@@ -1,3 +1,5 @@
+// Cuts tetrahedra into the power cells of the balls that reach into them, and subtracts each ball's
+// part.
 #include "core/measure/clipped.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -22,12 +24,12 @@
 namespace alphascope {
 namespace {
 
-// Faces of a piece are made by balls, or by the tetrahedron's own planes.
+// Marks a face of a piece that is a face of the tetrahedron; other faces are named by their balls.
 constexpr std::uint32_t kOwnFace = 0xffffffff;
 constexpr std::size_t kGrain = 16;  // tetrahedra
 
 struct Planes {
-  VectorInt normal[4];  // opposite each ball, out
+  VectorInt normal[4];  // outward, of the face opposite each ball
   double length[4];
   double volume;  // lattice units
   bool is_mirrored;
@@ -39,21 +41,22 @@ struct Clipped {
 
 // A wall of a ball's cell: the radical plane to a neighbour, as the ball sees it.
 struct Wall {
-  Vector3<double> normal;  // of any length
-  double offset, length;   // along the normal; of the normal
-  double distance;         // of the plane, negative when the ball's centre is beyond
+  Vector3<double> normal;  // not of unit length
+  double offset, length;   // along the normal; length of the normal
+  double distance;  // of the plane from the ball's centre, negative if the centre is beyond it
   BallIndex ball;
 };
 
-// Of all cells asked for, the nearest wall first; of as near ones by their centres, so that the
-// order of the file has no part in it. For one thread; keeps what it has found.
+// The walls of requested cells, the nearest wall first. Equally near walls are ordered by the
+// centres of their balls, so that the order in the file has no influence. For one thread; results
+// are kept for later calls.
 class CellWalls {
  public:
   CellWalls(const Triangulation& triangulation, const BallSet& balls,
             const std::vector<std::uint32_t>& tetrahedron_of)
       : balls_(balls), stars_(triangulation, tetrahedron_of) {}
 
-  // Valid until the next call.
+  // The walls of ball i. Valid until the next call.
   std::span<const Wall> of(BallIndex i) {
     const auto [at, is_new] = range_of_.try_emplace(i);
     if (is_new) at->second = make(i);
@@ -95,8 +98,8 @@ struct Meeting {
   BallIndex ball;
 };
 
-// Which tetrahedra balls reach into. A ball is convex, so these are joined across faces that it
-// reaches, from one of which it is a corner. For one thread.
+// Finds the tetrahedra that a ball reaches into. A ball is convex, so these are connected through
+// faces that it reaches, beginning with a tetrahedron of which it is a corner. For one thread.
 class BallReach {
  public:
   BallReach(const Triangulation& triangulation, const BallSet& balls, const LatticeAlpha& alpha,
@@ -110,10 +113,12 @@ class BallReach {
 
   void add(BallIndex i, std::vector<Meeting>& meetings) {
     const auto& first = triangulation_.tetrahedra[tetrahedron_of_[i]];
-    if (std::find(first.begin(), first.end(), i) == first.end()) return;  // hidden: it has no cell
+    // Hidden, so it has no cell.
+    if (std::find(first.begin(), first.end(), i) == first.end()) return;
     const GrownBall ball = grown_ball(balls_.centres[i], balls_.radii[i], alpha_);
     if (ball.grown_radius == 0) return;
-    // A little more than it reaches, for roundings: where it does not, it takes nothing away.
+    // A little more than the radius, for roundings. A tetrahedron too many does no harm: the ball
+    // takes no part of it.
     const double reach = ball.square_radius * (1 + 1e-9);
     ++balls_met_;
     open_.clear();
@@ -152,7 +157,7 @@ class BallReach {
   const LatticeAlpha alpha_;
   const std::vector<std::uint32_t>& tetrahedron_of_;
   const std::vector<bool>& asked_;
-  std::vector<std::uint32_t> met_by_;  // the last ball that met each tetrahedron, counted
+  std::vector<std::uint32_t> met_by_;  // per tetrahedron: count of the last ball that met it
   std::uint32_t balls_met_ = 0;
   std::vector<std::uint32_t> open_;
 };
@@ -167,7 +172,7 @@ class Clipper {
         alpha_(alpha_on_lattice),
         walls_(triangulation, balls, tetrahedron_of) {}
 
-  // `meetings`: of all balls that reach into it.
+  // `meetings` are those of all balls that reach into the tetrahedron.
   Clipped clip(std::uint32_t t, std::span<const Meeting> meetings) {
     index_ = triangulation_.tetrahedra[t];
     std::sort(index_.begin(), index_.end(),
@@ -200,7 +205,7 @@ class Clipper {
     of.is_mirrored = six_volumes < 0;
     of.volume = std::fabs(six_volumes) / 6;
     for (int m = 0; m < 4; ++m) {
-      // Those of a tetrahedron that is not mirrored point in.
+      // The normals of a tetrahedron that is not mirrored point inwards.
       of.normal[m] = of.is_mirrored ? n[m] : VectorInt{-n[m].x, -n[m].y, -n[m].z};
       const auto normal = as_doubles(n[m]);
       of.length[m] = std::sqrt(dot(normal, normal));
@@ -208,7 +213,7 @@ class Clipper {
     return of;
   }
 
-  // The tetrahedron as seen from ball i.
+  // Starts the piece as the whole tetrahedron, with ball i at the origin.
   void start(const GrownBall& from) {
     Vector3<double> corner[4];
     PieceFace face[4];
@@ -230,11 +235,12 @@ class Clipper {
     piece_.start(corner, face, planes_.is_mirrored);
   }
 
-  // The part of the tetrahedron in the ball's cell, as far as the ball reaches.
+  // Cuts the piece to the ball's cell, as far as the ball reaches. False if nothing is left.
   bool cut_out_cell(BallIndex i, const GrownBall& from) {
     start(from);
     for (const Wall& wall : walls_.of(i)) {
-      if (wall.distance > std::min(piece_.reach(), from.grown_radius)) break;  // as all that follow
+      // All later walls are farther.
+      if (wall.distance > std::min(piece_.reach(), from.grown_radius)) break;
       if (!piece_.cut(wall.normal, wall.offset, wall.length, wall.ball)) return false;
     }
     return true;
@@ -250,7 +256,7 @@ class Clipper {
   ConvexPiece piece_;
 };
 
-// By tetrahedron, and of each by the centres of the balls.
+// All meetings, ordered by tetrahedron and then by the centres of the balls.
 std::vector<Meeting> all_meetings(const Triangulation& triangulation, const BallSet& balls,
                                   const LatticeAlpha& alpha,
                                   const std::vector<std::uint32_t>& tetrahedron_of,

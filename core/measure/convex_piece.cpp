@@ -1,3 +1,4 @@
+// Cuts a convex polyhedron by planes, and integrates a ball around the origin over its faces.
 #include "core/measure/convex_piece.hpp"
 
 #include <algorithm>
@@ -13,20 +14,21 @@ Point minus(const Point& a, const Point& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-// What is beyond a circle around the foot of the origin in a face, or within it.
+// The parts of a face inside and beyond a circle around the foot of the origin.
 struct FaceShare {
-  double area = 0;   // within
-  double angle = 0;  // solid angle at the origin of what is beyond; has the sign of the distance
+  double area = 0;   // area inside the circle
+  double angle = 0;  // solid angle at the origin of the part beyond, with the sign of the distance
 };
 
-// The triangle of the foot and an edge of the face, which is a line at distance x of the foot, from
-// a to b along it, `ga` and `gb` from the origin; all of it beyond the circle. In polar coordinates
-// around the foot the solid angle is that of a cone less one with the edge as base, whose
-// antiderivative is the arc tangent of h s / x g.
+// Adds the triangle of the foot and an edge of the face, all of it beyond the circle. The edge is
+// on a line at distance x from the foot, from a to b along that line; `ga` and `gb` are the
+// distances of its ends from the origin. In polar coordinates around the foot, the solid angle is
+// that of a cone minus one with the edge as base. The antiderivative of the latter is arctan(h s /
+// x g).
 struct Beyond {
   double h, x;
-  double cosine;         // h / R, or the sign of h when there is no circle
-  double square_circle;  // 0 when there is none
+  double cosine;         // h / R, or the sign of h without a circle
+  double square_circle;  // 0 without a circle
 
   void add(double a, double ga, double b, double gb, FaceShare& share) const {
     const double turn = std::atan2(x * (b - a), x * x + a * b);
@@ -99,7 +101,7 @@ std::uint32_t ConvexPiece::crossing(std::uint32_t in, std::uint32_t out) {
   return static_cast<std::uint32_t>(crossings_.size() - 1);
 }
 
-// What is cut off for ever is no corner any more, or the next cuts would look at it again.
+// Drops corners that are cut off, so that later cuts do not process them.
 void ConvexPiece::forget_corners() {
   constexpr std::uint32_t kUnused = 0xffffffff;
   place_.assign(corners_.size(), kUnused);
@@ -123,8 +125,8 @@ void ConvexPiece::measure_reach() {
 }
 
 bool ConvexPiece::cut(const Point& normal, double offset, double length, std::uint32_t made_by) {
-  // Corners and sides are known to some roundings of this size. Through a point where many cells
-  // meet there are as many planes, which would cut off as many slivers of no thickness.
+  // Corners and sides are known up to some roundings of this size. If many cells meet in a point,
+  // their planes would cut off slivers without thickness there.
   const double slack = kSlack * (std::fabs(offset) + length * reach_);
   side_.resize(corners_.size());
   double least = HUGE_VAL, most = -HUGE_VAL;
@@ -148,7 +150,7 @@ bool ConvexPiece::cut(const Point& normal, double offset, double length, std::ui
   for (const Loop& loop : loops_) {
     const auto first = static_cast<std::uint32_t>(kept_indices_.size());
     const auto corners = corners_of(loop);
-    // The boundary leaves and comes back; the new face runs the other way.
+    // The boundary of the face leaves and comes back. The new face has the opposite direction.
     std::uint32_t left = 0, back = 0;
     bool is_out = false, came_first = false;
     for (std::size_t n = 0; n < corners.size(); ++n) {

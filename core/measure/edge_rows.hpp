@@ -1,4 +1,4 @@
-// Finding an edge or triangle in the sorted lists of a complex.
+// Finds an edge or triangle in the sorted lists of a complex.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace alphascope {
 
-// Where the edges of each lower ball begin.
+// For each ball, the index of the first edge of which it is the lower ball.
 class EdgeRows {
  public:
   EdgeRows() = default;
@@ -22,7 +22,7 @@ class EdgeRows {
     }
     for (; ball <= balls; ++ball) first_[ball] = static_cast<std::uint32_t>(edges.size());
   }
-  // The index of edge ij, i < j, which is there.
+  // The index of edge ij, i < j, which must exist.
   std::size_t find(const Simplices<2>& edges, BallIndex i, BallIndex j) const {
     return find_in_row(first_[i], first_[i + 1], j, [&](std::size_t e) { return edges[e][1]; });
   }
@@ -31,7 +31,7 @@ class EdgeRows {
   std::vector<std::uint32_t> first_;
 };
 
-// The index of a triangle that is there.
+// The index of a triangle, which must exist.
 inline std::size_t find_triangle(const Simplices<3>& triangles,
                                  const std::array<BallIndex, 3>& balls) {
   return static_cast<std::size_t>(std::lower_bound(triangles.begin(), triangles.end(), balls) -

@@ -1,3 +1,4 @@
+// Runs the measures on CPU or device, times them, and falls back to the CPU.
 #include "core/measure/engine_measures.hpp"
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Areas and volumes where the engine is that made the complex: on its device, or on the CPU.
+// Areas and volumes, measured where the engine has the complex: on its device or on the CPU.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace alphascope {
 
-// With what measured and how.
+// Measures with the device that made them, and how.
 struct MeasuredUnion {
   UnionMeasures measures;
   std::string device;  // "NVIDIA H200", "CPU, 2 threads"
@@ -18,17 +18,17 @@ struct MeasuredUnion {
   double milliseconds = 0;
 };
 
-// On the CPU, in the caller's task arena. Throws what measure_union() does.
+// Measures on the CPU, in the caller's task arena. Throws as measure_union() does.
 MeasuredUnion measure_here(const BallSet& balls, const AlphaComplex& complex,
                            const RunContext& context, UnionDerivatives* derivatives = nullptr);
 
-// On these threads of the CPU. Throws what measure_union() does.
+// Measures on these threads of the CPU. Throws as measure_union() does.
 MeasuredUnion measure_on_cpu(const BallSet& balls, const AlphaComplex& complex,
                              WorkThreads& threads, const RunContext& context,
                              UnionDerivatives* derivatives = nullptr);
 
-// By the engine's device; on the CPU, with a note, where that fails or has no room. Nothing when
-// the engine has no device. Throws what Engine::measure() does.
+// Measures on the engine's device. If that fails or has too little memory, measures on the CPU and
+// adds a note. Empty if the engine has no device. Throws as Engine::measure() does.
 std::optional<MeasuredUnion> measure_on_device(Engine& engine, const BallSet& balls,
                                                const AlphaComplex& complex, WorkThreads& threads,
                                                const RunContext& context);

@@ -1,4 +1,4 @@
-// Sums that do not depend on the order of what is added, nor on who adds it.
+// Sums that do not depend on the order of their terms, nor on the threads that add them.
 #pragma once
 
 #include <math.h>
@@ -9,22 +9,23 @@
 
 namespace alphascope {
 
-// A sum as an integer multiple of a power of two: integers add up exactly, in any order and with
-// carries beyond 64 bits forgotten, as long as the whole sum fits. A term is cut off to a unit.
+// A sum as an integer multiple of a power of two. Integers add up exactly in any order, even if
+// carries beyond 64 bits are lost, as long as the whole sum fits. A term is truncated to whole
+// units.
 using FixedSum = std::uint64_t;
 
-// Least e with x <= 2^e; x > 0.
+// The least e with x <= 2^e; x > 0.
 ALPHASCOPE_INLINE int bits_above(double x) {
   int exponent;
   frexp(x, &exponent);
   return exponent;
 }
-// Units per 1 for terms of magnitude up to 2^bits: 2^61 units.
+// Units per 1 for terms of magnitude up to 2^bits, which then have up to 2^61 units.
 ALPHASCOPE_INLINE double fixed_scale(int bits) {
   return ldexp(1.0, 61 - bits);
 }
 ALPHASCOPE_INLINE FixedSum fixed_term(double x, double scale) {
-  constexpr double kMost = 4.611686018427387904e18;  // 2^62: no term that is not a mistake
+  constexpr double kMost = 4.611686018427387904e18;  // 2^62, above every correct term
   double units = x * scale;
   units = units < kMost ? units : kMost;
   units = units > -kMost ? units : -kMost;
@@ -34,8 +35,8 @@ ALPHASCOPE_INLINE double fixed_value(FixedSum sum, double scale) {
   return static_cast<double>(static_cast<std::int64_t>(sum)) / scale;
 }
 
-// A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen" (1974): the
-// error of the sum hardly grows with the number of terms. Depends on their order.
+// A compensated sum: A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher
+// Summen" (1974). Its error hardly grows with the number of terms. It depends on their order.
 struct NeumaierSum {
   double sum = 0, lost = 0;
 

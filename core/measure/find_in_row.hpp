@@ -1,4 +1,4 @@
-// Finding an edge in the sorted edges of one ball. Host and device.
+// Finds an edge in the sorted edges of one ball. Host and device.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace alphascope {
 
-// The edge to ball j, which is there, among edges [low, high) of one lower ball; upper(e): the
-// upper ball of an edge.
+// The edge to ball j among the edges [low, high) of one lower ball; it must exist. upper(e) is the
+// upper ball of edge e.
 template <class Upper>
 ALPHASCOPE_INLINE std::size_t find_in_row(std::size_t low, std::size_t high, BallIndex j,
                                           const Upper& upper) {

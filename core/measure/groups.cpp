@@ -1,3 +1,4 @@
+// Connected components, sums by group and areas of single balls.
 #include <stdexcept>
 
 #include "core/measure/ball_geometry.hpp"

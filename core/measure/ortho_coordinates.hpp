@@ -1,7 +1,7 @@
-// Barycentric coordinates of orthocentres, the points of equal power, of two, three and four balls:
-// pure numbers from which all lengths, areas and volumes without an angle follow. Numerators that
-// cancel in flat simplices are then computed exactly (the widths are those of lattice.hpp: vectors
-// 2^30, their lifts 2^62, cross products 2^61). Host and device.
+// Barycentric coordinates of orthocentres, the points of equal power, of two, three and four balls.
+// All lengths, areas and volumes without an angle follow from these pure numbers. Numerators that
+// would cancel in flat simplices are computed exactly, with the widths of lattice.hpp: vectors
+// 2^30, their lifts 2^62, cross products 2^61. Host and device.
 #pragma once
 
 #include <math.h>
@@ -19,24 +19,24 @@ ALPHASCOPE_INLINE Vector3<double> as_doubles(const VectorInt& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-// a b - c d.
+// a b - c d, rounded once.
 ALPHASCOPE_DEVICE_CALL double exact_difference(std::int64_t a, std::int64_t b, std::int64_t c,
                                                std::int64_t d) {
   return static_cast<double>(static_cast<Int128>(a) * b - static_cast<Int128>(c) * d);
 }
-// a x + b y + c z.
+// a x + b y + c z, rounded once.
 ALPHASCOPE_DEVICE_CALL double exact_sum(std::int64_t a, std::int64_t x, std::int64_t b,
                                         std::int64_t y, std::int64_t c, std::int64_t z) {
   return static_cast<double>(static_cast<Int128>(a) * x + static_cast<Int128>(b) * y +
                              static_cast<Int128>(c) * z);
 }
 
-// Below these, a triangle or tetrahedron is flat: the square of the sine at ball 0, and of the
-// volume relative to its edges at ball 0.
+// A triangle or tetrahedron is flat below these limits: on the squared sine at ball 0, and on the
+// squared volume relative to the edges at ball 0.
 inline constexpr double kFlatTriangle = 1.0 / 4096;
 inline constexpr double kFlatTetrahedron = 1.0 / 1048576;
 
-// Of the triangle of ball 0 and those at b and c.
+// Coordinates of the triangle of ball 0 and the balls at b and c.
 struct TriangleCoordinates {
   double foot[3];        // barycentric coordinates of the orthocentre
   double square_normal;  // |b x c|²
@@ -68,12 +68,13 @@ ALPHASCOPE_INLINE TriangleCoordinates triangle_coordinates(const LiftedInt& b, c
   return triangle_coordinates(b, c, dot(normal, normal));
 }
 
-// Of the tetrahedron of ball 0 and those at b, c and d.
+// Coordinates of the tetrahedron of ball 0 and the balls at b, c and d.
 struct TetrahedronCoordinates {
-  double centre[4];           // barycentric coordinates of the orthocentre
-  double six_volumes;         // >= 0
-  double outward;             // 1 if the normals point out, -1 if in
-  Vector3<double> normal[4];  // of the face opposite each ball; twice its area; all in or all out
+  double centre[4];    // barycentric coordinates of the orthocentre
+  double six_volumes;  // >= 0
+  double outward;      // 1 if the normals point out, -1 if in
+  // Of the face opposite each ball, with twice its area as length; all inwards or all outwards.
+  Vector3<double> normal[4];
 };
 ALPHASCOPE_INLINE TetrahedronCoordinates tetrahedron_coordinates(const LiftedInt& b,
                                                                  const LiftedInt& c,
@@ -90,7 +91,7 @@ ALPHASCOPE_INLINE TetrahedronCoordinates tetrahedron_coordinates(const LiftedInt
   double volume = x * of.normal[3].x + y * of.normal[3].y + z * of.normal[3].z;
   const double edges = static_cast<double>(dot(b, b)) * static_cast<double>(dot(c, c)) *
                        static_cast<double>(dot(d, d));
-  Vector3<double> point;  // the orthocentre times 2 volume, from ball 0
+  Vector3<double> point;  // the orthocentre times twice `volume`, from ball 0
   if (volume * volume > kFlatTetrahedron * edges) {
     const auto lb = static_cast<double>(b.c), lc = static_cast<double>(c.c),
                ld = static_cast<double>(d.c);

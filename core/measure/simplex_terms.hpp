@@ -1,13 +1,14 @@
-// What each simplex of an alpha complex adds to the area and volume of its balls. Angle-weighted
-// inclusion-exclusion (H. Edelsbrunner, "The union of balls and its dual shape", 1995), summed over
-// the simplices that have an open side; what is filled on all sides adds no angle, by its class and
-// not by a sum of angles that should cancel. Host and device.
+// The terms that each simplex of an alpha complex adds to the area and volume of its balls. They
+// are those of angle-weighted inclusion-exclusion (H. Edelsbrunner, "The union of balls and its
+// dual shape", 1995), summed over the simplices with an open side. A simplex that is filled on all
+// sides adds no angle. Its class decides that, not a sum of angles that should cancel. Host and
+// device.
 //
 // A_i = R_i² pi (4 - 2 edges + tetrahedra) + sum over edges of R_i h_ij X_ij + sum over triangles
 // of their corners on open sides, where X is the angle at an edge that no tetrahedron fills.
-// 3 V_i = R_i A_i + sum over j of h_ij D_ij, where D is the area of the wall between i and j. A
-// sink is told V_i - R_i A_i / 3. It has ball(i), area(i, x) and volume(i, x); where kDerivatives
-// holds, also the three of simplex_derivatives.hpp.
+// 3 V_i = R_i A_i + sum over j of h_ij D_ij, where D is the area of the wall between i and j.
+// A sink has ball(i), area(i, x) and volume(i, x), which gets V_i - R_i A_i / 3. If kDerivatives
+// holds, it also has the three functions of simplex_derivatives.hpp.
 #pragma once
 
 #include "core/complex/face_class.hpp"
@@ -22,7 +23,7 @@ namespace alphascope {
 ALPHASCOPE_INLINE bool is_open(SimplexClass c) {
   return c != SimplexClass::interior;
 }
-// Of a triangle: the number of tetrahedra at it is its class.
+// The number of open sides of a triangle; its class is the number of its tetrahedra.
 ALPHASCOPE_INLINE int open_sides(SimplexClass triangle) {
   return 2 - static_cast<int>(triangle);
 }
@@ -52,7 +53,7 @@ ALPHASCOPE_INLINE void edge_terms(const BallIndex (&i)[2], const bool (&end_is_o
   }
 }
 
-// Of a triangle with one or two open sides.
+// For a triangle with one or two open sides.
 template <class Sink>
 ALPHASCOPE_INLINE void triangle_terms(const BallIndex (&i)[3], int open_sides, Sink& sink) {
   const GrownBall ball[3] = {sink.ball(i[0]), sink.ball(i[1]), sink.ball(i[2])};
@@ -68,12 +69,12 @@ ALPHASCOPE_INLINE void triangle_terms(const BallIndex (&i)[3], int open_sides, S
   }
 }
 
-// What is open of a tetrahedron, as bits: balls that are not interior, edges that are not (both by
-// their numbers), and faces (by the opposite ball) that have no tetrahedron behind them.
+// The open parts of a tetrahedron, as bits: balls and edges that are not interior (by their
+// numbers), and faces without a tetrahedron behind them (by the opposite ball).
 struct OpenFaces {
   std::uint32_t balls, edges, faces;
 };
-// All but the faces. is_ball_open(i); is_edge_open(i, j), which is asked of open balls only.
+// Sets all but the faces. is_edge_open(i, j) is called for open balls only.
 template <class IsBallOpen, class IsEdgeOpen>
 ALPHASCOPE_INLINE OpenFaces open_balls_and_edges(const BallIndex (&i)[4],
                                                  const IsBallOpen& is_ball_open,

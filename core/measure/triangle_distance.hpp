@@ -1,4 +1,4 @@
-// How far the origin is from a segment or a triangle, squared, in double precision.
+// The squared distance of the origin from a segment or a triangle, in double precision.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ inline Vector3<double> difference(const Vector3<double>& a, const Vector3<double
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-// From the segment from a to b.
+// Squared distance from the segment from a to b.
 inline double square_from_segment(const Vector3<double>& a, const Vector3<double>& b) {
   const Vector3<double> along = difference(b, a);
   const double t = std::clamp(-dot(a, along) / dot(along, along), 0.0, 1.0);
@@ -19,7 +19,8 @@ inline double square_from_segment(const Vector3<double>& a, const Vector3<double
   return dot(nearest, nearest);
 }
 
-// From the triangle: within it where the foot is, else from its nearest side.
+// Squared distance from the triangle: from its plane if the foot is inside, else from its nearest
+// side.
 inline double square_from_triangle(const Vector3<double>& a, const Vector3<double>& b,
                                    const Vector3<double>& c) {
   const Vector3<double> normal = cross(difference(b, a), difference(c, a));

@@ -1,3 +1,5 @@
+// Sums the terms of all simplices in private sums of the threads, and turns them into measures in
+// Å.
 #include "core/measure/union_measures.hpp"
 
 #include <tbb/task_arena.h>
@@ -16,9 +18,9 @@
 namespace alphascope {
 namespace {
 
-// Simplices that a thread takes at a time, and balls whose sum is one term of the total.
+// The number of simplices that a thread takes at a time, and of balls in one term of the total.
 constexpr std::size_t kPart = 2048, kBlock = 4096;
-// What all private sums of threads may take, bytes.
+// Bytes that the private sums of all threads may take together.
 constexpr std::size_t kMostPrivate = std::size_t{1} << 30;
 
 struct Values {
@@ -33,7 +35,7 @@ struct ValuesAndDerivatives {
 struct Scales {
   double area, volume, length, wall;
 };
-// length and wall are of derivatives only.
+// length and wall are only for derivatives.
 template <class What>
 Scales scales_of(const GrownBall& ball) {
   if (!(ball.grown_radius > 0)) return {0, 0, 0, 0};
@@ -116,7 +118,7 @@ void add_triangle(const AlphaComplex& complex, const Scene&, std::size_t f, Sink
   const int sides = open_sides(complex.triangles.classes[f]);
   if (sides > 0) triangle_terms({i, j, k}, sides, sink);
 }
-// Those with nothing behind them, by the opposite ball.
+// The faces without a tetrahedron behind them, as bits by the opposite ball.
 std::uint32_t open_faces(const SimplexList<3>& triangles, const BallIndex (&i)[4]) {
   std::uint32_t open = 0;
   for (std::uint32_t m = 0; m < 4; ++m) {
@@ -141,13 +143,14 @@ void add_tetrahedron(const AlphaComplex& complex, const Scene& scene, std::size_
   tetrahedron_terms(ball, open, sink);
 }
 
-// Parts of all four lists, taken by whoever is free.
+// Parts of all four lists. A free thread takes the next part.
 class Parts {
  public:
   explicit Parts(const AlphaComplex& complex)
       : sizes_{complex.tetrahedra.size(), complex.triangles.size(), complex.edges.size(),
                complex.vertices.size()} {}
-  // visit(list, begin, end); the lists by falling dimension, those that take longest first.
+  // Calls visit(list, begin, end). The lists come by falling dimension, those that take longest
+  // first.
   template <class Visit>
   void take(const Visit& visit) {
     for (std::size_t list = 0; list < 4; ++list) {
@@ -265,7 +268,7 @@ class Results {
   const std::vector<PrivateSums<What>>& sums_;
 };
 
-// In blocks of fixed length, so that threads can share them.
+// The sum of all values, in blocks of fixed length that threads can share.
 double total(const std::vector<double>& values) {
   const std::size_t blocks = (values.size() + kBlock - 1) / kBlock;
   std::vector<NeumaierSum> sums(blocks);

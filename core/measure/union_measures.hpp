@@ -1,6 +1,6 @@
-// Exact area and volume of a union of balls, grown by alpha, from its alpha complex alone: in all,
-// of each ball and its power cell, and their derivatives. Sets of any dimension; hidden, tangent
-// and equal balls. Results are the same bits for any number of threads.
+// Exact area and volume of a union of balls, grown by alpha, from its alpha complex alone: the
+// totals, those of each ball in its power cell, and their derivatives. Balls may be of any
+// dimension, hidden, tangent or equal. Results have the same bits for any number of threads.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@
 
 namespace alphascope {
 
-// By the index of the ball; balls that are not in the complex have none of either.
+// Measures, per ball by its index. Balls that are not in the complex have area and volume 0.
 struct UnionMeasures {
   double area_angstrom2 = 0;
   double volume_angstrom3 = 0;
-  std::vector<double> ball_area_angstrom2;    // of the ball's sphere, outside all other balls
-  std::vector<double> ball_volume_angstrom3;  // of the ball, within its power cell
+  std::vector<double> ball_area_angstrom2;    // part of the ball's sphere outside all other balls
+  std::vector<double> ball_volume_angstrom3;  // part of the ball inside its power cell
 };
 
 struct Gradient {
   double x = 0, y = 0, z = 0;
 };
-// Of the total area and volume, with alpha fixed. A derivative by a radius r is by that of the file
-// or with its solvent, not by sqrt(r² + alpha). Where spheres touch in one point the area has no
-// derivative, and these are on one side or the other.
+// Derivatives of the total area and volume, with alpha fixed. A derivative by radius is by the
+// radius r of the file, or with its solvent, and not by sqrt(r² + alpha). Where spheres touch in
+// one point the area has no derivative; these are then one-sided.
 struct UnionDerivatives {
   std::vector<Gradient> area_by_centre_angstrom;     // Å² per Å
   std::vector<Gradient> volume_by_centre_angstrom2;  // Å³ per Å
@@ -35,26 +35,26 @@ struct UnionDerivatives {
 };
 
 struct MeasureOptions {
-  int threads = 0;  // those of the caller's task arena; outside of any, as many as the machine has
-  // When not null, filled as well; takes about twice the time.
+  int threads = 0;  // 0: those of the caller's task arena; outside of one, all of the machine
+  // If not null, derivatives are computed as well, which takes about twice the time.
   UnionDerivatives* derivatives = nullptr;
 };
 
-// `complex` is of the same balls, whole. Throws Cancelled, and std::invalid_argument when it has
-// only its tetrahedra or is of other balls.
+// Measures a whole complex of the same balls. Throws Cancelled, and std::invalid_argument if the
+// complex has only tetrahedra or is of other balls.
 UnionMeasures measure_union(const BallSet& balls, const AlphaComplex& complex,
                             const MeasureOptions& options = {}, const RunContext& context = {});
 
-// Of each ball's whole sphere, grown: what its area is when no other ball is there. 0 where the
-// ball is empty.
+// The area of each grown ball's whole sphere: its area if no other ball were there. 0 if the ball
+// is empty.
 std::vector<double> free_areas_angstrom2(const BallSet& balls,
                                          const LatticeAlpha& alpha_on_lattice);
 
-// Throws what measure_union() does of a complex that it cannot measure.
+// Throws std::invalid_argument, as measure_union() does, if the complex cannot be measured.
 void require_same_balls(const BallSet& balls, const AlphaComplex& complex);
 
-// The component of the complex that each ball is in: components are numbered by their lowest ball.
-// kNoGroup for balls that are not in the complex.
+// The component of the complex to which each ball belongs. Components are numbered by their lowest
+// ball. kNoGroup: the ball is not in the complex.
 inline constexpr std::uint32_t kNoGroup = 0xffffffff;
 struct Components {
   std::uint32_t count = 0;  // Betti number 0
@@ -62,9 +62,9 @@ struct Components {
 };
 Components components(std::size_t balls, const AlphaComplex& complex);
 
-// Sums by residue, chain, component, or whatever else `group` says of each value, compensated and
-// in the order of the values. Values of kNoGroup are left out; std::invalid_argument for other
-// groups from `groups` on, or when the lengths differ.
+// Sums by residue, chain, component, or any other group of each value, compensated and in the order
+// of the values. Values of kNoGroup are left out. std::invalid_argument for a group that is not
+// below `groups`, or if the lengths differ.
 std::vector<double> sums_by_group(std::span<const double> values,
                                   std::span<const std::uint32_t> group, std::size_t groups);
 

@@ -1,4 +1,4 @@
-// Sums that do not depend on the order of what is added, of one thread.
+// Sums on one thread that do not depend on the order of their terms.
 #pragma once
 
 #include <cmath>
@@ -7,11 +7,11 @@
 
 namespace alphascope {
 
-// As FixedSum (exact_sum.hpp), in 128 bits: of terms up to 2^bits a unit is 2^(bits - 90), and 2^36
-// of them fit.
+// Like FixedSum (exact_sum.hpp), in 128 bits. For terms up to 2^bits a unit is 2^(bits - 90), and
+// 2^36 terms fit.
 class WideFixedSum {
  public:
-  // Units per 1; of every add() and value() of one sum.
+  // Units per 1, equal for every add() and value() of one sum.
   static double scale(int bits) { return std::ldexp(1.0, 90 - bits); }
 
   void add(double x, double scale) { units_ += static_cast<Int128>(x * scale); }

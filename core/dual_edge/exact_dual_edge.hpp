@@ -35,6 +35,7 @@ ALPHASCOPE_HOST_DEVICE inline EndBall ghost_end(const LiftedInt& j, const Lifted
 }
 
 // +1 when ball m cuts off the orthocentre x of ijkl, else -1; the perturbation breaks ties. With
+// D = det(d_j, d_k, d_l), not 0: 2 D x = c_j d_k × d_l + c_k d_l × d_j + c_l d_j × d_k.
 template <class Integer>
 ALPHASCOPE_HOST_DEVICE int orthocentre_cut(const LiftedInt& j, const LiftedInt& k,
                                            const EndBall& end, const LiftedInt& m) {

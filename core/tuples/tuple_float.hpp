@@ -15,7 +15,8 @@
 //
 // u = 2^-24. kU is 3 % above u, for terms of second order and the roundings of the bounds
 // themselves. Differences of centres and sums of radii below 2^24 are exact. Products of such
-// numbers are far from underflow and overflow. A quotient that overflows ends in an infinite error.
+// numbers are far from underflow and overflow. If a quotient leaves the range, its error becomes
+// infinite.
 #pragma once
 
 #include "core/predicates/rounding.hpp"

@@ -1,4 +1,4 @@
-// What the verifier counts and says while it looks, from many threads at once.
+// Counts the verifier's checks and collects its messages, from many threads at once.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class Findings {
     ++result_.failures;
     if (result_.messages.size() < kMaxMessages) result_.messages.push_back(what);
   }
-  // Not while other threads look.
+  // Do not call this while other threads check.
   bool good() const { return result_.failures == 0; }
   Verification take() {
     result_.checks = checks_;
@@ -56,8 +56,8 @@ class Findings {
   Verification result_;
 };
 
-// A list of simplices of these balls in lexicographic order, without duplicates, the balls of each
-// ascending. False when the list cannot be indexed safely by other checks.
+// Checks that a list of simplices of these balls is in lexicographic order without duplicates, with
+// the balls of each simplex ascending. False if other checks cannot safely index the list.
 template <int N>
 bool check_order(const BallSet& balls, const Simplices<N>& list, Findings& findings) {
   bool sound = true;

@@ -1,6 +1,6 @@
-// The checks of verify.hpp, each in its own function. Conflicts are looked for among every near
-// ball, in integers; neighbourhood in the complex is never trusted for them. What is missing is
-// verify_missing.cpp's.
+// The checks of verify.hpp, each in its own function. Conflicts are searched among all near balls,
+// in integers. The complex itself is never trusted to name the near balls. verify_missing.cpp finds
+// missing simplices.
 #include "core/verify/verify.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace alphascope {
 namespace {
 
-// False when the list cannot be indexed safely by the other checks.
+// False if the other checks cannot safely index the list.
 template <int N>
 bool check_list(const BallSet& balls, const SimplexList<N>& list, bool with_values,
                 const char* name, Findings& findings) {
@@ -30,8 +30,8 @@ bool check_list(const BallSet& balls, const SimplexList<N>& list, bool with_valu
   return check_order<N>(balls, list.simplices, findings);
 }
 
-// Tells of a simplex by looking at every near ball. A ball in conflict has, at the orthocentre,
-// less power than rho <= alpha: it may touch all balls of the simplex.
+// Checks a simplex against every near ball. A ball in conflict has less power than rho <= alpha at
+// the orthocentre, so it may touch all balls of the simplex.
 class NearBalls {
  public:
   explicit NearBalls(const VerifyBalls& balls) : balls_(balls) {}
@@ -41,7 +41,7 @@ class NearBalls {
     around().look_around<N>(balls_, s);
     return around().conflict<N>(sphere, s);
   }
-  // Of what conflict() has just denied.
+  // Is the simplex in the triangulation? Call it right after conflict() was false.
   template <int N>
   bool there(const std::array<BallIndex, N>& s) const {
     return in_triangulation<N>(balls_.balls(), s, around().ties());
@@ -55,7 +55,7 @@ class NearBalls {
   const VerifyBalls& balls_;
 };
 
-// Tells of it by a proven triangulation; what is not there counts as in conflict.
+// Looks a simplex up in a proven triangulation. A simplex that is not in it counts as in conflict.
 class ProvenPlaces {
  public:
   explicit ProvenPlaces(const ProvenTriangulation& proven) : proven_(proven) {}
@@ -75,10 +75,10 @@ class ProvenPlaces {
   const ProvenTriangulation& proven_;
 };
 
-// The least alpha value of the cofaces that a simplex has in the complex, if any.
+// The least alpha value of the cofaces of a simplex in the complex; empty without cofaces.
 using LeastOfCofaces = std::optional<float>;
 
-// A simplex by itself: what its alpha value must be, and that it is in the triangulation.
+// Checks one simplex: its alpha value, and that it is in the triangulation.
 template <int N, class Places>
 void check_simplex(const VerifyBalls& balls, const Places& places,
                    const std::array<BallIndex, N>& s, const float* value,
@@ -91,7 +91,7 @@ void check_simplex(const VerifyBalls& balls, const Places& places,
   const ExactRho rho = sphere.rho();
   const bool within = compare_exact(rho, balls.alpha()) <= 0;
   findings.check<N>(within, s, "ortho-radius above alpha");
-  if (!within) return;  // and then far balls might be in conflict, too
+  if (!within) return;  // far balls could be in conflict too, and are not searched
   if (places.template conflict<N>(sphere, s)) {
     findings.check<N>(least.has_value(), s, "a ball is in conflict with its orthosphere");
     if (!least) return;
@@ -101,11 +101,11 @@ void check_simplex(const VerifyBalls& balls, const Places& places,
   }
   findings.check<N>(value == nullptr || *value == round_exact(rho), s,
                     "unattached, but its alpha value is not the ortho-radius");
-  if (least) return;  // which shows that it is there
+  if (least) return;  // the coface proves that it is in the triangulation
   findings.check<N>(places.template there<N>(s), s, "a tie with another ball is broken wrongly");
 }
 
-// Simplices that need not be faces of larger ones.
+// Checks simplices that need not be faces of larger ones.
 template <int N, class Places>
 void check_top(const VerifyBalls& balls, const Places& places, const SimplexList<N>& list,
                const RunContext& context, Findings& findings) {
@@ -156,7 +156,7 @@ void report_missing(const Simplices<N>& missing, Findings& findings) {
   }
 }
 
-// The tetrahedra, with their faces and classes.
+// The complex of the tetrahedra and their faces, with classes.
 AlphaComplex closure(const AlphaComplex& tetrahedra_only) {
   AlphaComplex whole;
   whole.tetrahedra.simplices = tetrahedra_only.tetrahedra.simplices;
@@ -189,7 +189,7 @@ Simplices<N> missing_in(const SimplexList<N>& list, const ProvenTriangulation& p
   return missing;
 }
 
-// Of a complex that is sound but perhaps not all.
+// The missing simplices of a complex that is sound, but may be incomplete.
 MissingSimplices missing_of(const VerifyBalls& balls, const AlphaComplex& complex,
                             const ProvenTriangulation* proven, const RunContext& context) {
   if (proven == nullptr) {
@@ -215,8 +215,8 @@ void check_simplices(const VerifyBalls& balls, const Places& places, const Alpha
   check_faces<1>(balls, places, complex.vertices, complex.edges, context, findings);
 }
 
-// Are there so many near balls that a triangulation is made and proven sooner than they are looked
-// at? A guess by some of them: it decides what is done, not what is found.
+// Are there so many near balls that making and proving a triangulation is faster than the search?
+// This is estimated from a sample. It affects the method only, not the findings.
 bool has_crowds(const VerifyBalls& balls) {
   constexpr std::size_t kAsked = 50, kFew = 60;
   const std::size_t count = balls.balls().size();
@@ -259,7 +259,7 @@ Verification verify(const BallSet& given, const AlphaComplex& complex, const Run
   } else {
     check_simplices(balls, NearBalls(balls), complex, context, findings);
   }
-  // What may be skipped in the search for missing simplices is known of a sound complex only.
+  // The search for missing simplices skips some, which is right only for a sound complex.
   if (findings.good()) {
     if (whole) check_classes(complex, findings);
     const MissingSimplices missing =

@@ -1,7 +1,8 @@
-// Grown balls of squared radii a and b have a common point only if their centres are no farther
-// apart than sqrt(a) + sqrt(b), whose square is at most 2 (a + b): an integer comparison in units
-// of 2^-20, to which alpha is rounded up: for near balls it may be too large. Widths: distances² <
-// 2^62, weights < 2^52 and alpha below 2^62 square units, so 2^85 in these units.
+// The verifier's search for near balls. Grown balls of squared radii a and b have a common point
+// only if the distance of their centres is at most sqrt(a) + sqrt(b), whose square is at most 2 (a
+// + b). This is an integer comparison in units of 2^-20. Alpha is rounded up to such a unit, so the
+// search may find too many balls. Widths: distances² < 2^62, weights < 2^52 and alpha below 2^62
+// square units, so 2^85 in these units.
 #include "core/verify/verify_balls.hpp"
 
 #include <algorithm>
@@ -28,8 +29,8 @@ Int128 fixed(std::int64_t square_units) {
   return Int128{square_units} << 20;
 }
 
-// The least width >= 1 whose square is at least 4 a (a in units of 2^-20): two balls that touch are
-// no farther apart than that, so their cells differ by at most 1. Beyond 2^31 all is one cell.
+// The least width >= 1 whose square is at least 4 a, with a in units of 2^-20. Two balls that touch
+// are no farther apart, so their cells differ by at most 1. From 2^31 on there is only one cell.
 std::int64_t width_for(Int128 a) {
   constexpr std::int64_t kAll = std::int64_t{1} << 31;
   if (a <= 0) return 1;  // no ball is left, or only points

@@ -1,5 +1,6 @@
-// Which balls could touch a grown ball: the verifier's own search, in integers. It may name too
-// many, never too few. It shares nothing with the engines' grid, whose faults it is to find.
+// The balls that could touch a grown ball: the verifier's own search, in integers. It may find too
+// many, never too few. It shares no code with the engines' grid, since it must find the faults of
+// that grid.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +13,26 @@ namespace alphascope {
 
 class VerifyBalls {
  public:
-  // alpha: square lattice units, any but NaN. Refers to `balls`.
+  // alpha is any number but NaN, in square lattice units. Keeps a reference to `balls`.
   VerifyBalls(const BallSet& balls, const LatticeAlpha& alpha);
   VerifyBalls(const VerifyBalls&) = delete;
   VerifyBalls& operator=(const VerifyBalls&) = delete;
 
   const BallSet& balls() const { return balls_; }
   const LatticeAlpha& alpha() const { return alpha_; }
-  // Of all objects of this class, another one for each; never 0.
+  // A number that no other object of this class has; never 0.
   std::uint64_t number() const { return number_; }
 
-  // Is it hidden by a ball with the same centre? Then it is in no simplex.
+  // Is ball i hidden by a ball with the same centre? Then it is in no simplex.
   bool hidden(BallIndex i) const { return !hidden_.empty() && hidden_[i]; }
   // Is weight + alpha < 0, so that the grown ball has no point?
   bool empty(BallIndex i) const;
 
   // All other balls that may share a point with i when both are grown, the nearest centre first.
-  // Neither hidden nor empty ones.
+  // Hidden and empty balls are left out.
   void around(BallIndex i, std::vector<BallIndex>& found) const;
 
-  // False only when the two grown balls have no common point. Neither may be empty.
+  // False only if the two grown balls have no common point. Neither may be empty.
   bool may_touch(BallIndex i, BallIndex m) const;
 
  private:

@@ -1,40 +1,41 @@
-// Why it is enough to look at one more ball beside each simplex that is known.
+// Finds missing simplices. This is why it is enough to test one more ball with each known simplex.
 //
-// T is the regular triangulation with ties broken: that of weights w - e for all small enough e
+// T is the regular triangulation with ties broken: that of the weights w - e for all small enough e
 // (verify_orthosphere.hpp). A simplex s of T is in K_alpha iff its alpha value, the least power
 // over its dual face V_s, is at most alpha.
 //
 //   Claim. Let L be a part of K_alpha, closed under faces, so that
-//    (0) every vertex of K_alpha that no ball is in conflict with is in L;
-//    (1) of every simplex t of L with 1 to 3 balls, and every ball m, the simplex s of t and m is
-//    in
-//        L if it is in T, no ball is in conflict with it, and its rho is at most alpha.
+//    (0) every vertex of K_alpha without a ball in conflict is in L;
+//    (1) for every simplex t of L with 1 to 3 balls, and every ball m, the simplex s of t and m is
+//        in L if it is in T, no ball is in conflict with it, and its rho is at most alpha.
 //   Then L = K_alpha.
 //
-//   Proof. Suppose that something is missing. Of the least perturbed value among all that is, let s
-//   have the most balls. If s had its value from a coface, that would be in K_alpha, and in L for
-//   it has more balls; then so would be its face s. Hence the orthocentre x of s is inside V_s: no
-//   ball is in conflict there, nor is one without the perturbation, and rho <= alpha. If s is a
-//   vertex, it is in L by (0). Else some barycentric coordinate of x in s is positive, for their
-//   sum is 1; let it be that of ball l, and t be s without l. Go from x towards the orthocentre of
-//   t, along the flat where the balls of t have equal power. Since x is on l's side of t, this
-//   power falls strictly, and l's power falls less. No other ball bounds V_t near x. So V_t has
-//   points of less power than x: t, which is in T, is in K_alpha and has a smaller perturbed value
-//   than s. Then t is in L, and by (1) so is s: a contradiction. ∎
+//   Proof. Suppose that some simplex is missing. Let s be one of the least perturbed alpha value,
+//   and with the most balls among these. If s had its value from a coface, that coface would be in
+//   K_alpha. It has the same value and more balls, so it would be in L, and so would its face s.
+//   Hence the orthocentre x of s is inside V_s. So no ball is in conflict there, with or without
+//   the perturbation, and rho <= alpha. If s is a vertex, it is in L by (0). Else some barycentric
+//   coordinate of x in s is positive, for their sum is 1. Let it be that of ball l, and let t be s
+//   without l. Go from x towards the orthocentre of t, along the flat where the balls of t have
+//   equal power. Since x is on l's side of t, this power falls strictly, and l's power falls less.
+//   No other ball bounds V_t near x. So V_t has points of less power than x. Hence t, which is in
+//   T, is in K_alpha and has a smaller perturbed value than s. Then t is in L, and by (1) so is s:
+//   a contradiction. ∎
 //
 // A ball in conflict with s, or tied, contains the orthocentre when grown by alpha, as do all balls
-// of s; so it may touch all of them, and the search stays near. That holds only for rho <= alpha,
-// but a simplex that is discarded for a near conflict is discarded rightly.
+// of s. So it may touch all of them, and only near balls have to be searched. This holds only for
+// rho <= alpha. A simplex with rho > alpha that is discarded for a near conflict is discarded
+// rightly.
 //
-// An interior simplex t needs no look: around it, one simplex of T after the other is in L.
+// An interior simplex t needs no search, since all simplices of T around it are in L:
 //  - A triangle with two tetrahedra has no third.
-//  - The tetrahedra of T at an edge form a cycle or a fan, neighbours sharing a triangle. If all
-//    triangles in L at the edge have both their tetrahedra in L, whoever is in L has its neighbours
-//    in L; so L has all of the cycle, if any.
-//  - The same holds at a vertex, whose edges, triangles and tetrahedra are a connected surface.
+//  - The tetrahedra of T at an edge form a cycle or a fan, where neighbours share a triangle. Let
+//    all triangles in L at the edge have both their tetrahedra in L. Then each of these tetrahedra
+//    has its neighbours in L, so L has the whole cycle if it has any of it.
+//  - The same holds at a vertex, whose edges, triangles and tetrahedra form a connected surface.
 //
-// Of tetrahedra alone, L begins with them and their faces, and what (0) and (1) find of fewer balls
-// is added to it until nothing is.
+// If only tetrahedra are given, L begins with them and their faces. Simplices of fewer balls that
+// (0) and (1) find are added to it until there are no more.
 #include "core/verify/verify_missing.hpp"
 
 #include <algorithm>
@@ -54,13 +55,14 @@ void sort_unique(Simplices<N>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-// Is it in K_alpha by itself, that is unattached? What `around` has must include the simplex's.
+// Is the simplex in K_alpha as an unattached one? `around` must include the surroundings of the
+// simplex.
 template <int N>
 bool stands_alone(const VerifyBalls& balls, const std::array<BallIndex, N>& simplex,
                   Surroundings& around, const Simplices<N>& known) {
   const Orthosphere<N> sphere(balls.balls(), simplex);
   if (sphere.flat() || around.conflict<N>(sphere, simplex)) return false;
-  if (std::binary_search(known.begin(), known.end(), simplex)) return false;  // nothing new
+  if (std::binary_search(known.begin(), known.end(), simplex)) return false;  // known already
   return compare_exact(sphere.rho(), balls.alpha()) <= 0 &&
          in_triangulation<N>(balls.balls(), simplex, around.ties());
 }
@@ -83,7 +85,7 @@ Simplices<1> missing_vertices(const VerifyBalls& balls, const Simplices<1>& know
   return missing;
 }
 
-// (1) of the claim: which cofaces of `faces` are not among `known`.
+// (1) of the claim: the cofaces of `faces` that are missing in `known`.
 template <int N>
 Simplices<N + 1> missing_cofaces(const VerifyBalls& balls, const Simplices<N>& faces,
                                  const Simplices<N + 1>& known, const RunContext& context) {
@@ -103,7 +105,7 @@ Simplices<N + 1> missing_cofaces(const VerifyBalls& balls, const Simplices<N>& f
   return missing;
 }
 
-// One dimension of L, and what of it is still to be looked at.
+// One dimension of L, and the part of it that is still to be searched.
 template <int N>
 struct Part {
   Simplices<N> known, open;
@@ -113,7 +115,7 @@ struct Part {
       if (list.classes[n] != SimplexClass::interior) open.push_back(list.simplices[n]);
     }
   }
-  // Returns what was not known.
+  // Adds simplices and returns those that were not known.
   Simplices<N> add(Simplices<N> found) {
     sort_unique<N>(found);
     Simplices<N> added, all;

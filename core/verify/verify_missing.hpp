@@ -1,4 +1,5 @@
-// What a complex lacks of K_alpha, found from the definition alone (verify_missing.cpp proves it).
+// The simplices of K_alpha that a complex lacks, found from the definition alone (proof in
+// verify_missing.cpp).
 #pragma once
 
 #include "core/complex/alpha_complex.hpp"
@@ -7,8 +8,8 @@
 
 namespace alphascope {
 
-// The simplices of K_alpha found to be missing. When none is listed, none is missing; when some
-// are, there may be more.
+// Simplices of K_alpha that are missing. If the lists are empty, no simplex is missing; else there
+// may be more than these.
 struct MissingSimplices {
   Simplices<1> vertices;
   Simplices<2> edges;
@@ -16,10 +17,10 @@ struct MissingSimplices {
   Simplices<4> tetrahedra;
 };
 
-// `complex` must be closed (all faces of its simplices are in it, also of a tetrahedra-only one),
-// all of it must be in K_alpha, and its classes must follow from its simplices. With
-// `tetrahedra_given`, only tetrahedra count as missing: the rest of K_alpha is found on the way.
-// Works in the caller's task arena. Throws Cancelled.
+// Finds missing simplices. `complex` must be closed (it has all faces of its simplices, also if
+// only tetrahedra were given), it must be a part of K_alpha, and its classes must follow from its
+// simplices. With `tetrahedra_given` only tetrahedra count as missing; the rest of K_alpha is found
+// on the way. Works in the caller's task arena. Throws Cancelled.
 MissingSimplices find_missing(const VerifyBalls& balls, const AlphaComplex& complex,
                               bool tetrahedra_given, const RunContext& context);
 

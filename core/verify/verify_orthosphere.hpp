@@ -1,16 +1,17 @@
-// Is a simplex in the regular triangulation? Decided from the definition in integers, without any
-// floating point: the orthosphere, which balls are in conflict with it, and what ties do.
+// Decides from the definition whether a simplex is in the regular triangulation, in integers
+// without any floating point: its orthosphere, the balls in conflict with it, and the ties.
 //
 // Ties are broken as CGAL does (perturbation.hpp): the weights are w - e, where the e of a ball
 // whose centre comes later in lexicographic order is infinitely larger. Let x be the orthocentre of
-// a simplex s of the balls v, and ball m have exactly the same power there.
-//  - m in the affine hull of s: p_m = sum of lambda_v p_v with sum 1. Wherever the perturbed balls
-//    of s have equal power, that of m exceeds theirs by e_m - sum of lambda_v e_v. The last of
-//    the balls in it decides: m destroys s iff that is a v with lambda_v > 0.
-//  - m beside the hull: all balls of this power at x, whose number is that of the ties, span a
-//    polytope of higher dimension, which the perturbation cuts into simplices, all with the same
-//    orthosphere. A simplex in less than all of these dimensions is there iff it is a face of one
-//    of the next dimension. So the ties are joined to it one by one.
+// a simplex s of the balls v, and let ball m have exactly the same power there.
+//  - m in the affine hull of s: p_m = sum of lambda_v p_v with sum 1. Where the perturbed balls of
+//    s have equal power, that of m exceeds theirs by e_m - sum of lambda_v e_v. The last ball in
+//    this expression decides: m destroys s iff that ball is a v with lambda_v > 0.
+//  - m beside the hull: all balls of this power at x, the ties, span a polytope of higher
+//  dimension.
+//    The perturbation cuts it into simplices, all with the same orthosphere. A simplex of lower
+//    dimension than the polytope is in the triangulation iff it is a face of one of the next
+//    dimension. So the ties are joined to it one by one.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +26,9 @@ namespace alphascope {
 
 enum class Tie { harmless, destroys, beside };
 
-// With positions relative to the first ball: 2 x D = n, D > 0. Bits, with |d_x| < 2^30 and
-// |c| < 2^63: of n at most 156, of D 124 (both of a triangle), so 189 of a side.
+// The orthosphere of N balls, with positions relative to the first ball: 2 x D = n, D > 0. Bits,
+// with |d_x| < 2^30 and |c| < 2^63: n has at most 156, D 124 (both for a triangle), so a side has
+// 189.
 template <int N>
 class Orthosphere {
  public:
@@ -38,18 +40,19 @@ class Orthosphere {
     solve();
   }
 
-  // The balls are affinely dependent, and there is no orthosphere.
+  // True if the balls are affinely dependent; there is no orthosphere then.
   bool flat() const { return d_.sign() == 0; }
 
-  // Sign of the power of ball m at the orthocentre minus that of the simplex, rho: negative is a
-  // conflict, 0 a tie. With d and c of m as in orthosphere.hpp, that of c D - d·n.
+  // Sign of the power of ball m at the orthocentre minus rho: negative is a conflict, 0 a tie. With
+  // d and c of m as in orthosphere.hpp, it is the sign of c D - d·n.
   int side(BallIndex m) const {
     const LiftedInt v = lifted_vector(balls_, simplex_[0], m);
     return (d_.times(v.c) - n_.x.times(v.x) - n_.y.times(v.y) - n_.z.times(v.z)).sign();
   }
 
-  // The same as numbers, within a 2^49th part: the power of ball m at the orthocentre minus rho,
-  // square lattice units; and the orthocentre from the first ball's centre, lattice units.
+  // The same as numbers, within one part in 2^49. excess(): the power of ball m at the orthocentre
+  // minus rho, square lattice units. from_first_ball(): the orthocentre relative to the first
+  // ball's centre, lattice units.
   double excess(BallIndex m) const {
     const LiftedInt v = lifted_vector(balls_, simplex_[0], m);
     return (d_.times(v.c) - n_.x.times(v.x) - n_.y.times(v.y) - n_.z.times(v.z)).near_double() /
@@ -68,7 +71,7 @@ class Orthosphere {
     if constexpr (N == 4) return exact_tetrahedron_rho(edge_[0], edge_[1], edge_[2], weight);
   }
 
-  // What ball m does whose side is 0.
+  // The effect of a ball m with side(m) = 0.
   Tie tie(BallIndex m) const {
     std::array<Int128, N> lambda;  // times a positive number
     if (!coordinates(lifted_vector(balls_, simplex_[0], m), lambda)) return Tie::beside;
@@ -117,8 +120,8 @@ class Orthosphere {
     }
   }
 
-  // Barycentric coordinates of m in the simplex, times a positive number; false when m is not in
-  // its affine hull.
+  // Barycentric coordinates of m in the simplex, times a positive number. False if m is not in the
+  // affine hull of the simplex.
   bool coordinates(const LiftedInt& m, std::array<Int128, N>& lambda) const {
     Int128 whole = 0;
     if constexpr (N == 1) {
@@ -154,12 +157,12 @@ class Orthosphere {
 
   const BallSet& balls_;
   std::array<BallIndex, N> simplex_;
-  std::array<LiftedInt, 3> edge_;  // the first N - 1: the other balls from the first
+  std::array<LiftedInt, 3> edge_;  // the first N - 1 are used: lifted vectors of the other balls
   Wide d_;
   Vector3<Wide> n_;
 };
 
-// The simplex and one more ball.
+// The simplex with one more ball, ascending.
 template <int N>
 std::array<BallIndex, N + 1> joined(const std::array<BallIndex, N>& simplex, BallIndex m) {
   std::array<BallIndex, N + 1> larger;
@@ -169,8 +172,8 @@ std::array<BallIndex, N + 1> joined(const std::array<BallIndex, N>& simplex, Bal
   return larger;
 }
 
-// Is a simplex that no ball is in conflict with in the triangulation? `ties`: all balls beside its
-// own whose side is 0.
+// Is a simplex without a ball in conflict in the triangulation? `ties` are all other balls with
+// side 0.
 template <int N>
 bool in_triangulation(const BallSet& balls, const std::array<BallIndex, N>& simplex,
                       const std::vector<BallIndex>& ties) {
@@ -188,7 +191,7 @@ bool in_triangulation(const BallSet& balls, const std::array<BallIndex, N>& simp
       return in_triangulation<N + 1>(balls, joined<N>(simplex, m), beside);
     });
   }
-  return false;  // not reached: nothing is beside the hull of four balls
+  return false;  // not reached, since no ball is beside the hull of four balls
 }
 
 }  // namespace alphascope

@@ -1,9 +1,10 @@
-// Why the cofaces of a simplex s in the triangulation are enough. Its dual face V_s is the part of
-// the flat where its balls have equal power that no other ball cuts off. V_s is a convex polytope,
-// and its facets are those of the cofaces of s with one more ball; so a point of the flat is in V_s
-// iff none of those balls has less power there. With perturbed weights the facets move by as little
-// as one likes, and V_s with them. So the orthocentre of s is in V_s iff no ball of a coface is in
-// conflict with s, and then its alpha value is rho; else it is the least of its cofaces'.
+// Marks the simplices of a proven triangulation that are in K_alpha, from their cofaces. This is
+// why the cofaces of a simplex s in the triangulation are enough. The dual face V_s is the part of
+// the flat of equal power of its balls that no other ball cuts off. V_s is a convex polytope, and
+// its facets are those of the cofaces of s with one more ball. So a point of the flat is in V_s iff
+// none of those balls has less power there. With perturbed weights the facets, and V_s with them,
+// move by an arbitrarily small amount. So the orthocentre of s is in V_s iff no ball of a coface is
+// in conflict with s. Then the alpha value of s is rho; else it is the least of its cofaces.
 #include "core/verify/verify_proven.hpp"
 
 #include <tbb/task_arena.h>
@@ -43,7 +44,7 @@ ProvenTriangulation::ProvenTriangulation(const VerifyBalls& balls, const RunCont
   mark_faces<1>();
 }
 
-// Of the dimension of the centres: nothing is in conflict with them.
+// Marks the simplices of the highest dimension. No ball is in conflict with them.
 template <int N>
 void ProvenTriangulation::mark_cells(const Simplices<N>& cells) {
   ProvenSimplices<N>& level = std::get<N - 1>(levels_);

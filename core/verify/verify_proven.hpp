@@ -1,5 +1,6 @@
-// K_alpha from a regular triangulation that is proven first, for alphas at which so many balls are
-// near each other that a search among them takes too long. Integers alone, as all of the verifier.
+// K_alpha from a regular triangulation that is proven first. It is for alphas at which so many
+// balls are near each other that a search among them takes too long. It uses only integers, like
+// the whole verifier.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace alphascope {
 
-// All simplices of N balls of the triangulation.
+// All simplices of N balls in the triangulation.
 template <int N>
 struct ProvenSimplices {
   Simplices<N> simplices;      // in lexicographic order
@@ -23,17 +24,17 @@ struct ProvenSimplices {
 
 class ProvenTriangulation {
  public:
-  // Makes the triangulation and proves it. Works in the caller's task arena. Throws Cancelled.
+  // Makes the triangulation and proves it, in the caller's task arena. Throws Cancelled.
   ProvenTriangulation(const VerifyBalls& balls, const RunContext& context);
 
-  // If this is not ok(), the triangulation is not right, and nothing else here is of use.
+  // If this is not ok(), the triangulation is wrong, and the other members are useless.
   const Verification& proof() const { return proof_; }
 
   template <int N>
   const ProvenSimplices<N>& simplices() const {
     return std::get<N - 1>(levels_);
   }
-  // Its place in the list, or the length of the list.
+  // The index of a simplex in its list, or the length of the list if it is not there.
   template <int N>
   std::size_t find(const std::array<BallIndex, N>& simplex) const {
     const Simplices<N>& all = simplices<N>().simplices;

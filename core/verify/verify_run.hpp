@@ -1,4 +1,4 @@
-// How the verifier's loops run: in parallel, with progress, and cancelled within some simplices.
+// The loop of the verifier: in parallel, with progress, and cancelled after a few simplices.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace alphascope {
 
-// body(n) for every n below count, in the caller's task arena. Throws Cancelled.
+// Calls body(n) for every n below `count`, in the caller's task arena. Throws Cancelled.
 template <class Body>
 void verify_all(std::size_t count, const RunContext& context, const Body& body) {
   constexpr std::size_t kGrain = 64, kReports = 50;

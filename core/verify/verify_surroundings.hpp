@@ -1,4 +1,5 @@
-// Who is near a simplex, and in conflict with its orthosphere: scratch for one thread.
+// The balls near a simplex, and those in conflict with its orthosphere. An object is scratch memory
+// of one thread.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ class Surroundings {
   // Finds all other balls that may touch every ball of a simplex.
   template <int N>
   void look_around(const VerifyBalls& balls, const std::array<BallIndex, N>& simplex) {
-    if (balls_ != balls.number() || first_ != simplex[0]) {  // lists are sorted: seldom
+    if (balls_ != balls.number() || first_ != simplex[0]) {  // rarely true, since lists are sorted
       balls.around(simplex[0], around_first_);
       balls_ = balls.number();
       first_ = simplex[0];
@@ -33,8 +34,9 @@ class Surroundings {
   const std::vector<BallIndex>& near() const { return near_; }
   const std::vector<BallIndex>& ties() const { return ties_; }
 
-  // Is any of them in conflict with the orthosphere of `simplex`, which may have more balls than
-  // what was looked around? If none is, ties() are those with the same power there.
+  // Is a near ball in conflict with the orthosphere of `simplex`? The simplex may have more balls
+  // than the one given to look_around(). If there is no conflict, ties() are the near balls of
+  // power rho at the orthocentre.
   template <int N>
   bool conflict(const Orthosphere<N>& sphere, const std::array<BallIndex, N>& simplex) {
     ties_.clear();
@@ -44,7 +46,7 @@ class Surroundings {
       if (side == 0) ties_.push_back(m);
       return side < 0;
     };
-    // Who cut off one simplex often cuts off the next.
+    // A ball in conflict with one simplex is often in conflict with the next.
     if (culprit_ < near_.size() && cuts(near_[culprit_])) return true;
     ties_.clear();
     for (culprit_ = 0; culprit_ < near_.size(); ++culprit_) {
@@ -54,7 +56,7 @@ class Surroundings {
   }
 
  private:
-  std::uint64_t balls_ = 0;  // number of those that the next two are of
+  std::uint64_t balls_ = 0;  // number() of the VerifyBalls for the next two members
   BallIndex first_ = 0;
   std::vector<BallIndex> around_first_;
   std::vector<BallIndex> near_, ties_;

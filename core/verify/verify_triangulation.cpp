@@ -1,21 +1,22 @@
-// Why the checks prove it, in dimension d, where a cell has d + 1 balls and a facet d of them:
+// Proves a triangulation. This is why the checks are enough, in dimension d, where a cell has d + 1
+// balls and a facet has d of them:
 //
 //  1. No cell is flat. Each facet belongs to two cells, whose other balls are on opposite sides of
-//     it, or to one: then it is a facet of the hull. So the number of cells that cover a point
-//     changes only where the point crosses a facet of the hull.
+//     it, or to one cell, and then it is a facet of the hull. So the number of cells that cover a
+//     point changes only where the point crosses a facet of the hull.
 //  2. All vertices of the hull are behind each of its facets, or in its plane. So the facets lie on
-//     the boundary of a convex body C, nothing is covered outside of C, and all points inside are
-//     covered equally often.
-//  3. The middle of one cell is in no other one: equally often is once. So the cells are a
-//     triangulation of C, which all vertices lie in.
+//     the boundary of a convex body C, no cell covers a point outside of C, and all points inside
+//     are covered equally often.
+//  3. The middle of one cell is in no other cell, so each point is covered once. So the cells are a
+//     triangulation of C, and all vertices are in C.
 //  4. At each inner facet the other ball of one cell is not in conflict with the orthosphere of the
-//     other cell (perturbed where there is a tie). A triangulation of a convex body that is regular
-//     at each of its facets is regular (H. Edelsbrunner, Geometry and Topology for Mesh Generation,
-//     2001, chapters 2 and 5), so it is the one of its vertices.
-//  5. Each other ball has the centre of a vertex that goes before it, or it lies in a cell and is
-//     not in conflict with that cell's orthosphere: it would not be a vertex.
+//     other cell (perturbed if there is a tie). A triangulation of a convex body that is regular at
+//     each of its facets is regular (H. Edelsbrunner, Geometry and Topology for Mesh Generation,
+//     2001, chapters 2 and 5), so it is the regular triangulation of its vertices.
+//  5. Each other ball has the centre of a vertex that precedes it, or it is in a cell and not in
+//     conflict with that cell's orthosphere. In both cases it would not be a vertex.
 //
-// The Euler number follows from these; it is looked at all the same.
+// The Euler number follows from these; it is checked all the same.
 #include "core/verify/verify_triangulation.hpp"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ Vector difference(const Vector& a, const Vector& b) {
 Vector cross_product(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-// Coordinates below 2^32 make cross products below 2^65, so these are taken apart.
+// Coordinates below 2^32 give cross products below 2^65, so each term is computed in 128 bits.
 Int128 triple_product(const Vector& a, const Vector& b, const Vector& c) {
   const auto term = [&](int x, int y, int z) {
     return (Int128{a[y]} * b[z] - Int128{a[z]} * b[y]) * c[x];
@@ -51,10 +52,10 @@ Int128 triple_product(const Vector& a, const Vector& b, const Vector& c) {
   return term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1);
 }
 
-// The affine hull of all centres, and axes on which it projects without loss.
+// The affine hull of all centres, and axes onto which it projects without losing a dimension.
 struct AffineHull {
   int dimension = -1;
-  std::array<int, 3> axes{0, 1, 2};  // the first `dimension` of them
+  std::array<int, 3> axes{0, 1, 2};  // the first `dimension` axes are used
 };
 
 int largest_axis(const Vector& v) {
@@ -125,7 +126,7 @@ class TriangulationProof {
   static constexpr std::uint32_t kOutside = ~std::uint32_t{0};
   using Points = std::array<Vector, D + 1>;
 
-  // Sign of the determinant of the edges from the first of D + 1 points; 0 when they are flat.
+  // Sign of the determinant of the edges from the first of D + 1 points; 0 if they are flat.
   int orientation(const Points& points) const {
     Vector edge[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int n = 0; n < D; ++n) {
@@ -139,7 +140,7 @@ class TriangulationProof {
     for (int n = 0; n <= D; ++n) points[n] = position(balls_, cell[n]);
     return orientation(points);
   }
-  // On which side of a facet a ball is: -1, 1, or 0 for its plane.
+  // The side of a facet on which a ball is: -1 or 1, or 0 for its plane.
   int side(const Facet& facet, BallIndex m) const {
     Cell cell{};
     std::copy(facet.begin(), facet.end(), cell.begin());
@@ -147,7 +148,7 @@ class TriangulationProof {
     return orientation(cell);
   }
 
-  // Neither in conflict with the cell's orthosphere nor preferred to it where it ties.
+  // Is ball m neither in conflict with the cell's orthosphere nor preferred to the cell in a tie?
   bool stays_out(const Cell& cell, BallIndex m) const {
     const Orthosphere<D + 1> sphere(balls_, cell);
     const int side = sphere.side(m);
@@ -199,7 +200,7 @@ class TriangulationProof {
     if constexpr (D == 3) check_neighbours();
   }
 
-  // The lists of neighbours and of the hull say what the facets say.
+  // Checks that the lists of neighbours and of the hull agree with the facets.
   void check_neighbours() {
     findings_.check(triangulation_.neighbours.size() == cells_.size(),
                     "the neighbours are not four for each tetrahedron");
@@ -210,7 +211,7 @@ class TriangulationProof {
       findings_.check<D>(triangulation_.hull[h].ascending() == hull_[h], hull_[h],
                          "not a facet of the hull, or out of order there");
     }
-    if (!findings_.good()) return;  // a facet may name balls that there are not
+    if (!findings_.good()) return;  // a facet may name balls that do not exist
     verify_all(cells_.size(), context_, [&](std::size_t c) {
       for (int corner = 0; corner < 4; ++corner) check_neighbour(c, corner);
     });
@@ -254,8 +255,8 @@ class TriangulationProof {
     });
   }
 
-  // The middle of the first cell, where all coordinates are taken D + 1 times: below 2^33, and
-  // differences below 2^32, for centres are within 2^29.
+  // Checks that the middle of the first cell is in no other cell. All coordinates are multiplied by
+  // D + 1. They are below 2^33 then, and differences below 2^32, because centres are within 2^29.
   void check_covered_once() {
     Vector middle{};
     for (const BallIndex v : cells_[0]) {
@@ -281,7 +282,7 @@ class TriangulationProof {
     return true;
   }
 
-  // V - E + F of facets and their faces, down to the vertices.
+  // V - E + F of the facets and their faces, down to the vertices.
   template <int N>
   static long long euler_number(const Simplices<N>& simplices) {
     const auto count = static_cast<long long>(simplices.size());
@@ -318,8 +319,8 @@ class TriangulationProof {
                          "hidden, but it would be a vertex");
     });
   }
-  // Steps across any facet that the ball is beyond; in a regular triangulation no cell is visited
-  // twice. kOutside when that ends outside of the hull.
+  // Walks to the cell that contains a ball, across any facet that the ball is beyond. In a regular
+  // triangulation the walk visits no cell twice. Returns kOutside if it leaves the hull.
   std::uint32_t cell_around(BallIndex ball) const {
     std::uint32_t at = 0;
     for (std::size_t step = 0; step < cells_.size() && at != kOutside; ++step) {
@@ -329,7 +330,7 @@ class TriangulationProof {
     }
     return kOutside;
   }
-  // The corner that has the ball beyond its opposite facet, or -1 when the ball is in the cell.
+  // The corner whose opposite facet has the ball beyond it, or -1 if the ball is in the cell.
   int corner_facing(const Cell& cell, BallIndex ball) const {
     const int whole = orientation(cell);
     for (int corner = 0; corner <= D; ++corner) {
@@ -347,11 +348,12 @@ class TriangulationProof {
   const RunContext& context_;
   Findings& findings_;
   std::optional<FaceGroups<D>> facets_;
-  std::vector<std::array<std::uint32_t, D + 1>> across_;  // cells, or kOutside; as the neighbours
+  // Per cell and corner, like the neighbours: a cell or kOutside.
+  std::vector<std::array<std::uint32_t, D + 1>> across_;
   Simplices<D> hull_;
 };
 
-// The lists of vertices and hidden balls are ascending and hold each ball once.
+// Checks that the lists of vertices and hidden balls ascend, and together hold each ball once.
 void check_partition(const BallSet& balls, const Triangulation& triangulation, Findings& findings) {
   const auto &vertices = triangulation.vertices, &hidden = triangulation.hidden;
   std::vector<BallIndex> all;
@@ -362,7 +364,7 @@ void check_partition(const BallSet& balls, const Triangulation& triangulation, F
   findings.check(all == expected, "vertices and hidden balls are not each ball once, ascending");
 }
 
-// All balls at one point: the largest is the vertex, the first of equal ones.
+// For balls at one point: the vertex is the largest ball, and the first of equal ones.
 void check_point(const BallSet& balls, const Triangulation& triangulation, Findings& findings) {
   findings.check(triangulation.vertices.size() == 1, "one point has not one vertex");
   if (!findings.good()) return;

@@ -1,4 +1,4 @@
-// Checking a triangulation against the definition, without any other computation of it.
+// Checks a triangulation against the definition, without computing one in another way.
 #pragma once
 
 #include "core/complex/triangulation.hpp"
@@ -7,10 +7,10 @@
 
 namespace alphascope {
 
-// Proves that this is the regular triangulation of these balls, ties broken as CGAL does, or says
-// what is wrong. All in integers; why the checks suffice is told in verify_triangulation.cpp. The
-// time grows with the number of tetrahedra, and with that of the hull's facets times that of its
-// vertices. Works in the caller's task arena. Throws Cancelled.
+// Proves that this is the regular triangulation of these balls, with ties broken as CGAL does, or
+// reports what is wrong. All in integers; verify_triangulation.cpp explains why the checks are
+// enough. The time grows with the number of tetrahedra, and with the number of the hull's facets
+// times that of its vertices. Works in the caller's task arena. Throws Cancelled.
 Verification verify_triangulation(const BallSet& balls, const Triangulation& triangulation,
                                   const RunContext& context = {});
 

@@ -9,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-// With fewer simplices than this, one thread is as fast as all.
+// One thread is as fast as all for fewer simplices than this.
 constexpr std::size_t kManySimplices = 1 << 15;
 
 template <int N>

@@ -35,7 +35,7 @@ struct EngineCounter {
   std::uint64_t value = 0;
 };
 
-// Which engine made the result, for display and provenance.
+// The engine that made the result, for display and provenance.
 struct EngineInfo {
   std::string name;    // "dual-edge engine", "CGAL triangulation"
   std::string device;  // "CPU, 2 threads", "NVIDIA H200"

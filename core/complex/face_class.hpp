@@ -27,8 +27,8 @@ inline constexpr std::uint32_t kUnattached = 4;
 ALPHASCOPE_INLINE constexpr std::uint32_t coface_flags(SimplexClass coface) {
   return coface == SimplexClass::interior ? kHasCoface : kHasCoface | kHasBoundaryCoface;
 }
-// The flags of a triangle with 0 to 2 tetrahedra in K_alpha. With one, the other side of the
-// triangle is empty.
+// The flags of a triangle with 0 to 2 tetrahedra in K_alpha. A triangle with one of them has an
+// empty side.
 ALPHASCOPE_INLINE constexpr std::uint32_t triangle_flags(std::size_t tetrahedra) {
   return tetrahedra == 0 ? 0 : tetrahedra == 1 ? kHasCoface | kHasBoundaryCoface : kHasCoface;
 }

@@ -109,7 +109,7 @@ class FaceGroups {
 
  private:
   // One face of one coface. Its first vertex is the bucket's, and the others are packed into one
-  // number, since sorting takes half of the time and there are 40 records per ball.
+  // number. This shortens sorting, which takes half of the time: there are 40 records per ball.
   using Rest = std::conditional_t<(N > 2), std::uint64_t, std::uint32_t>;
   struct Record {
     Rest rest;

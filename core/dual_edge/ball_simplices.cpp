@@ -94,8 +94,8 @@ void BallSimplices::keep(std::size_t from, std::size_t to) {
   doubles_[to] = doubles_[from];
 }
 
-// Removes the neighbours whose discs are covered or empty (facet_disc.hpp). Where p_i may be
-// outside its power cell, they still cut dual edges, so they stay and are only marked dead.
+// Removes the neighbours whose discs are covered or empty (facet_disc.hpp). If p_i may be outside
+// its power cell, these neighbours still cut dual edges. They stay then and are only marked dead.
 void BallSimplices::cull() {
   find_nearest();
   std::size_t kept = 0;
@@ -157,9 +157,9 @@ void BallSimplices::tetrahedra(const NearFirstRows& t, BlockOutput& out) {
 
 VertexState BallSimplices::vertex_state() const {
   if (alpha_.plus(weight_) < 0) return VertexState::absent;
-  // Where a neighbour has c = 0, p_i is on the boundary of its power cell, or the cell is empty
-  // after the perturbation. In the first case the nearest edge has the same alpha value; in the
-  // second there is no edge.
+  // If a neighbour has c = 0, p_i is on the boundary of its power cell, or the cell is empty after
+  // the perturbation. On the boundary, the nearest edge has the same alpha value. An empty cell has
+  // no edge.
   return attached_ ? VertexState::attached : VertexState::unattached;
 }
 

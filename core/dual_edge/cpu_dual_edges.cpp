@@ -45,7 +45,7 @@ BlockPlace end_of(const BlockOutput& out) {
   return {out.edges.size(), out.triangles.size(), out.tetrahedra.size()};
 }
 
-// Where the simplices of one ball (as lowest vertex) start and end in its block's output.
+// The range of the simplices of one ball (as lowest vertex) in its block's output.
 struct BallRange {
   BlockPlace begin, end;
 };

@@ -6,9 +6,9 @@
 // dual_edge.hpp.
 //
 // A ball j whose disc is covered is in no simplex of K_alpha with i. If c > 0 for every neighbour,
-// p_i is within its own cell, and then j is not even needed to bound the cell. Proof: on the way
-// from p_i to a point that only covered balls cut off, the first of their planes would be crossed
-// in a point of its disc that no ball cuts off.
+// p_i is within its own cell, and then j is not even needed to bound the cell. Proof: go from p_i
+// to a point that only covered balls cut off. The first of their planes would be crossed in a point
+// of its disc that no ball cuts off.
 #pragma once
 
 #include "core/dual_edge/dual_edge.hpp"

@@ -1,6 +1,5 @@
-// From a triangle ijk of ball i and two neighbours to the simplices that follow from its dual edge:
-// the triangle itself and the tetrahedra at the ends. One template body serves the CPU and the CUDA
-// executor.
+// Decides a triangle ijk of ball i and two neighbours, and the tetrahedra at the ends of its dual
+// edge. One template body serves the CPU and the CUDA executor.
 //
 // The neighbours of ball i are numbered by ball index. Each later neighbour j has a row of bits in
 // words of 32: bit m is set if m meets j as well as i. Every ball that cuts the dual edge where
@@ -50,7 +49,7 @@ struct TriangleRows {
   }
 };
 
-// The same, with a row of bits for the neighbours whose radical planes are nearest. These cut
+// TriangleRows with a row of bits for the neighbours whose radical planes are nearest. These cut
 // first, and leave little work for the others.
 struct NearFirstRows : TriangleRows {
   const std::uint32_t* near;
@@ -79,9 +78,9 @@ struct TriangleFace {
 };
 
 // Clips by the neighbours whose bits are set in `cutters(word)`; true when nothing is left.
-// `lifted(m)` is the vector of neighbour m in the units of Real. `sink` gets the edge after each
-// neighbour, the part that this neighbour removed, and whether nothing is left. (A single loop over
-// the bits of all words is 2 % slower on a GPU.)
+// `lifted(m)` is the vector of neighbour m in the units of Real. After each neighbour, `sink` gets
+// the edge, the part that this neighbour removed, and whether nothing is left. A single loop over
+// the bits of all words is 2 % slower on a GPU.
 template <class Real, class Cutters, class Lifted, class Sink>
 ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, int words, const Cutters& cutters,
                                   const Lifted& lifted, const Sink& sink) {
@@ -117,8 +116,8 @@ ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const NearFirstRows& t, 
 }
 
 // The dual edge of a triangle after all cuts; false when nothing is left. `sink` gets the edge
-// before the first cut, and then the calls of clips_away(). (This is one expression because two
-// statements make nvcc emit other code for the empty sink.)
+// before the first cut, and then the calls of clips_away(). This is one expression because two
+// statements make nvcc emit other code for the empty sink.
 template <class Real, class Rows, class Lifted, class Sink = NotRecorded>
 ALPHASCOPE_INLINE bool clipped_edge(DualEdge<Real>& edge, const Rows& t, int words,
                                     Real radius_square, const Lifted& lifted,

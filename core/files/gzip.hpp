@@ -11,10 +11,10 @@
 namespace alphascope {
 
 // Unpacks all members of a gzip file, one after another, as gunzip does. Zero bytes of padding are
-// ignored. `path` is for messages. Throws ReadError for data that are damaged or end too early, for
-// other data behind the last member (an appended text would be lost), for a line longer than
-// kLongestLine, for more than max_bytes, and for data that expand more than any molecule does.
-// Throws Cancelled.
+// ignored. `path` is for messages. Throws ReadError for data that are damaged or end too early.
+// Other data behind the last member are an error too, since an appended text would be lost. So are
+// a line longer than kLongestLine, more than max_bytes, and data that expand more than any molecule
+// does. Throws Cancelled.
 TextBuffer unpack_gzip(const std::filesystem::path& path, std::string_view packed,
                        std::uint64_t max_bytes, const RunContext& context);
 

@@ -74,7 +74,7 @@ LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
   loaded.text = loaded.buffer.view();
   loaded.byte_order_mark = loaded.text.starts_with(kByteOrderMark);
   if (loaded.byte_order_mark) loaded.text.remove_prefix(kByteOrderMark.size());
-  // In files of the oldest systems, CR alone ends a line.
+  // CR alone ends a line in files of the oldest systems.
   if (loaded.text.find('\n') == std::string_view::npos &&
       loaded.text.find('\r') != std::string_view::npos) {
     loaded.sha256 = file_hash(loaded);

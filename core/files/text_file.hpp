@@ -24,11 +24,11 @@ struct LoadedText {
   std::string sha256;            // empty if not known yet; see file_hash()
 };
 
-// Loads a file. With a descriptor, its content is read to the end, whatever its kind, and the path
-// is only a name. Throws ReadError for a missing file, a folder, a pipe or device (which could
-// block for ever), a file without permission, damaged gzip data, a line longer than kLongestLine,
-// more than max_bytes of text, and gzip data that expand more than any molecule does. Only an
-// output of the same kind may replace the file later (files_read.hpp).
+// Loads a file, or reads a descriptor of any kind to its end; the path is only a name then. Throws
+// ReadError for a missing file, a folder, and a file without permission. A pipe or device is
+// refused, because it could block for ever. Other errors are damaged gzip data, a line longer than
+// kLongestLine, more than max_bytes of text, and gzip data that expand more than any molecule does.
+// Only an output of the same kind may replace the file later (files_read.hpp).
 LoadedText load_text(const std::filesystem::path& path, std::uint64_t max_bytes,
                      const RunContext& context, std::optional<int> descriptor = {},
                      FileKind kind = FileKind::other);

@@ -84,7 +84,7 @@ Alpha::Reading Alpha::read(std::string_view text, Alpha& alpha) {
   Alpha read;
   const Reading reading = read_decimal(text, read.whole_, read.fraction_);
   if (reading != Reading::ok) return reading;
-  // From -10^24 to 10^24.
+  // The value must be from -10^24 to 10^24.
   constexpr Int128 kMost = Int128{1000000000000} * 1000000000000;
   if (read.whole_ < -kMost || read.whole_ > kMost || (read.whole_ == kMost && read.fraction_ > 0)) {
     return Reading::too_large;

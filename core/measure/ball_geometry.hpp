@@ -2,8 +2,8 @@
 // unit. Differences of lattice points are exact as doubles. No formula divides by the radius of a
 // circle in which two spheres meet, so tangent balls lose no digits. Host and device.
 //
-// On the radical plane of balls i and j their powers are equal. h_ij is the distance of centre i
-// from it, positive towards j. If the spheres meet, |h_ij| <= R_i.
+// The radical plane of balls i and j is where their powers are equal. h_ij is the distance of
+// centre i from it, positive towards j. If the spheres meet, |h_ij| <= R_i.
 #pragma once
 
 #include <math.h>

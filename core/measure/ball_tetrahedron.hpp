@@ -1,5 +1,5 @@
 // The part of a tetrahedron of balls that belongs to each ball: where its power is the least of the
-// four. It consists of six orthoschemes for each ball, with corners at the ball's centre and at the
+// four. It consists of six orthoschemes for each ball. Their corners are the ball's centre and the
 // orthocentres of an edge, a triangle and the tetrahedron. The volume of an orthoscheme is a
 // product of barycentric coordinates, with its sign. Host and device.
 #pragma once

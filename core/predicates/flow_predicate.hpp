@@ -15,9 +15,9 @@ enum class FlowTies {
   strict      // a tie is no flow
 };
 
-// Sets beyond[n] for ball n: +1 where the orthocentre is strictly beyond the face opposite to n, -1
-// where it is strictly on n's side, and 0 where doubles do not decide. All vectors must be within
-// kBracketLimit.
+// Sets beyond[n] for ball n. It is +1 where the orthocentre is strictly beyond the face opposite to
+// n, -1 where it is strictly on n's side, and 0 where doubles do not decide. All vectors must be
+// within kBracketLimit.
 //
 // The barycentric coordinate of j is x·(d_k × d_l) / D = N·(d_k × d_l) / (2 D²) with N = 2x D.
 // Those of k and l are similar, and that of i is 1 less the sum of the three. Terms of N carry 3

@@ -1,5 +1,5 @@
 // The balls of a simplex relative to its first one, ball i. Every other ball k has a lifted vector
-//   d = p_k - p_i,   c = |d|² + w_i - w_k,
+//   d = p_k - p_i,   c = |d|² + w_i - w_k.
 // The bisector of i and k is { x : 2 d·x = c } with x measured from p_i. Ball k has less power
 // distance than i where 2 d·x > c. The lattice bounds (lattice.hpp) give |d_x| < 2^30 and |c| <
 // 2^62. Host and device.

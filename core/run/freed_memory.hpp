@@ -3,8 +3,8 @@
 
 namespace alphascope {
 
-// Returns whole free pages to the system. By itself the allocator keeps most of the memory of many
-// small objects. Other threads may wait for their allocations meanwhile.
+// Returns whole free pages to the system. Without this call the allocator keeps most of the memory
+// of many small objects. Other threads may wait for their allocations meanwhile.
 void give_back_freed_memory();
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// Steps that no signal interrupts halfway. Such a step makes a file and notes its name for removal,
-// gives several files their names, or starts a program and notes its process.
+// Steps that no signal interrupts halfway: a file is made and its name noted for removal, several
+// files get their names, or a program is started and its process noted.
 #pragma once
 
 #include <csignal>

@@ -41,11 +41,11 @@ class Worker {
     bool unfinished() const { return busy || undelivered; }
   };
 
-  // `wake` is called from the worker's thread when poll() has something to do or the progress has
-  // moved (at most every kProgressInterval); it must be quick and thread-safe, and may be empty.
-  // A running job that a newer one supersedes is cancelled once it has run for `grace`: with a
-  // grace of zero at once; with more, jobs shorter than it still finish while a slider is dragged
-  // (the main thread then has to poll while the worker is busy, as an animation does).
+  // `wake` is called from the worker's thread when poll() has something to do, or when the progress
+  // has moved (at most every kProgressInterval). It must be quick and thread-safe, and may be
+  // empty. A running job that a newer one supersedes is cancelled once it has run for `grace`. A
+  // grace of zero cancels at once. A longer grace lets short jobs finish while a slider is dragged.
+  // The main thread then has to poll while the worker is busy, as an animation does.
   explicit Worker(std::function<void()> wake = {}, std::chrono::milliseconds grace = {});
   // Cancels the running job, drops the waiting one and joins. Nothing is delivered afterwards.
   ~Worker();

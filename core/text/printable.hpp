@@ -9,9 +9,9 @@
 namespace alphascope {
 
 // Valid UTF-8 on one line. Each character that is neither visible nor a blank becomes an escape as
-// in a program: "\x1B" for ESC and for bytes that are no UTF-8, "\u202E" for a change of the
-// writing direction and for other invisible characters. So different texts stay different. A tab
-// becomes a blank.
+// in a program. "\x1B" stands for ESC, and for bytes that are no UTF-8 in the same way. "\u202E"
+// stands for a change of the writing direction, and so on for other invisible characters. So
+// different texts stay different. A tab becomes a blank.
 std::string printable(std::string_view text);
 
 // Does the text stay unchanged under printable()?

@@ -29,8 +29,8 @@ class Filtration {
   // has no hash. Works in the caller's task arena. Throws Cancelled.
   Filtration(std::shared_ptr<const BallSet> balls, const Triangulation& triangulation,
              const RunContext& context = {});
-  // The same, but shares the triangulation's tetrahedra, and so keeps the whole triangulation. This
-  // saves a sixth of the memory if the caller keeps it anyway.
+  // Makes the same filtration, but shares the triangulation's tetrahedra and so keeps the whole
+  // triangulation. This saves a sixth of the memory if the caller keeps it anyway.
   Filtration(std::shared_ptr<const BallSet> balls,
              std::shared_ptr<const Triangulation> triangulation, const RunContext& context = {});
 

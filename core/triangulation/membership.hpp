@@ -1,5 +1,5 @@
-// Which simplices of a triangulation are in K_alpha, without alpha values or classes. The answer is
-// exact and equals that of threshold().
+// Marks the simplices of a triangulation that are in K_alpha, without alpha values or classes. The
+// answer is exact and equals that of threshold().
 #pragma once
 
 #include <array>

@@ -32,8 +32,8 @@ void decide_tetrahedra(const BallSet& balls, const LatticeAlpha& alpha, Ties<4>&
 }
 
 // A tied face has only cofaces with the same float or a larger one. If it is attached, it has its
-// value from a coface whose apex is in conflict with it, and that coface is a tie as well. So only
-// the ties of the next dimension need a look.
+// value from a coface whose apex is in conflict with it. That coface is a tie as well. So only the
+// ties of the next dimension need a look.
 template <int N>
 void decide_faces(const BallSet& balls, const LatticeAlpha& alpha, const Ties<N + 1>& cofaces,
                   Ties<N>& ties) {

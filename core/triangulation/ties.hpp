@@ -29,7 +29,7 @@ struct AllTies {
   }
 };
 
-// Decides all ties by exact predicates. With tetrahedra_only the other dimensions are left empty.
+// Decides all ties by exact predicates. The other dimensions are left empty with tetrahedra_only.
 AllTies decide_ties(const Filtration& filtration, const LatticeAlpha& alpha_on_lattice,
                     bool tetrahedra_only);
 

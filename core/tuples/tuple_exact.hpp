@@ -81,10 +81,10 @@ struct ExactCentre<2, Integer> {
   }
 };
 
-// Tetrahedron ijkl by Cramer's rule, 2 x D = n. Ball m destroys it where (d_m·n - c_m D) D > 0.
-// With |d_x| < 2^a and |c| < 2^b, d_m·n - c_m D is below 24 · 2^(3a + b). This is 2^118 for
-// kInt128TupleOffset and any weights (a = 20, b = 53), and 2^158 on the whole lattice (a = 30, b =
-// 63).
+// Tetrahedron ijkl by Cramer's rule, 2 x D = n. Ball m destroys it where (d_m·n - c_m D) D > 0. If
+// |d_x| < 2^a and |c| < 2^b, d_m·n - c_m D is below 24 · 2^(3a + b). This is 2^118 for
+// kInt128TupleOffset and any weights (a = 20, b = 53). It is 2^158 on the whole lattice (a = 30, b
+// = 63).
 inline constexpr std::int32_t kInt128TupleOffset = 1 << 20;
 
 template <class Integer>

@@ -1,8 +1,8 @@
-// The verifier's search for near balls. Grown balls of squared radii a and b have a common point
-// only if the distance of their centres is at most sqrt(a) + sqrt(b), whose square is at most 2 (a
-// + b). This is an integer comparison in units of 2^-20. Alpha is rounded up to such a unit, so the
-// search may find too many balls. Widths: distances² < 2^62, weights < 2^52 and alpha below 2^62
-// square units, so 2^85 in these units.
+// The verifier's search for near balls. Let a and b be the squared radii of two grown balls with a
+// common point. Then the distance of their centres is at most sqrt(a) + sqrt(b), whose square is at
+// most 2 (a + b). This is an integer comparison in units of 2^-20. Alpha is rounded up to such a
+// unit, so the search may find too many balls. Widths: distances² < 2^62, weights < 2^52 and alpha
+// below 2^62 square units, so 2^85 in these units.
 #include "core/verify/verify_balls.hpp"
 
 #include <algorithm>

@@ -17,10 +17,10 @@ struct MissingSimplices {
   Simplices<4> tetrahedra;
 };
 
-// Finds missing simplices. `complex` must be closed (it has all faces of its simplices, also if
-// only tetrahedra were given), it must be a part of K_alpha, and its classes must follow from its
-// simplices. With `tetrahedra_given` only tetrahedra count as missing; the rest of K_alpha is found
-// on the way. Works in the caller's task arena. Throws Cancelled.
+// Finds missing simplices. `complex` must be closed: it has all faces of its simplices, also if
+// only tetrahedra were given. It must be a part of K_alpha, and its classes must follow from its
+// simplices. If `tetrahedra_given`, only tetrahedra count as missing, and the rest of K_alpha is
+// found on the way. Works in the caller's task arena. Throws Cancelled.
 MissingSimplices find_missing(const VerifyBalls& balls, const AlphaComplex& complex,
                               bool tetrahedra_given, const RunContext& context);
 

@@ -1,5 +1,5 @@
-// Opening molecules and sessions. A session that was read waits here until its molecule is open, so that
-// whatever goes wrong on the way leaves the window as it is.
+// Opening molecules and sessions. A session that was read waits here until its molecule is open, so
+// that whatever goes wrong on the way leaves the window as it is.
 #pragma once
 
 #include <filesystem>
@@ -47,8 +47,8 @@ class Opening {
 
   // The session whose molecule is on its way; null: none.
   const std::shared_ptr<const FoundSession>& starting() const { return starting_; }
-  // Its molecule is there: its settings and its window take the place of those of a molecule that is
-  // opened by itself.
+  // Its molecule is there: its settings and its window take the place of those of a molecule that
+  // is opened by itself.
   void show_session();
   void forget_failed();          // the file cannot be opened
   std::string take_drop_note();  // of the file that has been read

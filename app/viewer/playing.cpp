@@ -44,11 +44,9 @@ void Playing::play_models(bool models_settled) {
     return;
   }
   int& model = state_.settings.open.balls.model;
-  const ModelPlayback::Scene scene{
-      model, static_cast<int>(state_.molecule.models.size()),
-      models_settled && !scene_.busy()};
-  if (const auto next =
-          models_.next(scene, state_.playback.models_per_second, Clock::now())) {
+  const ModelPlayback::Scene scene{model, static_cast<int>(state_.molecule.models.size()),
+                                   models_settled && !scene_.busy()};
+  if (const auto next = models_.next(scene, state_.playback.models_per_second, Clock::now())) {
     model = *next;
     due_.ask();
   }

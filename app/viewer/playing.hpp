@@ -1,5 +1,5 @@
-// Playback (ui/panels/playback.hpp), and the steps of an engine: the next of each is asked for when the
-// last one is on screen, however long that took.
+// Playback (ui/panels/playback.hpp), and the steps of an engine: the next of each is asked for when
+// the last one is on screen, however long that took.
 #pragma once
 
 #include <chrono>

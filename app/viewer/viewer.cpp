@@ -132,7 +132,7 @@ void Viewer::take_file() {
   host_.set_title(state_.molecule.name + " – Alphascope");
   close_dialogs_of_file();
   state_.cavities.wanted_row.reset();
-  state_.playback.models = state_.memory.timings_pinned = false;
+  state_.playback.models = false;
   state_.steps.playing = false;
   sent_open_ = session_.open_options();
   state_.settings = {

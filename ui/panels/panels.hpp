@@ -6,6 +6,8 @@
 
 namespace alphascope {
 
+struct MoleculeMemory;  // molecule_memory.hpp
+
 void draw_menu_bar(PanelContext& ctx);
 // As the menu runs it: a failure is told; a refusal is a line in the status bar, but no news where
 // the menu greys the command already.
@@ -21,9 +23,10 @@ void draw_context_menu(PanelContext& ctx);
 
 // Parts of the molecule panel: where the atoms come from, which are used, how large they are.
 void draw_source_rows(PanelContext& ctx);  // assembly and models
-void draw_selection_rows(PanelContext& ctx);
-void draw_radii_rows(PanelContext& ctx);
-void draw_residue_rows(PanelContext& ctx);  // what each residue was taken for
+void draw_selection_rows(PanelContext& ctx, MoleculeMemory& memory);
+void draw_radii_rows(PanelContext& ctx, MoleculeMemory& memory);
+void draw_residue_rows(PanelContext& ctx,
+                       MoleculeMemory& memory);  // what each residue was taken for
 void draw_provenance(PanelContext& ctx);
 
 // What is in the view, in one line: molecule, alpha, and why there is nothing of the complex.
@@ -34,6 +37,6 @@ std::string hidden_text(std::size_t atoms);  // "1,234 atoms hidden"
 void draw_measured_list(PanelContext& ctx);
 
 // Stages as bars, one below the other on one time axis, of both engines.
-void draw_waterfall(PanelContext& ctx, float height);
+void draw_waterfall(PanelContext& ctx, bool cold, float height);
 
 }  // namespace alphascope

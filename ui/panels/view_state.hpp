@@ -104,9 +104,7 @@ struct PanelMemory {
   RecordMemory record;
   std::string export_path;
   ExportColours export_colours = ExportColours::element;
-  std::string session_path;     // to save to
-  bool timings_cold = true;     // which of the two runs the waterfall shows
-  bool timings_pinned = false;  // the user has chosen which
+  std::string session_path;  // to save to
   NumberTyping number;
   KeyMemory keys;
   SandboxMemory sandbox;
@@ -118,17 +116,12 @@ struct PanelMemory {
   std::string expression_typed;
   bool expression_entered = false;  // and nothing said of it yet
   std::string expression_shown;     // the one in force when expression_typed was last taken over
-  std::string chain_filter;
-  std::string confirm_assembly;  // id of the one that is asked about; empty: none
-  std::string residues_of;       // SHA-256 of the molecule whose list of residues was shown last
-  int radius_editing = -1;       // row of MoleculeInfo::radius_rows whose text is being typed
-  std::string radius_typed;
-  std::string radius_error;        // why what was typed is no radius
-  std::string reveal;              // a widget to be scrolled into sight, for scripts
-  std::string go_to_section;       // of the left side: to be opened and scrolled to its top
-  bool sections_overflow = false;  // the left side is longer than the window
-  double mouse_still_seconds = 0;  // since the mouse moved or a button was down
-  float mouse_x = 0, mouse_y = 0;  // pixels, in the last frame
+  std::string confirm_assembly;     // id of the one that is asked about; empty: none
+  std::string reveal;               // a widget to be scrolled into sight, for scripts
+  std::string go_to_section;        // of the left side: to be opened and scrolled to its top
+  bool sections_overflow = false;   // the left side is longer than the window
+  double mouse_still_seconds = 0;   // since the mouse moved or a button was down
+  float mouse_x = 0, mouse_y = 0;   // pixels, in the last frame
 };
 
 struct ViewState {

@@ -1,5 +1,5 @@
-// What the window writes on request: pictures, recordings, tables and exports. One of each kind runs at
-// a time; ViewState::saving shows the first of them.
+// What the window writes on request: pictures, recordings, tables and exports. One of each kind
+// runs at a time; ViewState::saving shows the first of them.
 #pragma once
 
 #include <functional>

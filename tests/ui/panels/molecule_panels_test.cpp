@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tests/ui/panels/panels_fixture.hpp"
+#include "ui/panels/molecule/molecule_memory.hpp"
 
 namespace alphascope {
 namespace {
@@ -208,7 +209,10 @@ TEST_F(MoleculePanel, NoRadiusOfZeroCanBeTyped) {
     p.type("radius.HEM.FE", bad);
     EXPECT_TRUE(balls().overrides.empty()) << bad;
     ASSERT_TRUE(p.rects.contains("radius.error")) << bad;
-    EXPECT_NE(p.state.memory.radius_error.find(bad), std::string::npos);
+    EXPECT_NE(static_cast<RememberingPanel<MoleculeMemory>&>(p.panels.of("molecule"))
+                  .memory()
+                  .radius_error.find(bad),
+              std::string::npos);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "tests/ui/panels/panels_fixture.hpp"
+#include "ui/panels/complex/timings_memory.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/panels/panels.hpp"
@@ -308,11 +309,14 @@ TEST(PanelsTest, AChoiceOfTimesStaysAlsoWhenThereAreNone) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();  // cold only
   p.frame(2);
+  const auto shows_cold = [&p] {
+    return static_cast<RememberingPanel<TimingsMemory>&>(p.panels.of("timings")).memory().cold;
+  };
   p.click("timings.run.1");
-  EXPECT_FALSE(p.state.memory.timings_cold);
+  EXPECT_FALSE(shows_cold());
   EXPECT_TRUE(p.rects.contains("timings.missing"));
   p.click("timings.run.0");
-  EXPECT_TRUE(p.state.memory.timings_cold);
+  EXPECT_TRUE(shows_cold());
   EXPECT_FALSE(p.rects.contains("timings.missing"));
 }
 

@@ -7,7 +7,7 @@
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/begin_anew.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

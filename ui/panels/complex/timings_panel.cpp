@@ -1,7 +1,9 @@
 // Our engine's time beside CGAL's, and whether both agree.
 #include <optional>
 
+#include "ui/panels/complex/timings_memory.hpp"
 #include "ui/panels/complex/timings_text.hpp"
+#include "ui/panels/molecule/begin_anew.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -84,9 +86,8 @@ void badge(PanelContext& ctx) {
 }
 
 // How many times faster than CGAL, for the run that is shown.
-void speed(PanelContext& ctx) {
+void speed(PanelContext& ctx, bool cold) {
   const ViewState& s = ctx.state;
-  const bool cold = s.memory.timings_cold;
   const std::optional<double> found = speed_up(s, cold);
   if (!found) return;
   const double ratio = *found;
@@ -126,16 +127,16 @@ void compare_button(PanelContext& ctx) {
   tooltip(ctx, "Computes the same complex with CGAL and compares simplex by simplex (C).");
 }
 
-void title(PanelContext& ctx) {
-  PanelMemory& m = ctx.state.memory;
+void title(PanelContext& ctx, TimingsMemory& m) {
+  begin_anew(m, ctx.state.molecule.sha256);
   // Until the user chooses: the first computation, then what the slider does. Never an empty chart;
   // a choice without times is explained (missing_times()).
   const bool warm = ctx.state.ours.warm.has_value();
-  if (!m.timings_pinned) m.timings_cold = !warm;
-  int run = m.timings_cold ? 0 : 1;
+  if (!m.pinned) m.cold = !warm;
+  int run = m.cold ? 0 : 1;
   if (choice(ctx, "timings.run", {"Cold", "Warm"}, run, ctx.px(124))) {
-    m.timings_pinned = true;
-    m.timings_cold = run == 0;
+    m.pinned = true;
+    m.cold = run == 0;
   }
   tooltip(ctx,
           "Cold: the first alpha of a molecule, including set-up.\nWarm: a later alpha of the same "
@@ -172,17 +173,17 @@ void summary_line(PanelContext& ctx) {
   tooltip(ctx, text.c_str());
 }
 
-void draw_timings(PanelContext& ctx) {
-  title(ctx);
+void draw_timings(PanelContext& ctx, TimingsMemory& memory) {
+  title(ctx, memory);
   if (ctx.state.result) {
     badge(ctx);
-    speed(ctx);
+    speed(ctx, memory.cold);
     compare_button(ctx);
   } else {
     ImGui::NewLine();
   }
   summary_line(ctx);
-  draw_waterfall(ctx, ImGui::GetContentRegionAvail().y);
+  draw_waterfall(ctx, memory.cold, ImGui::GetContentRegionAvail().y);
 }
 
 }  // namespace

@@ -119,14 +119,14 @@ class Waterfall {
   float left_, gutter_, right_, top_, bottom_, row_;
 };
 
-void missing(PanelContext& ctx) {
+void missing(PanelContext& ctx, bool cold) {
   ViewState& s = ctx.state;
-  const std::vector<std::string> sentences = missing_times(s, s.memory.timings_cold);
+  const std::vector<std::string> sentences = missing_times(s, cold);
   if (sentences.empty()) return;
   ImGui::Dummy({0, ctx.px(3)});
   for (const std::string& sentence : sentences) muted_wrapped(ctx, sentence);
   record(ctx, "timings.missing");
-  if (!s.memory.timings_cold || !lacks_cold_time(s)) return;
+  if (!cold || !lacks_cold_time(s)) return;
   ImGui::BeginDisabled(s.busy.active);
   if (button(ctx, "timings.compute_anew", "Measure cold times")) ctx.calls.jobs.compute_anew();
   ImGui::EndDisabled();
@@ -137,7 +137,7 @@ void missing(PanelContext& ctx) {
 
 }  // namespace
 
-void draw_waterfall(PanelContext& ctx, float height) {
+void draw_waterfall(PanelContext& ctx, bool cold, float height) {
   const ViewState& s = ctx.state;
   const Palette& p = ctx.palette;
   ImGui::BeginChild("waterfall", {0, height});
@@ -146,18 +146,18 @@ void draw_waterfall(PanelContext& ctx, float height) {
   std::vector<Line> lines;
   double range = 0;
   bool only_tetrahedra = false;
-  if (const MeasuredRun* run = shown_run(s.ours, s.memory.timings_cold)) {
+  if (const MeasuredRun* run = shown_run(s.ours, cold)) {
     add_lines(lines, s.ours.engine, *run, p.bar_ours, p.bar_ours_setup);
     range = std::max(range, lines.back().start + lines.back().length);  // beyond it: the picture
     range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
   }
-  if (const MeasuredRun* run = shown_run(s.cgal, s.memory.timings_cold)) {
+  if (const MeasuredRun* run = shown_run(s.cgal, cold)) {
     add_lines(lines, s.cgal.engine, *run, p.bar_cgal, p.bar_cgal_setup);
     range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
   }
-  if (const MeasuredRun* run = shown_run(s.cgal_parallel, s.memory.timings_cold)) {
+  if (const MeasuredRun* run = shown_run(s.cgal_parallel, cold)) {
     add_lines(lines, s.cgal_parallel.engine, *run, p.bar_cgal, p.bar_cgal_setup);
     range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
@@ -168,7 +168,7 @@ void draw_waterfall(PanelContext& ctx, float height) {
     for (std::size_t i = 0; i < lines.size(); ++i) chart.line(lines[i], static_cast<int>(i));
   }
   ImGui::PopStyleVar();
-  missing(ctx);
+  missing(ctx, cold);
   ImGui::PopFont();
   ImGui::EndChild();
   record(ctx, "timings.waterfall");

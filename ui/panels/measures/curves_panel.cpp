@@ -12,7 +12,7 @@
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/measures/curve_memory.hpp"
 #include "ui/panels/measures/lives_view.hpp"
-#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/begin_anew.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/curve_plot.hpp"

@@ -8,7 +8,7 @@
 #include "core/document/store/store.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/measures/measure_memory.hpp"
-#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/begin_anew.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"

@@ -1,23 +1,16 @@
-// What a page remembers of one molecule ends with the next.
+// The section on the molecule: what its rows remember between frames.
 #pragma once
 
 #include <string>
 
 namespace alphascope {
 
-// Where `memory` is of another molecule than this one (SHA-256 of its file), what `fresh` makes of
-// it takes its place. True: it did.
-template <class Memory, class Fresh>
-bool begin_anew(Memory& memory, const std::string& molecule, const Fresh& fresh) {
-  if (memory.molecule == molecule) return false;
-  memory = fresh(memory);
-  memory.molecule = molecule;
-  return true;
-}
-
-template <class Memory>
-bool begin_anew(Memory& memory, const std::string& molecule) {
-  return begin_anew(memory, molecule, [](const Memory&) { return Memory(); });
-}
+struct MoleculeMemory {
+  std::string residues_of;   // SHA-256 of the molecule whose list of residues was shown last
+  std::string chain_filter;  // part of the names of the chains that are listed
+  int radius_editing = -1;   // row of MoleculeInfo::radius_rows whose text is being typed
+  std::string radius_typed;
+  std::string radius_error;  // why the typed text is no radius
+};
 
 }  // namespace alphascope

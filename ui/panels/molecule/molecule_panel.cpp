@@ -1,4 +1,5 @@
 // What is open, what was used of it and what was dropped.
+#include "ui/panels/molecule/molecule_memory.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -60,7 +61,7 @@ void notes(PanelContext& ctx) {
   ImGui::TreePop();
 }
 
-void draw_molecule(PanelContext& ctx) {
+void draw_molecule(PanelContext& ctx, MoleculeMemory& memory) {
   if (!section(ctx, "molecule", "Molecule")) return;
   open_buttons(ctx);
   const MoleculeInfo& m = ctx.state.molecule;
@@ -87,10 +88,10 @@ void draw_molecule(PanelContext& ctx) {
   reserve_lines(top, kSummaryLines);
   dropped(ctx);
   notes(ctx);
-  draw_residue_rows(ctx);
+  draw_residue_rows(ctx, memory);
   draw_source_rows(ctx);
-  draw_radii_rows(ctx);
-  draw_selection_rows(ctx);
+  draw_radii_rows(ctx, memory);
+  draw_selection_rows(ctx, memory);
   draw_provenance(ctx);
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/document/commands/number_input.hpp"
 #include "core/document/settings/radius_edits.hpp"
+#include "ui/panels/molecule/molecule_memory.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
@@ -98,16 +99,15 @@ std::string title(const std::vector<RadiusRow>& rows) {
   return "Radii: " + text;
 }
 
-void apply(ViewState& s, const RadiusRow& row, const std::string& text) {
-  PanelMemory& m = s.memory;
+void apply(ViewState& s, MoleculeMemory& m, const RadiusRow& row, const std::string& text) {
   const NumberInput input = read_number(text, kBallRadiusRule);
   m.radius_error = input.error;
   if (input.value) set_radius(s.settings.open.balls.overrides, row.radius.group, *input.value);
 }
 
-void radius_field(PanelContext& ctx, const RadiusRow& row, int index) {
+void radius_field(PanelContext& ctx, MoleculeMemory& memory, const RadiusRow& row, int index) {
   ViewState& s = ctx.state;
-  PanelMemory& m = s.memory;
+  MoleculeMemory& m = memory;
   const std::string shown =
       row.kind == Kind::none ? "" : short_number_text(row.radius.radius_angstrom, 6);
   std::string text = m.radius_editing == index ? m.radius_typed : shown;
@@ -128,11 +128,11 @@ void radius_field(PanelContext& ctx, const RadiusRow& row, int index) {
   m.radius_typed = text;
   if (ImGui::IsItemDeactivated()) {
     m.radius_editing = -1;
-    if (text != shown) apply(s, row, text);
+    if (text != shown) apply(s, memory, row, text);
   }
 }
 
-void radius_line(PanelContext& ctx, const RadiusRow& row, int index) {
+void radius_line(PanelContext& ctx, MoleculeMemory& memory, const RadiusRow& row, int index) {
   ViewState& s = ctx.state;
   const AtomGroup& atoms = row.radius.group;
   const std::string element(element_symbol(atoms.element));
@@ -149,7 +149,7 @@ void radius_line(PanelContext& ctx, const RadiusRow& row, int index) {
   ImGui::TableNextColumn();
   muted_text(ctx, number(row.radius.count));
   ImGui::TableNextColumn();
-  radius_field(ctx, row, index);
+  radius_field(ctx, memory, row, index);
   ImGui::TableNextColumn();
   if (row.kind == Kind::by_hand) {
     const std::string id = "radius.reset." + atoms.residue + "." + atoms.atom;
@@ -161,7 +161,7 @@ void radius_line(PanelContext& ctx, const RadiusRow& row, int index) {
   ImGui::PopID();
 }
 
-void radius_table(PanelContext& ctx) {
+void radius_table(PanelContext& ctx, MoleculeMemory& memory) {
   const auto& rows = ctx.state.molecule.radius_rows;
   const float row_height = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const float height = row_height * static_cast<float>(std::min<std::size_t>(rows.size(), 8) + 1);
@@ -179,13 +179,13 @@ void radius_table(PanelContext& ctx) {
   clipper.Begin(static_cast<int>(rows.size()), row_height);
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      radius_line(ctx, rows[static_cast<std::size_t>(i)], i);
+      radius_line(ctx, memory, rows[static_cast<std::size_t>(i)], i);
     }
   }
   ImGui::EndTable();
 }
 
-void radius_list(PanelContext& ctx) {
+void radius_list(PanelContext& ctx, MoleculeMemory& memory) {
   ViewState& s = ctx.state;
   const auto& rows = s.molecule.radius_rows;
   const bool edited = !s.settings.open.balls.overrides.empty();
@@ -200,11 +200,11 @@ void radius_list(PanelContext& ctx) {
   ImGui::PushFont(ctx.fonts.small);
   muted_wrapped(
       ctx, "The radii set has no value for these atoms. Type a better radius if you know one.");
-  if (!rows.empty()) radius_table(ctx);
+  if (!rows.empty()) radius_table(ctx, memory);
   const float top = ImGui::GetCursorPosY();
-  if (!s.memory.radius_error.empty()) {
+  if (!memory.radius_error.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-    wrapped_text(s.memory.radius_error);
+    wrapped_text(memory.radius_error);
     ImGui::PopStyleColor();
     record(ctx, "radius.error");
   }
@@ -221,9 +221,9 @@ void radius_list(PanelContext& ctx) {
 
 }  // namespace
 
-void draw_radii_rows(PanelContext& ctx) {
+void draw_radii_rows(PanelContext& ctx, MoleculeMemory& memory) {
   set_row(ctx);
-  radius_list(ctx);
+  radius_list(ctx, memory);
 }
 
 }  // namespace alphascope

@@ -6,6 +6,7 @@
 
 #include "core/selection/residue_groups.hpp"
 #include "core/text/grouped_number.hpp"
+#include "ui/panels/molecule/molecule_memory.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -140,14 +141,14 @@ void group_lines(PanelContext& ctx, const std::vector<ResidueGroup>& groups) {
 
 }  // namespace
 
-void draw_residue_rows(PanelContext& ctx) {
+void draw_residue_rows(PanelContext& ctx, MoleculeMemory& memory) {
   ViewState& s = ctx.state;
   const std::shared_ptr<const ResidueGroups> groups = s.molecule.residues;
   if (!groups || groups->of.empty()) return nothing_to_disclose(ctx, "Residues: none are known.");
   const std::string decisions = decisions_text(*groups), kinds = kinds_text(groups->kinds);
   // Open where there is something to judge; from then on as the user leaves it.
-  if (s.memory.residues_of != s.molecule.sha256) {
-    s.memory.residues_of = s.molecule.sha256;
+  if (memory.residues_of != s.molecule.sha256) {
+    memory.residues_of = s.molecule.sha256;
     ImGui::SetNextItemOpen(groups->guessed > 0);
   }
   const float room = ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/text/grouped_number.hpp"
+#include "ui/panels/molecule/molecule_memory.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
@@ -114,9 +115,9 @@ void chain_line(PanelContext& ctx, const ChainContents& chain, float width) {
 }
 
 // Only what is in sight is drawn: an assembly can have thousands of chains.
-void chain_lines(PanelContext& ctx) {
+void chain_lines(PanelContext& ctx, MoleculeMemory& memory) {
   const ViewState& s = ctx.state;
-  const std::string& filter = s.memory.chain_filter;
+  const std::string& filter = memory.chain_filter;
   std::vector<const ChainContents*> shown;
   for (const ChainContents& chain : s.molecule.contents.chains) {
     if (filter.empty() || chain.name.find(filter) != std::string::npos) shown.push_back(&chain);
@@ -136,7 +137,7 @@ void chain_lines(PanelContext& ctx) {
   ImGui::EndChild();
 }
 
-void chain_popup(PanelContext& ctx) {
+void chain_popup(PanelContext& ctx, MoleculeMemory& memory) {
   ViewState& s = ctx.state;
   constexpr std::size_t kFilterFrom = 10;
   if (button(ctx, "molecule.chains.all", "All")) switch_all(s, true);
@@ -145,14 +146,14 @@ void chain_popup(PanelContext& ctx) {
   if (s.molecule.contents.chains.size() >= kFilterFrom) {
     ImGui::SameLine(0, ctx.px(8));
     ImGui::SetNextItemWidth(ctx.px(130));
-    text_field(ctx, "molecule.chains.filter", s.memory.chain_filter, "name contains…");
+    text_field(ctx, "molecule.chains.filter", memory.chain_filter, "name contains…");
   } else {
-    s.memory.chain_filter.clear();
+    memory.chain_filter.clear();
   }
-  chain_lines(ctx);
+  chain_lines(ctx, memory);
 }
 
-void chains(PanelContext& ctx) {
+void chains(PanelContext& ctx, MoleculeMemory& memory) {
   const ViewState& s = ctx.state;
   const std::size_t all = s.molecule.contents.chains.size();
   const auto off = static_cast<std::size_t>(std::count_if(
@@ -163,7 +164,7 @@ void chains(PanelContext& ctx) {
                               : off == 0           ? "all " + number(all)
                                                    : number(all - off) + " of " + number(all);
   if (!list_field(ctx, "molecule.chains", preview.c_str(), ImGuiComboFlags_HeightLargest)) return;
-  chain_popup(ctx);
+  chain_popup(ctx, memory);
   ImGui::EndCombo();
 }
 
@@ -240,10 +241,10 @@ void expression(PanelContext& ctx) {
 
 }  // namespace
 
-void draw_selection_rows(PanelContext& ctx) {
+void draw_selection_rows(PanelContext& ctx, MoleculeMemory& memory) {
   kinds(ctx);
   hydrogens_and_altlocs(ctx);
-  chains(ctx);
+  chains(ctx, memory);
   expression(ctx);
 }
 

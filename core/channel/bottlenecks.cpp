@@ -1,4 +1,5 @@
-// See the header.
+// Finds the bottlenecks of many places with one search for each. All searches share each
+// triangulation of the grown balls.
 #include "core/channel/bottlenecks.hpp"
 
 #include <algorithm>
@@ -18,14 +19,17 @@
 namespace alphascope {
 namespace {
 
-// One of the places that differ; lattice units, growths are multiples of the step.
+// The search for one distinct place. Lengths are in lattice units; growths are multiples of the
+// step.
 struct End {
-  std::int64_t open_at = -1;   // the place is connected to outside; negative: not even at 0
-  std::int64_t closed_at = 0;  // it is not
+  // Largest growth known to connect the place to the outside; negative: not even 0
+  std::int64_t open_at = -1;
+  std::int64_t closed_at = 0;  // smallest growth known to cut the place off
   bool way_known = false;
   double width = 0;     // of the widest way found at open_at
-  RealPoint narrowest;  // Å, where that is
-  int too_low = 0;      // how often such a guess was
+  RealPoint narrowest;  // Å, where that way has this width
+  // Number of growths above `width` that were open, so that `width` was a guess too low
+  int too_low = 0;
 
   bool done(std::int64_t step) const { return closed_at - open_at <= step; }
 };
@@ -62,10 +66,10 @@ class Finder {
   Clearance clearance_;
   const RunContext& context_;
   std::int64_t step_ = 1;
-  std::vector<LatticePoint> points_;  // that differ and are not covered
-  std::vector<End> ends_;             // of these
-  std::vector<std::size_t> end_of_;   // of each place the index in these, or kCovered
-  std::vector<RealPoint> rounded_;    // each place, Å
+  std::vector<LatticePoint> points_;  // distinct places outside all balls
+  std::vector<End> ends_;             // one for each of points_
+  std::vector<std::size_t> end_of_;   // for each place its index in points_, or kCovered
+  std::vector<RealPoint> rounded_;    // each place on the lattice, Å
   std::map<std::tuple<int, int, int>, std::size_t> seen_;
   PassageEnds scene_ends_;
   std::optional<GrownScenes> scenes_;
@@ -90,8 +94,8 @@ void Finder::add(const RealPoint& place) {
   end_of_.push_back(at->second);
 }
 
-// The lowest of what the ends need next: what is tested on the way up opens the others, too, and
-// makes their guesses better.
+// Returns the lowest growth that any unfinished search needs next. A low growth serves all
+// searches: where it is open, it improves their guesses as well.
 std::optional<std::int64_t> Finder::next_growth() const {
   constexpr int kPatience = 3;
   std::optional<std::int64_t> lowest;
@@ -109,7 +113,8 @@ std::optional<std::int64_t> Finder::next_growth() const {
   return lowest;
 }
 
-// Between three balls; not found where one of them is a helping ball.
+// The narrowest place between the three balls of a triangle. It is not found if a corner is a
+// helping ball (far away, or an end), which has a higher index.
 EqualClearance Finder::gap_of(const GrownScene& scene,
                               const std::array<BallIndex, 3>& triangle) const {
   if (triangle[2] >= scene.original.size()) return {};
@@ -138,7 +143,8 @@ RealPoint Finder::narrowest_of(const GrownScene& scene, const EmptySpace::WayOut
   return clearance_.at(own) < clearance_.at(other) ? own : other;
 }
 
-// All tetrahedra around the ball of an end are one open space with it.
+// Updates each search with the triangulation at this growth. All tetrahedra around an end's ball
+// belong to one open space, so the widest of their ways counts.
 void Finder::ask(std::int64_t growth) {
   RunContext quiet;
   quiet.cancel = context_.cancel;
@@ -188,7 +194,7 @@ Bottleneck Finder::answer(std::size_t place) const {
   bottleneck.kind = at_end ? Bottleneck::Kind::end : Bottleneck::Kind::passage;
   bottleneck.place_angstrom = at_end ? rounded_[place] : end.narrowest;
   const double width = at_end ? room : lattice.unit_angstrom() * end.width;
-  // A guess that is not within what is decided is none.
+  // The width is rounded. If it contradicts the exact bounds, the lower bound replaces it.
   const bool good = width >= bottleneck.at_least_angstrom && width < bottleneck.below_angstrom;
   bottleneck.radius_angstrom = good ? width : bottleneck.at_least_angstrom;
   std::vector<Surface> surfaces;

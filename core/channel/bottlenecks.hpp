@@ -1,6 +1,5 @@
-// Where the widest ways from many places out of a molecule are narrowest: as channel.hpp's
-// bottleneck, coarser, and with one search for all places. Each triangulation of all grown balls
-// answers for every place at once.
+// Finds where the widest way out of a molecule is narrowest, for many places at once. The result is
+// that of channel.hpp in coarser steps. Each triangulation of the grown balls serves all places.
 #pragma once
 
 #include <string_view>
@@ -12,37 +11,38 @@
 
 namespace alphascope {
 
-// What RunContext::progress is told; the share is that of the places that are done.
+// The stage name given to RunContext::progress. The share is the share of finished places.
 inline constexpr std::string_view kBottlenecksStage = "bottlenecks";
 
 struct Bottleneck {
   enum class Kind {
     passage,  // a place between balls
-    end,      // the place itself: its way out is wider everywhere else
-    closed,   // there is no way out, not even for a point
-    covered   // the place is not outside all balls
+    end,      // the place itself; its way out is wider everywhere else
+    closed,   // no way out, not even for a point
+    covered   // the place lies in a ball
   };
   Kind kind = Kind::covered;
-  // The largest sphere that can walk out has a radius from `at_least` to less than `below`: decided
-  // exactly. `radius` is between both, mostly right to the last digit.
+  // The largest sphere that can leave has a radius of at least `at_least` and less than `below`.
+  // Both bounds are exact. `radius` lies between them and is mostly right to the last digit.
   double at_least_angstrom = 0, below_angstrom = 0, radius_angstrom = 0;
-  RealPoint place_angstrom;         // of a passage, and of an end
-  std::vector<BallIndex> touching;  // within 0.01 Å there; ascending
+  RealPoint place_angstrom;         // of the narrowest place; set for passage and end
+  std::vector<BallIndex> touching;  // balls within 0.01 Å of touching the sphere there; ascending
 
   bool is_open() const { return kind == Kind::passage || kind == Kind::end; }
 };
 
 struct Bottlenecks {
-  std::vector<Bottleneck> of;  // the places, in their order
-  int triangulations = 0;      // of all balls: what it cost
+  std::vector<Bottleneck> of;  // one for each place, in their order
+  int triangulations = 0;      // number of triangulations of all balls, the main cost
 };
 
-// How far `at_least` and `below` are apart, unless the lattice is coarser.
+// The distance from `at_least` to `below` (Å), unless the lattice unit is larger.
 inline constexpr double kBottleneckStepAngstrom = 0.01;
 
-// From each place (Å) out, by any way; radii as they are. Places are rounded to the lattice (of at
-// most 4 digits). Works in the caller's task arena; the same for any number of threads. Throws
-// Cancelled, and std::invalid_argument as find_channel().
+// Finds the bottleneck from each place (Å) to the outside, by any way. Radii are used as they are,
+// without a solvent radius. Places are rounded to the lattice (at most 4 digits). Works in the
+// caller's task arena; the result does not depend on the number of threads. Throws Cancelled, and
+// std::invalid_argument as find_channel() does.
 Bottlenecks find_bottlenecks(const BallSet& balls, const std::vector<RealPoint>& places_angstrom,
                              const RunContext& context = {});
 

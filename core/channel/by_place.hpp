@@ -1,5 +1,5 @@
-// An order of balls that is not that of the file: by place, then radius. What rounds differently in
-// another order is computed in this one, and so is the same for every order of the balls.
+// An order of balls by position, then radius. It does not depend on the order in the file. Rounded
+// computations use it, so that their result is the same for every order of the input.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline std::vector<BallIndex> sorted_by_place(const BallSet& balls) {
   return order;
 }
 
-// Some of them, or all, in this order.
+// The given balls, all or some, in this order.
 inline BallSet in_order(const BallSet& balls, const std::vector<BallIndex>& order) {
   BallSet result;
   result.lattice = balls.lattice;

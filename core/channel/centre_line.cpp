@@ -1,3 +1,5 @@
+// Moves a curve to the middle of a channel. It is cut off at its ends and straightened; then its
+// places rise to maxima of clearance.
 #include "core/channel/centre_line.hpp"
 
 #include <algorithm>
@@ -15,12 +17,13 @@ namespace {
 using Line = std::vector<RealPoint>;
 
 constexpr double kCoarseSpacing = 0.2;  // Å, while the line moves
-constexpr double kFineSpacing = 0.08;   // of the result: what settles moves apart a little
-// Å along the line to both sides; or this share of the clearance, where what is nearer tells no
-// direction.
+// Å; finer than kSpacingAngstrom, because places move apart a little at the last ascent
+constexpr double kFineSpacing = 0.08;
+// The tangent is taken between the places this far (Å) along the line to both sides. In wide parts
+// this share of the clearance is used instead, because near places give no clear direction there.
 constexpr double kTangentReach = 0.5, kTangentShare = 0.5;
 constexpr int kRounds = 60;
-constexpr double kStill = 0.004;  // Å: rounds end when no place moves more
+constexpr double kStill = 0.004;  // Å: rounds end when no place moves farther
 
 double line_length(const Line& line) {
   double sum = 0;
@@ -28,7 +31,7 @@ double line_length(const Line& line) {
   return sum;
 }
 
-// Places at equal distances along the line, of at most `spacing`; the ends stay.
+// Places at equal distances along the line, at most `spacing` (Å) apart. Both ends stay.
 Line resampled(const Line& line, double spacing) {
   const double whole = line_length(line);
   const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(whole / spacing)));
@@ -57,8 +60,8 @@ RealPoint tangent(const Clearance& clearance, const Line& line, std::size_t n, d
   return unit_vector(line[high] - line[low]);
 }
 
-// The end of a curve from where clearance reaches `radius` on, walking towards its first place.
-// Clearance changes by no more than the distance walked, so wide parts are crossed in few steps.
+// Cuts the wide start off a curve. Walks on while clearance is at least `radius`, and returns the
+// rest. Clearance changes by no more than the distance walked, so wide parts take few steps.
 Line cut_start(const Clearance& clearance, double radius, const Line& curve) {
   constexpr double kStep = 0.05;  // Å
   Walk walk(curve);
@@ -76,7 +79,7 @@ Line cut_start(const Clearance& clearance, double radius, const Line& curve) {
   return result;
 }
 
-// Is clearance at least `radius` on the whole segment?
+// Returns whether clearance is at least `radius` on the whole segment.
 bool is_wide(const Clearance& clearance, const RealPoint& from, const RealPoint& to,
              double radius) {
   constexpr double kStep = 0.05;  // Å
@@ -90,7 +93,8 @@ bool is_wide(const Clearance& clearance, const RealPoint& from, const RealPoint&
   return true;
 }
 
-// Goes straight through what is wider than `radius`, where edges of the power diagram go far.
+// Replaces parts of the line by straight segments wherever these are wider than `radius`. In wide
+// space, edges of the power diagram make long detours.
 Line straightened(const Clearance& clearance, const Line& line, double radius,
                   const CancelToken& cancel) {
   Line result;
@@ -110,7 +114,7 @@ Line straightened(const Clearance& clearance, const Line& line, double radius,
   return result;
 }
 
-// The same again and again, as long as that makes it much shorter.
+// Repeats straightening as long as it shortens the line by more than 2 %.
 Line taut(const Clearance& clearance, Line line, double radius, const CancelToken& cancel) {
   constexpr int kMostTimes = 12;
   constexpr double kWorth = 0.98;
@@ -122,7 +126,7 @@ Line taut(const Clearance& clearance, Line line, double radius, const CancelToke
   return line;
 }
 
-// Leaves out what goes away and comes back, where the straight way is as wide as its ends and less
+// Removes folds of the line. A segment replaces a fold if it is as wide as the fold's ends and less
 // than half as long.
 Line without_folds(const Clearance& clearance, const Line& line, const CancelToken& cancel) {
   constexpr double kLeastFold = 2, kNarrower = 0.02;  // Å
@@ -144,7 +148,7 @@ Line without_folds(const Clearance& clearance, const Line& line, const CancelTok
   return result;
 }
 
-// Adds places where two are too far apart.
+// Adds places so that neighbours are at most kSpacingAngstrom apart.
 Line filled(const Line& line) {
   Line result;
   for (const RealPoint& next : line) {
@@ -160,7 +164,7 @@ Line filled(const Line& line) {
   return result;
 }
 
-// What a line moves in.
+// The inputs that stay the same while a line moves.
 struct Scene {
   const Clearance& clearance;
   const Envelope& envelope;
@@ -175,7 +179,8 @@ struct Scene {
   }
 };
 
-// Cuts off what is behind the first place, seen from the end, where clearance is below the radius.
+// Shortens both free ends: while the second place from an end is still wide, the end's place is
+// dropped.
 void cut_ends(const Scene& scene, Line& line) {
   if (!scene.start.last_fixed) {
     while (line.size() > 2 && scene.is_wide(line[line.size() - 2])) line.pop_back();
@@ -187,7 +192,8 @@ void cut_ends(const Scene& scene, Line& line) {
   }
 }
 
-// Moves every place in the plane normal to the line, but fixed ends and what is in the open.
+// Moves each place to a maximum of clearance in the plane normal to the line. Fixed ends and places
+// in the open stay.
 Line ascended(const Scene& scene, const Line& line, double spacing, const AscentLimits& limits) {
   Line result = line;
   parallel_each(0, line.size(), [&](std::size_t n) {
@@ -207,12 +213,12 @@ Line smoothed(const Scene& scene, const Line& line) {
   return result;
 }
 
-// How far the places of a line are at most from another line.
+// The largest distance (Å) of a place of `line` from the line `before`.
 double farthest_move(const Line& line, const Line& before) {
   double farthest = 0;
   std::size_t near = 0;
   for (const RealPoint& p : line) {
-    // Both run the same way, so the nearest places follow each other.
+    // Both lines run the same way, so the search for the nearest place continues from the last one.
     while (near + 1 < before.size() && length(before[near + 1] - p) < length(before[near] - p)) {
       ++near;
     }
@@ -233,8 +239,8 @@ double farthest_move(const Line& line, const Line& before) {
 
 CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<RealPoint>& curve,
                                 const CancelToken& cancel) {
-  // Clearance changes by no more than the distance walked: a step passes no place that is narrower
-  // by more than half of what is added to it.
+  // Clearance changes by no more than the distance walked. So a step misses no place that is
+  // narrower by more than half of the added length.
   constexpr double kCoarse = 0.05, kFine = 2 * kLeastClearanceError;
   double least = std::numeric_limits<double>::infinity();
   Walk best(curve);
@@ -247,7 +253,8 @@ CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<Re
     }
     return here;
   };
-  // Corners first: far away, where a curve begins, each place is narrower than the one before.
+  // Corners are looked at first. A curve from far away has places that are each narrower than the
+  // one before. Without a known minimum each step there would be short.
   for (Walk walk(curve); !walk.at_end(); walk.advance_to_corner()) look(walk);
   for (const double added : {kCoarse, kFine}) {
     for (Walk walk(curve); !walk.at_end();) walk.advance(look(walk) - least + added);
@@ -273,12 +280,13 @@ std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelop
   }
   line =
       taut(clearance, resampled(line, kCoarseSpacing), start.end_radius_angstrom, context.cancel);
-  // A curve along edges of the power diagram is jagged: small steps and smoothing in turns keep the
-  // places in their order while they move.
+  // A curve along edges of the power diagram is jagged. Small steps and smoothing in turn keep the
+  // places in order while they move.
   const Scene scene{clearance, envelope, start, context.cancel};
   const AscentLimits in_rounds{0.15, 0.03, kAnywhere, 0.15};
-  // At the rim of a molecule, around a fixed end, there may be no middle to move to: then the line
-  // would go to and fro between the end and the open, farther in each round.
+  // At the rim of a molecule there may be no middle to move to around a fixed end. The line would
+  // then go back and forth between that end and the open, farther in each round. A line that gets
+  // this much longer (plus 1 Å) is therefore undone.
   constexpr double kMostLonger = 1.25;
   const double most = kMostLonger * line_length(line) + 1;
   for (int round = 0; round < kRounds; ++round) {

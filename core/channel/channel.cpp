@@ -1,3 +1,4 @@
+// Finds a channel: exact bottleneck, then a curve through it, then the centre line.
 #include "core/channel/channel.hpp"
 
 #include <tbb/task_group.h>
@@ -81,7 +82,8 @@ LatticePoint Finder::end_at(const RealPoint& place) const {
 }
 
 RealPoint Finder::settled_in_plane(const RealPoint& place, const RealPoint& along) const {
-  // Wider than between any two of the balls: outside.
+  // The largest distance from the place to a centre (Å). Clearance above it is possible only
+  // outside the molecule.
   double widest = 0;
   for (const LatticePoint& p : balls_.centres) {
     widest = std::max(widest, length(balls_.lattice.unit_angstrom() * real_point(p) - place));
@@ -96,7 +98,7 @@ RealPoint Finder::settled_in_plane(const RealPoint& place, const RealPoint& alon
   return ascent.place;
 }
 
-// One, or the two halves of a channel through a plane.
+// One passage; for Kind::through two, from the point against and along the direction.
 std::vector<Passage> Finder::passages() {
   const RealPoint along = unit_vector(ends_.along);
   if (has_direction() && !(std::fabs(length(along) - 1) < 1e-9)) {
@@ -136,7 +138,8 @@ std::vector<Passage> Finder::passages() {
   return result;
 }
 
-// Through: in along the second passage, backwards, out along the first.
+// The curve of all passages (Å). For Kind::through it comes in along the second passage, reversed,
+// and leaves along the first.
 std::vector<RealPoint> Finder::whole_curve(const std::vector<Passage>& passages) const {
   std::vector<RealPoint> curve;
   if (passages.size() == 2) {
@@ -146,8 +149,8 @@ std::vector<RealPoint> Finder::whole_curve(const std::vector<Passage>& passages)
   return curve;
 }
 
-// A curve outside the balls grown by the last length for which it is open has its least clearance
-// within a step of the bottleneck. Where that is in a gap it is known to the last digit.
+// The curve lies outside the balls grown by `widest_angstrom`. So its least clearance is within one
+// step of the bottleneck's. If that place is in a known gap, the gap gives all its digits.
 RealPoint Finder::bottleneck_place(const Passage& passage, const RealPoint& on_curve,
                                    Channel& channel) const {
   constexpr double kRounding = 1e-6, kNear = 0.5;  // Å
@@ -167,7 +170,7 @@ RealPoint Finder::bottleneck_place(const Passage& passage, const RealPoint& on_c
   return on_curve;
 }
 
-// Both sides of the bottleneck, which keeps its place.
+// Makes the line on both sides of the bottleneck, whose place stays.
 void Finder::set_line(const std::vector<Passage>& passages, const Passage& narrowest,
                       Channel& channel) const {
   CutCurve cut = cut_at_least_clearance(clearance_, whole_curve(passages), context_.cancel);

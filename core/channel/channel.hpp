@@ -1,7 +1,8 @@
-// Channels by true clearance: how large a sphere can walk from one place to another outside all
-// balls, where it gets stuck, and how wide its way is. Clearance at x is min |x - c| - r over all
-// balls (Å; radii as they are, without a solvent). The number is exact; it does not depend on any
-// alpha or solvent radius, and not on the line, which is drawn through the channel afterwards.
+// Channels by true clearance: which sphere can just move from one place to another outside all
+// balls. They also tell where larger spheres get stuck, and how wide the way is. Clearance at x is
+// min |x - c| - r over all balls (Å). Radii are used as they are, without a solvent radius. The
+// bottleneck is exact and depends neither on alpha nor on a solvent radius. It does not depend on
+// the line either, which is drawn through the channel afterwards.
 #pragma once
 
 #include <stdexcept>
@@ -13,15 +14,16 @@
 
 namespace alphascope {
 
-// All places and directions in Å. Places are rounded to the lattice (of at most 4 digits).
+// All places and directions are in Å. Places are rounded to the lattice (at most 4 digits).
 struct ChannelEnds {
   enum class Kind {
     between,    // two points
-    out,        // a point and infinity, any way out
-    out_along,  // a point and infinity, without going behind the plane through it normal to `along`
-    through     // both ways out along a line: from infinity against `along`, through the plane, to
-                // infinity along it. The point is first moved within the plane to a place where
-                // clearance has a local maximum.
+    out,        // a point and infinity, by any way
+    out_along,  // a point and infinity, without crossing the plane through the point normal to
+                // `along`
+    // Both ways out along a line: from infinity against `along`, through the plane, to infinity
+    // along it. The point is first moved within the plane to a local maximum of clearance.
+    through
   };
   static ChannelEnds between(const RealPoint& a, const RealPoint& b) {
     return {Kind::between, a, b, {}};
@@ -36,60 +38,62 @@ struct ChannelEnds {
 
   Kind kind = Kind::out;
   RealPoint from, to, along;
-  // Towards infinity the line ends where its radius reaches this, and 1.5 times the bottleneck's,
-  // for the last time; so a given point in a place as wide as outside may not be on it.
+  // A line towards infinity ends where its radius reaches this (Å) and 1.5 times the bottleneck's
+  // for the last time. So the line may miss a given point that lies in a place as wide as the
+  // outside.
   double end_radius_angstrom = 5;
 };
 
 struct ChannelSample {
   RealPoint position_angstrom;
-  double radius_angstrom = 0;  // its clearance
-  double along_angstrom = 0;   // length of the line up to it
+  double radius_angstrom = 0;  // clearance at the position
+  double along_angstrom = 0;   // length of the line up to the position
 };
 
-// What the bottleneck is.
+// The kind of the bottleneck.
 enum class ChannelLimit {
   passage,  // a place between balls
-  end,      // a given point: the way is wider everywhere else
-  plane  // the plane that the way must not cross, and two balls: another point in the channel, or
-         // another direction, may find a wider way
+  end,      // a given point; the way is wider everywhere else
+  // Two balls and the plane that the way must not cross. Another point in the channel or another
+  // direction may find a wider way.
+  plane
 };
 
 struct Channel {
-  // The largest multiple of `step_angstrom` by which all radii can grow with the ends still
-  // connected: decided exactly. Negative where there is no way even for a point; then radii shrink.
+  // The largest multiple of `step_angstrom` by which all radii can grow while both ends stay
+  // connected. Decided exactly. Negative if not even a point can pass: radii must then shrink.
   double widest_angstrom = 0;
-  double step_angstrom = 0;  // 0.001, or the unit of a coarser lattice
+  double step_angstrom = 0;  // 0.001 Å, or the unit of a coarser lattice
 
   ChannelLimit limit = ChannelLimit::passage;
-  std::size_t bottleneck = 0;       // its sample; no other has a smaller radius
-  std::vector<BallIndex> touching;  // surfaces there within 0.01 Å of touching; ascending
+  std::size_t bottleneck = 0;       // index of its sample; no other sample has a smaller radius
+  std::vector<BallIndex> touching;  // balls within 0.01 Å of touching its sphere; ascending
 
-  // At most 0.1 Å apart. Between its ends each one is at a local maximum of clearance in the plane
-  // normal to the line, where there is one near.
+  // Samples are at most 0.1 Å apart. Between the ends each one is at a local maximum of clearance
+  // in the plane normal to the line. A place without a maximum near is the exception.
   std::vector<ChannelSample> samples;
   double length_angstrom = 0;
-  double end_radius_angstrom = 0;  // the radius that ends it towards infinity
+  double end_radius_angstrom = 0;  // the radius at which the line towards infinity ends
 
   bool is_open() const { return widest_angstrom >= 0; }
   const ChannelSample& narrowest() const { return samples[bottleneck]; }
-  int triangulations = 0;  // of all balls: what the answer cost
+  int triangulations = 0;  // number of triangulations of all balls, the main cost
 };
 
-// A given point is not outside all balls.
+// Thrown if a given point lies in a ball.
 struct ChannelEndCovered : std::invalid_argument {
   ChannelEndCovered(const RealPoint& place, BallIndex covering, double depth);
   RealPoint place_angstrom;
-  BallIndex ball;         // the one that covers it most
-  double depth_angstrom;  // how far the point is below its surface
+  BallIndex ball;         // the ball that covers it most
+  double depth_angstrom;  // depth of the point below that ball's surface
 };
 
-// The plane that `out_along` and `through` may not cross is the surface of a ball of 30,000 Å
-// (3,000 on a lattice of 4 digits): x Å from the point it is x² / 60,000 Å behind the plane.
-// Works in the caller's task arena. The same bits for any order of the balls and any number of
-// threads. Throws ChannelEndCovered; std::invalid_argument for no balls,
-// for a direction of no length, for a plane that is open sideways, or where an end is 100,000 Å
-// away from the balls; Cancelled.
+// The plane of `out_along` and `through` is the surface of a ball. Its radius is 30,000 Å (3,000 Å
+// on a lattice of 4 digits). At x Å from the point this surface is x² / 60,000 Å behind the plane.
+// Works in the caller's task arena. The result has the same bits for any order of the balls and any
+// number of threads. Throws ChannelEndCovered and Cancelled. Throws std::invalid_argument in four
+// cases: no balls; a direction of no length; a plane in which no balls enclose the point; an end
+// that is 100,000 Å away from the balls.
 Channel find_channel(const BallSet& balls, const ChannelEnds& ends, const RunContext& context = {});
 
 }  // namespace alphascope

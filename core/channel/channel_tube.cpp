@@ -1,4 +1,4 @@
-// See the header.
+// Builds a channel's tube: a circle of corners around each sample, joined by triangles.
 #include "core/channel/channel_tube.hpp"
 
 #include <cmath>
@@ -24,14 +24,15 @@ class Tube {
   }
 
  private:
-  // Samples from `first` on, before `end`.
+  // Adds the samples from `first` on, before `end`.
   void add_piece(std::size_t first, std::size_t end) {
     corner_ = {};
     for (std::size_t n = first; n < end; ++n) {
       const RealPoint& before = samples_[n > first ? n - 1 : n].position_angstrom;
       const RealPoint& behind = samples_[n + 1 < end ? n + 1 : n].position_angstrom;
       const RealPoint along = unit_vector(behind - before);
-      // The first corner turns with the line, and not about it.
+      // The last circle's first corner is projected into the new circle's plane, so that the tube
+      // does not twist.
       corner_ = unit_vector(corner_ - dot(corner_, along) * along);
       RealPoint other;
       if (corner_ == RealPoint{}) normals_of(along, corner_, other);
@@ -56,7 +57,7 @@ class Tube {
     }
   }
 
-  // The last circle with the one before.
+  // Joins the last circle to the one before.
   void join() {
     for (std::uint32_t k = 0; k < kCorners; ++k) {
       const std::uint32_t next = (k + 1) % kCorners;
@@ -65,7 +66,8 @@ class Tube {
     }
   }
 
-  // The last circle with its centre; seen from where the line goes, or else comes from.
+  // Closes the last circle with a fan around its centre. The fan faces along the line if `goes`,
+  // else against it.
   void close(const ChannelSample& sample, bool goes) {
     const auto centre = static_cast<std::uint32_t>(tube_.points.size());
     add_point(sample, {});
@@ -77,8 +79,8 @@ class Tube {
 
   const std::vector<ChannelSample>& samples_;
   ChannelTube tube_;
-  RealPoint corner_;  // a unit vector: from the last centre to its circle's first corner
-  std::uint32_t before_ = 0, last_ = 0;  // first corners of the last two circles
+  RealPoint corner_;  // unit vector from the last centre to its circle's first corner
+  std::uint32_t before_ = 0, last_ = 0;  // first points of the last two circles
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The surface of a channel, for programs that draw meshes.
+// The surface of a channel as triangles, for programs that draw meshes.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ namespace alphascope {
 // Each triangle is counterclockwise when seen from outside the channel.
 struct ChannelTube {
   std::vector<RealPoint> points;       // Å
-  std::vector<double> radii_angstrom;  // of each point: that of its sample
+  std::vector<double> radii_angstrom;  // for each point the radius of its sample
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// A circle around each sample, normal to the line, of the sample's radius; flat at both ends.
-// Closed, but where the line turns within its radius circles cross. Where a channel is closed
-// nothing is drawn, so it can be in several pieces, and empty.
+// Puts a circle of the sample's radius around each sample, normal to the line, and closes both ends
+// flat. The surface is closed, but circles cross where the line turns within its radius. Parts with
+// a radius of at most 0 are left out. So the tube can be empty or have several pieces.
 ChannelTube channel_tube(const Channel& channel);
 
 }  // namespace alphascope

@@ -1,3 +1,5 @@
+// Clearance of points by grids. Balls of similar size share a grid, and a search visits its cells
+// in growing shells.
 #include "core/channel/clearance.hpp"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace {
 // Balls of one grid differ by no more than this factor.
 constexpr int kRadiusFactor = 4;
 
-// The slots of the cells (x, y, low_z) to (x, y, high_z), as far as they exist.
+// Visits the slots of the cells (x, y, low_z) to (x, y, high_z) that exist.
 template <class Visit>
 void visit_column(const UniformGrid& grid, int x, int y, int low_z, int high_z,
                   const Visit& visit) {
@@ -27,14 +29,14 @@ void visit_column(const UniformGrid& grid, int x, int y, int low_z, int high_z,
   }
 }
 
-// The cell of a coordinate, also outside the grid: at most one away from it.
+// The cell of a coordinate. A coordinate outside the grid gets the cell one beyond its border.
 int clamped_cell(double coordinate, double origin, double width, int count) {
   return static_cast<int>(
       std::clamp(std::floor((coordinate - origin) / width), -1.0, static_cast<double>(count)));
 }
 
-// Of balls with one centre only the first of the largest. A million of them would all be in one
-// cell.
+// Balls by falling radius. Among balls with equal centres only the largest with the lowest index is
+// kept. A million of them would share one cell.
 std::vector<BallIndex> by_falling_radius(const BallSet& balls) {
   std::vector<BallIndex> order(balls.size());
   std::iota(order.begin(), order.end(), BallIndex{0});
@@ -72,7 +74,8 @@ struct Clearance::Query {
     const double dx = x.x - g.x[slot], dy = x.y - g.y[slot], dz = x.z - g.z[slot];
     return std::sqrt(dx * dx + dy * dy + dz * dz) - level.radii[slot];
   }
-  // All balls whose cell is `shell` cells from the point's along one axis and no more along others.
+  // Visits all balls in cells whose largest offset from the point's cell, along any axis, is
+  // `shell`.
   template <class Visit>
   void visit_shell(int shell, const Visit& visit) const {
     const UniformGrid& g = level.grid;
@@ -88,14 +91,14 @@ struct Clearance::Query {
       }
     }
   }
-  // From the point to any centre in that shell or beyond: at least this.
+  // A lower bound of the distance from the point to any centre in that shell or beyond.
   double shell_distance(int shell) const {
     const UniformGrid& g = level.grid;
     const auto gap = [&](double at, double origin, int cell) {
       const double inside = at - origin - cell * g.cell_width;
       return std::min(inside, g.cell_width - inside);
     };
-    // Of a point outside the grid its own cell is a false one, which costs a shell.
+    // A point outside the grid may lie beyond its clamped cell. The bound then loses one shell.
     const double inner = std::min({gap(x.x, g.origin.x, cx), gap(x.y, g.origin.y, cy),
                                    gap(x.z, g.origin.z, cz), g.cell_width});
     return (shell - 1) * g.cell_width + std::max(inner, 0.0);

@@ -10,39 +10,41 @@
 
 namespace alphascope {
 
-// The surface of one ball, as seen from a point.
+// The surface of one ball as seen from a point.
 struct Surface {
   double distance_angstrom;  // |x - c| - r
   BallIndex ball;
-  RealPoint away;  // unit vector from its centre to the point; (0, 0, 0) at the centre
+  RealPoint away;  // unit vector from the ball's centre to the point; (0, 0, 0) at the centre
 };
 
-// The balls sorted into grids, one for each size of ball, so that a few large ones do not slow down
-// the search among small ones. Rounded by some 1e-15 of the coordinates.
+// Holds the balls in one grid for each size class. So a few large balls do not slow down the search
+// among small ones. Relative rounding error of coordinates: about 1e-15.
 class Clearance {
  public:
-  // Keeps nothing of `balls`.
+  // Copies all it needs of `balls`.
   explicit Clearance(const BallSet& balls);
 
-  // The nearest surface; of equal ones, that of the lowest index. There must be a ball.
+  // The nearest surface; if several are equally near, that of the lowest index. Needs at least one
+  // ball.
   Surface nearest(const RealPoint& x_angstrom) const;
   double at(const RealPoint& x_angstrom) const { return nearest(x_angstrom).distance_angstrom; }
 
-  // All surfaces at most so far away: by rising distance, then by index. Of balls with one centre
-  // only the first of the largest counts: the others are within it.
+  // Sets `out` to all surfaces at most `most_angstrom` away, by rising distance, then by index.
+  // Among balls with equal centres only the first of the largest counts, because the others lie
+  // within it.
   void collect(const RealPoint& x_angstrom, double most_angstrom, std::vector<Surface>& out) const;
 
  private:
   struct Level {
     UniformGrid grid;
-    std::vector<BallIndex> ball;      // of the set, by the grid's own index
-    std::vector<std::int32_t> radii;  // per slot, lattice units
+    std::vector<BallIndex> ball;      // index in the ball set, by the grid's own index
+    std::vector<std::int32_t> radii;  // of each slot, lattice units
     double most_radius = 0;
   };
   struct Query;
 
   std::vector<Level> levels_;
-  double unit_ = 1;  // Å
+  double unit_ = 1;  // length of a lattice unit, Å
 };
 
 }  // namespace alphascope

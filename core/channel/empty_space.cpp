@@ -1,3 +1,5 @@
+// Searches through the empty tetrahedra of a triangulation: widest and cheapest ways, and the gaps
+// on them.
 #include "core/channel/empty_space.hpp"
 
 #include <algorithm>
@@ -15,9 +17,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// ∫ dh / clearance² from `begin` to `end` >= begin >= 0, along a line on which power is
-// `least` + h². Midpoints of steps that grow with the clearance: mostly within a few per cent, and
-// within a third where the way soon becomes narrow.
+// ∫ dh / clearance² from `begin` to `end`, with end >= begin >= 0. On the line, power distance is
+// `least` + h². Uses midpoints of steps that grow with the clearance. The result is mostly within a
+// few per cent, and within a third where the way soon becomes narrow.
 double integrated_narrowness(double begin, double end, double least, double radius,
                              const WayCost& cost) {
   const auto clearance = [&](double h) {
@@ -45,8 +47,9 @@ bool EmptySpace::is_empty(std::uint32_t tetrahedron) const {
   return compare_ortho_radius(balls_, triangulation_.tetrahedra[tetrahedron], 0) > 0;
 }
 
-// Between tetrahedra that are not in K, a face is in K iff its ortho-radius is at most 0 and no
-// ball is in its smallest orthosphere; only neighbours can be.
+// Such a face between tetrahedra outside K is in K iff two things hold. Its ortho-radius is at most
+// 0, and no ball conflicts with its smallest orthosphere. Only the apexes of its two tetrahedra can
+// conflict.
 bool EmptySpace::is_open(std::uint32_t tetrahedron, std::size_t k) const {
   const auto f = face(tetrahedron, k);
   return compare_ortho_radius(balls_, f, 0) > 0 || !is_gap(tetrahedron, k);
@@ -59,7 +62,7 @@ bool EmptySpace::leads_out(std::uint32_t tetrahedron) const {
   return false;
 }
 
-// Of those below `end`; 0 when there is none.
+// The largest radius among balls of an index below `end`; 0 if there is none.
 double EmptySpace::largest_radius(std::span<const BallIndex> balls, BallIndex end) const {
   std::int32_t largest = 0;
   for (const BallIndex i : balls) {
@@ -93,8 +96,9 @@ bool EmptySpace::is_ringed_gap(std::uint32_t tetrahedron, std::size_t k) const {
   return true;
 }
 
-// Dijkstra's search by tetrahedra. relax(key, t, k) is the key of the neighbour across open face k
-// when that of t is `key`: never less. Equal keys go by index, so the way is unique.
+// Dijkstra's search over tetrahedra. If the key of t is `key`, relax(key, t, k) is the key of the
+// neighbour across open face k. It is never less than `key`. Equal keys go by index, so the way is
+// unique.
 template <class Relax>
 std::optional<EmptySpace::Way> EmptySpace::least_way(BallIndex from, BallIndex to,
                                                      const CancelToken& cancel,
@@ -163,7 +167,7 @@ std::optional<EmptySpace::Way> EmptySpace::widest_way(BallIndex from, BallIndex 
 }
 
 // Dijkstra's search inwards from all faces of the hull. The width across a face is the same from
-// both its sides.
+// both sides.
 std::vector<EmptySpace::WayOut> EmptySpace::widest_ways_out(const WayWidth& width,
                                                             const CancelToken& cancel) const {
   using Entry = std::pair<double, std::uint32_t>;

@@ -1,7 +1,7 @@
-// What a union of balls leaves empty, as the tetrahedra and triangles of its regular triangulation
-// that are not in the alpha complex K of alpha 0. A path through such tetrahedra, across such
-// triangles, exists between two points outside the balls iff a curve outside the balls does: K is a
-// part of the union that the union can be shrunk to, so both leave the same components empty.
+// The space that a union of balls leaves empty. It consists of those tetrahedra and triangles of
+// the regular triangulation that alpha complex K of alpha 0 lacks. Two points outside the balls are
+// connected by a curve outside them iff such tetrahedra and triangles connect them. The reason: the
+// union can be shrunk to K, a part of it, so both leave the same components empty.
 #pragma once
 
 #include <cstdint>
@@ -16,90 +16,93 @@
 
 namespace alphascope {
 
-// What a way costs. Clearance is here the power distance made a length, plus what the radii of the
-// balls were grown by. Lattice units.
+// Parameters of a way's cost. Clearance here is the power distance turned into a length, plus the
+// growth of the radii. Lattice units.
 struct WayCost {
   double grown;
-  double enough;       // a larger clearance is worth no more
-  BallIndex ball_end;  // balls from here on do not narrow a way
+  double enough;       // clearance above this lowers the cost no further
+  BallIndex ball_end;  // balls from this index on do not narrow a way
 };
 
-// How wide a way is at a triangle that is narrower than it is on both sides (lattice units);
-// nothing where that is not known. The triangulation orders places by power distance, not by
-// clearance.
+// Gives the width of a way at a gap (lattice units). A gap is a triangle that is narrower than the
+// way on both sides. Returns nothing if the width is unknown. Needed because the triangulation
+// orders places by power distance, not by clearance.
 struct WayWidth {
   std::function<std::optional<double>(const std::array<BallIndex, 3>& gap)> at_gap;
   double grown;  // as in WayCost
   BallIndex ball_end;
 };
 
-// Each decision is exact and made when it is asked for; a search sees only a part of the
-// triangulation. Both the balls and their triangulation, of dimension 3, must live longer.
+// Answers questions on empty space. Each decision is exact and made on demand, because a search
+// sees only a part of the triangulation. The balls and their triangulation, of dimension 3, must
+// outlive this object.
 class EmptySpace {
  public:
-  static constexpr BallIndex kOutside = ~BallIndex{0};  // the hull of the centres: infinity
+  // Stands for infinity: beyond the hull of the centres.
+  static constexpr BallIndex kOutside = ~BallIndex{0};
 
   EmptySpace(const BallSet& balls, const Triangulation& triangulation)
       : balls_(balls), triangulation_(triangulation) {}
 
   bool is_empty(std::uint32_t tetrahedron) const;
-  // Can one pass through face k of this tetrahedron, where the tetrahedra on both sides are empty?
-  // A face of the hull leads out.
+  // Returns whether a curve can pass through face k between two empty tetrahedra. A face of the
+  // hull leads outside.
   bool is_open(std::uint32_t tetrahedron, std::size_t k) const;
-  // Is one outside the hull behind an open face of this tetrahedron?
+  // Returns whether an open face of this tetrahedron is on the hull.
   bool leads_out(std::uint32_t tetrahedron) const;
 
-  // Empty tetrahedra; each shares an open face with the next. It goes from one end to another:
-  // balls of radius 0 outside all others. Those are in the triangulation, and all of its tetrahedra
-  // around them are empty, with open faces between: the power cell of such a ball, which is convex,
-  // is outside the other balls. So a curve goes straight from it to any of the cell's corners.
+  // A way is a list of empty tetrahedra; each shares an open face with the next. Its ends are balls
+  // of radius 0 outside all others. Such a ball is in the triangulation, and the tetrahedra around
+  // it are empty with open faces between. The reason: its power cell is convex and outside the
+  // other balls. So a straight line leads from it to any corner of the cell.
   using Way = std::vector<std::uint32_t>;
 
-  // Of all ways, one whose least clearance is largest; clearances are rounded and those of gaps are
-  // guesses, whether there is a way at all is exact. `to` may be kOutside. Throws Cancelled.
+  // A way whose least clearance is largest. Whether there is a way is exact. Clearances are
+  // rounded, and those of gaps are guesses. `to` may be kOutside. Throws Cancelled.
   std::optional<Way> widest_way(BallIndex from, BallIndex to, const WayWidth& width,
                                 const CancelToken& cancel) const;
 
-  // How wide the widest way from each tetrahedron to far outside is, and where it is narrowest.
-  // Lattice units, rounded as in widest_way(); which tetrahedra have one is exact.
+  // The width of the widest way from a tetrahedron to the outside, and where it is narrowest.
+  // Lattice units, rounded as in widest_way(). The decision which tetrahedra have a way is exact.
   struct WayOut {
-    double width;  // minus infinity: none leads out, or the tetrahedron is not empty
-    // The face of least width on the way; tetrahedron kNoFace: none narrows it.
+    double width;  // minus infinity if no way leads out or the tetrahedron is not empty
+    // The face of least width on the way. Tetrahedron kNoFace: no face narrows it.
     static constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
     std::uint32_t tetrahedron;
     std::uint32_t face;
   };
-  // Throws Cancelled.
+  // One WayOut for each tetrahedron. Throws Cancelled.
   std::vector<WayOut> widest_ways_out(const WayWidth& width, const CancelToken& cancel) const;
 
-  // How wide a way is across an open face between empty tetrahedra, rounded as in widest_way(), and
-  // what it costs there.
+  // The width, rounded as in widest_way(), and the cost of a way across an open face between empty
+  // tetrahedra.
   double width_across(std::uint32_t tetrahedron, std::size_t k, const WayWidth& width) const;
   double cost_across(std::uint32_t tetrahedron, std::size_t k, const WayCost& cost) const;
 
-  // Is the way across this face narrowest between its balls, in the plane of their centres?
+  // Returns whether a way across this face is narrowest on it. Then no ball conflicts with the
+  // smallest orthosphere of the face.
   bool is_gap(std::uint32_t tetrahedron, std::size_t k) const;
-  // And do all three balls close it from their sides, so that their edges stand before it closes?
-  // Then its triangle enters K by itself as the balls grow, and closes a tunnel or a void.
+  // Returns whether such a gap is ringed: its edges are in K before its triangle is, as the balls
+  // grow. The triangle then enters K alone and closes a tunnel or a void.
   bool is_ringed_gap(std::uint32_t tetrahedron, std::size_t k) const;
   std::array<BallIndex, 3> face(std::uint32_t tetrahedron, std::size_t k) const;
 
-  // Of all ways, the one of least length / clearance², along the edges of the power diagram. Throws
-  // Cancelled.
+  // The way of least length / clearance² along the edges of the power diagram. Throws Cancelled.
   std::optional<Way> cheapest_way(BallIndex from, BallIndex to, const WayCost& cost,
                                   const CancelToken& cancel) const;
 
-  // The triangles on a way that are narrower than it is on both their sides, as the balls they are
-  // between.
+  // The gaps on a way: triangles that are narrower than the way on both sides, each as its three
+  // balls.
   std::vector<std::array<BallIndex, 3>> gaps(const Way& way) const;
 
-  // The orthocentre: the corner of the power diagram, lattice units. The segments between those of
-  // a way's tetrahedra are outside all balls.
+  // The orthocentre, a corner of the power diagram; lattice units. The segments between the corners
+  // of consecutive tetrahedra of a way are outside all balls.
   RealPoint corner(std::uint32_t tetrahedron) const;
 
  private:
   double largest_radius(std::span<const BallIndex> balls, BallIndex end) const;
-  double power(std::uint32_t tetrahedron) const;  // of its corner, square lattice units
+  // Power distance of its corner, square lattice units.
+  double power(std::uint32_t tetrahedron) const;
   template <class Relax>
   std::optional<Way> least_way(BallIndex from, BallIndex to, const CancelToken& cancel,
                                const Relax& relax) const;

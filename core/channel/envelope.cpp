@@ -1,3 +1,4 @@
+// Builds the envelope of a ball set and tests points against it.
 #include "core/channel/envelope.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace alphascope {
 
 Envelope::Envelope(const BallSet& balls) {
-  // Evenly over the sphere: each turned from the last by the golden angle.
+  // Directions spread evenly over the sphere: each is turned from the last by the golden angle.
   const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
   const double unit = balls.lattice.unit_angstrom();
   for (std::size_t n = 0; n < kSides; ++n) {

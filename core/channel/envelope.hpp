@@ -1,4 +1,5 @@
-// Roughly, the convex hull of the centres of balls: what is outside it is in the open.
+// A polyhedron around the centres of balls, nearly their convex hull. Points outside it are in the
+// open.
 #pragma once
 
 #include <array>
@@ -8,19 +9,20 @@
 
 namespace alphascope {
 
-// The hull is within it; it is larger by a few per cent, as it has only so many sides.
+// Contains the convex hull. It is larger by a few per cent, because it has only kSides sides.
 class Envelope {
  public:
   explicit Envelope(const BallSet& balls);
   bool holds(const RealPoint& x_angstrom) const;
-  // From a point that it does not hold: a unit vector along which all centres are left behind.
+  // For a point outside: the unit vector of the side that the point is farthest beyond. All centres
+  // are behind that side.
   RealPoint outwards(const RealPoint& x_angstrom) const;
 
  private:
   static constexpr std::size_t kSides = 96;
   struct Side {
     RealPoint outwards;
-    double most;  // Å along it
+    double most;  // Å: largest coordinate of a centre along `outwards`
   };
   std::array<Side, kSides> sides_;
 };

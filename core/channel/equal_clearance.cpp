@@ -1,12 +1,14 @@
+// Solves for the place of equal clearance: in closed form between three balls, by bisection between
+// two in a plane.
 #include "core/channel/equal_clearance.hpp"
 
 #include <cmath>
 
 namespace alphascope {
 
-// With x from the first centre, |x|² = (r + s)² and |x - d|² = (r' + s)² give, subtracted, an
-// equation that is linear in x and s; two of them give x = p + s q in the plane, and the first one
-// is then quadratic in s.
+// Let x be measured from the first centre. Then |x|² = (r + s)² and |x - d|² = (r' + s)². Their
+// difference is linear in x and s. Two such equations give x = p + s q in the plane. The first
+// equation is then quadratic in s.
 EqualClearance equal_clearance(const BallSet& balls, const std::array<BallIndex, 3>& three) {
   const double unit = balls.lattice.unit_angstrom();
   const auto centre = [&](std::size_t n) { return unit * real_point(balls.centres[three[n]]); };
@@ -27,7 +29,8 @@ EqualClearance equal_clearance(const BallSet& balls, const std::array<BallIndex,
   const double square = dot(q, q) - 1, half = dot(p, q) - r, rest = dot(p, p) - r * r;
   const double root = std::sqrt(half * half - square * rest);
   if (!std::isfinite(root)) return {};
-  // The roots without a difference of near numbers: q is 0 for equal radii, then one is far away.
+  // Computes both roots without a difference of nearly equal numbers. For equal radii q is 0 and
+  // one root is far away.
   const double sum = half > 0 ? -half - root : -half + root;
   EqualClearance best;
   for (const double s : {rest / sum, sum / square}) {
@@ -38,7 +41,8 @@ EqualClearance equal_clearance(const BallSet& balls, const std::array<BallIndex,
   return best;
 }
 
-// On the segment between the feet of the centres one distance rises and the other one falls.
+// On the segment between the feet of both centres one distance rises and the other falls. Bisection
+// finds where they are equal.
 EqualClearance equal_clearance_in_plane(const BallSet& balls, const std::array<BallIndex, 2>& two,
                                         const Plane& plane) {
   std::array<RealPoint, 2> foot;

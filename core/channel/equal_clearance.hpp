@@ -1,5 +1,5 @@
-// The place between three balls that is equally far from their surfaces: where a passage between
-// them is narrowest. And that between two balls in a plane.
+// The place that is equally far from the surfaces of three balls. A passage between them is
+// narrowest there. A second function finds the like place between two balls in a plane.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 namespace alphascope {
 
 struct EqualClearance {
-  bool found = false;        // not when the centres are on one line, or one ball hides another
+  bool found = false;        // false if the centres are on one line or a ball hides another
   RealPoint place_angstrom;  // in the plane of the centres
   double clearance_angstrom = 0;
 };
 
 EqualClearance equal_clearance(const BallSet& balls, const std::array<BallIndex, 3>& three);
 
-// Between two balls, in a plane: where one that keeps to the plane gets stuck.
+// The narrowest place between two balls for a sphere whose centre stays in the plane.
 struct Plane {
   RealPoint point;   // lattice units
   RealPoint normal;  // unit vector

@@ -1,3 +1,4 @@
+// Builds the grown balls of a passage with their helping balls, and chooses the lattice for them.
 #include "core/channel/grown_scene.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ Wall wall_behind(const LatticePoint& from, const RealPoint& direction) {
   return wall;
 }
 
-// Such a ball covers nothing that the wall does not.
+// Returns whether the ball lies within the wall, and so covers nothing that the wall leaves free.
 bool is_within(const LatticePoint& centre, std::int64_t radius, const Wall& wall) {
   const std::int64_t room = wall.radius - radius;
   return room >= 0 && square_distance(centre, wall.centre) <= room * room;
@@ -38,8 +39,8 @@ bool is_within(const LatticePoint& centre, std::int64_t radius, const Wall& wall
 
 }  // namespace
 
-// The corners of an icosahedron: 12 small balls far away. They block nothing, and everything that
-// is near the balls is within their hull, however few or flat the balls are.
+// Adds 12 small balls far away, at the corners of an icosahedron. They block nothing. Everything
+// near the balls lies within their hull, even if the balls are few or flat.
 void GrownScenes::add_far_balls(const Surroundings& surroundings, BallSet& balls) {
   constexpr double kGolden = 1.6180339887498949;
   const double size = surroundings.far_away(balls.lattice) / std::sqrt(1 + kGolden * kGolden);

@@ -1,5 +1,5 @@
-// Balls that have all grown by one length, among helping balls that make an end of a passage, a
-// plane and infinity parts of their triangulation.
+// Balls that have all grown by one length, with helping balls. The helping balls stand for the
+// ends, a plane and infinity, so that these are parts of the triangulation.
 #pragma once
 
 #include <algorithm>
@@ -15,29 +15,29 @@
 
 namespace alphascope {
 
-// Lengths in lattice units. `from`, and `to` if there is one, are outside all balls, and differ.
+// Lengths are in lattice units. `from` and `to`, if set, are outside all balls and differ.
 struct PassageEnds {
   LatticePoint from;
-  std::optional<LatticePoint> to;  // infinity when there is none
-  // The walk stays on this side of the plane through `from` that is normal to it (unit vector); not
-  // with `to`.
+  std::optional<LatticePoint> to;  // none: infinity
+  // Unit vector. The way stays on this side of the plane through `from` that is normal to it. Not
+  // allowed with `to`.
   std::optional<RealPoint> direction;
-  // More places to be asked about, each of which may be covered; all differ.
+  // More places to examine. They are distinct; each may lie in a ball.
   std::vector<LatticePoint> others = {};
 };
 
-// The wall that keeps a walk on its side of a plane is a ball of this radius (lattice units) that
-// does not grow: at distance x from `from`, it is x² / (2 · this) behind the plane.
+// The wall is a ball of this radius (lattice units) that does not grow. It keeps a way on its side
+// of the plane. At distance x from `from` its surface is x² / (2 · kWallRadius) behind the plane.
 inline constexpr std::int32_t kWallRadius = 30'000'000;
 
-// Balls and ends may be this far apart: far more than in any molecule.
-inline constexpr double kWidestScene = 100'000;  // Å
+// The largest allowed extent of balls and ends (Å), far above that of any molecule.
+inline constexpr double kWidestScene = 100'000;
 
-// The finest lattice on which passages can be looked for, of at most 4 digits: around these balls,
-// and ends such as these (Å), there must be room for helping balls, far away.
-// Throws std::invalid_argument for what is wider than kWidestScene.
+// The number of digits, at most 4, of the finest lattice for passages between these balls and ends
+// (Å). It leaves room for the helping balls far away. Throws std::invalid_argument if the extent is
+// above kWidestScene.
 int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom);
-// The same balls on that lattice, rounded where theirs is finer.
+// The same balls on that lattice, rounded if their own is finer.
 BallSet on_passage_lattice(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom);
 
 inline std::int64_t square_distance(const LatticePoint& a, const LatticePoint& b) {
@@ -45,29 +45,29 @@ inline std::int64_t square_distance(const LatticePoint& a, const LatticePoint& b
   return x * x + y * y + z * z;
 }
 
-// Touches the plane from behind; `from` is outside it by at most a unit.
+// A ball that touches the plane from behind. `from` is outside it by at most a lattice unit.
 struct Wall {
   LatticePoint centre;
   std::int64_t radius;
 };
 
-// What the balls look like when all have grown by one length.
+// The balls grown by one length, with helping balls, and their triangulation.
 struct GrownScene {
   BallSet balls;
-  // Of the balls that are left, by their centres, so that ways do not depend on the order of the
-  // file where several are as good; the helping ones follow.
+  // For each remaining ball its index in the input, ordered by centre. So equally good ways do not
+  // depend on the order of the file. The helping balls follow after these.
   std::vector<BallIndex> original;
-  BallIndex from, to;  // the ends, as balls of radius 0; EmptySpace::kOutside
-  BallIndex others;    // the first of PassageEnds::others, as such balls, too
+  BallIndex from, to;  // indices of the ends, balls of radius 0; `to` may be EmptySpace::kOutside
+  BallIndex others;    // index of the first of PassageEnds::others, also balls of radius 0
   Triangulation triangulation;
 };
 
 class GrownScenes {
  public:
-  // Both must live longer.
+  // Both must outlive this object.
   GrownScenes(const BallSet& balls, const PassageEnds& ends);
 
-  // With every radius longer by this (lattice units; shorter when negative). Throws Cancelled.
+  // The scene with this added to every radius (lattice units, may be negative). Throws Cancelled.
   std::shared_ptr<const GrownScene> at(std::int64_t growth, const RunContext& context) const;
   const std::optional<Wall>& wall() const { return wall_; }
 
@@ -81,8 +81,9 @@ class GrownScenes {
     }
     RealPoint centre() const { return 0.5 * (low + high); }
     double diagonal() const { return length(high - low); }
-    // Balls with their centres in the box that grow until they cover an end have radii of at most
-    // the box's diagonal, and reach to 3/2 of it from the box's centre: less than this.
+    // A ball with its centre in the box grows at most until it covers an end. Its radius is then at
+    // most the diagonal. It reaches at most 3/2 of the diagonal from the box's centre, which is
+    // below this distance.
     double far_away(const Lattice& lattice) const {
       return 3 * diagonal() + 20 * lattice.units_per_angstrom();
     }
@@ -93,9 +94,9 @@ class GrownScenes {
 
   const BallSet& balls_;
   const PassageEnds& ends_;
-  std::vector<BallIndex> by_centre_;  // all of them
+  std::vector<BallIndex> by_centre_;  // all balls, ordered by centre
   Surroundings surroundings_;
-  std::optional<Wall> wall_;  // the last ball of a scene
+  std::optional<Wall> wall_;  // the last ball of each scene
 };
 
 }  // namespace alphascope

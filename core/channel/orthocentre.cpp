@@ -1,3 +1,4 @@
+// Computes an orthocentre by Cramer's rule.
 #include "core/channel/orthocentre.hpp"
 
 #include "core/predicates/exact_alpha.hpp"

@@ -8,8 +8,8 @@
 
 namespace alphascope {
 
-// Lattice units. By Cramer's rule, with exact numerators: orthocentres of flat tetrahedra are where
-// they should be.
+// In lattice units. Uses Cramer's rule with exact numerators, so that orthocentres of flat
+// tetrahedra are accurate as well.
 RealPoint orthocentre(const BallSet& balls, const std::array<BallIndex, 4>& tetrahedron);
 
 }  // namespace alphascope

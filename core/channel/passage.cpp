@@ -1,3 +1,4 @@
+// Searches the largest growth that leaves a passage open, and draws a curve through it.
 #include "core/channel/passage.hpp"
 
 #include <tbb/task_group.h>
@@ -42,7 +43,7 @@ class Search {
   Passage run();
 
  private:
-  // An open answer: the scene, and the widest way through it.
+  // An open growth: its scene and the widest way through it.
   struct Open {
     std::shared_ptr<const GrownScene> scene;
     EmptySpace::Way way;
@@ -65,10 +66,10 @@ class Search {
   const RunContext& context_;
   const std::int64_t step_;
   const GrownScenes scenes_;
-  std::int64_t most_ = 0;  // beyond, an end is covered
+  std::int64_t most_ = 0;  // largest growth that leaves both ends uncovered
   std::int64_t open_at_ = 0, closed_at_ = 0;
   static constexpr int kSlowRounds = 2;
-  int slow_rounds_ = 0;  // in a row, that did not halve what is left
+  int slow_rounds_ = 0;  // number of consecutive rounds that did not halve the interval
   std::optional<Open> open_;
   int triangulations_ = 0;
 };
@@ -94,7 +95,7 @@ std::optional<Search::Open> Search::ask(std::int64_t growth, bool report) const 
   return open;
 }
 
-// In the order of `growths`, which rise. Only the caller's thread reports.
+// Tests all growths at once. `growths` must rise. Only the caller's thread reports progress.
 void Search::ask_all(const std::vector<std::int64_t>& growths) {
   std::vector<std::optional<Open>> answers(growths.size());
   tbb::task_group others;
@@ -120,7 +121,8 @@ void Search::ask_all(const std::vector<std::int64_t>& growths) {
   }
 }
 
-// In the planes that touch the wall at the place found before: it is all but flat.
+// The wall is nearly flat. So the place is searched in the plane that touches the wall at the last
+// place found, a few times.
 EqualClearance Search::gap_at_wall(const std::array<BallIndex, 2>& two) const {
   Plane plane{real_point(ends_.from), *ends_.direction};
   EqualClearance place = equal_clearance_in_plane(balls_, two, plane);
@@ -134,7 +136,7 @@ EqualClearance Search::gap_at_wall(const std::array<BallIndex, 2>& two) const {
   return place;
 }
 
-// Between three balls, or two and the plane.
+// The gap between three balls, or between two balls and the plane.
 std::optional<PassageGap> Search::gap_of(const GrownScene& scene,
                                          const std::array<BallIndex, 3>& triangle) const {
   const auto ball_end = static_cast<BallIndex>(scene.original.size());
@@ -156,8 +158,9 @@ std::vector<PassageGap> Search::gaps_on(const Open& open, const EmptySpace::Way&
   return gaps;
 }
 
-// By clearance, where the way can be moved a little: a guess of where it closes (lattice units), at
-// most `most`. Only what is narrower than all before is looked at.
+// Guesses the growth at which the way closes (lattice units), at most `most`. The guess is its
+// least clearance after narrow places were moved to local maxima. Only places narrower than all
+// before are moved.
 double Search::narrowest_on(const Open& open, double most) const {
   constexpr double kStep = 0.1, kFarthest = 2, kSame = 0.02;  // Å
   const double unit = balls_.lattice.unit_angstrom();
@@ -193,8 +196,9 @@ double Search::narrowest_on(const Open& open, double most) const {
   return narrowest / unit;
 }
 
-// Where the widest way closes, and a step more: mostly this is the answer. It need not be, as the
-// way is a guess, too; the middle makes sure that the search ends.
+// Tests the growth at which the widest way closes, and one step more; this is mostly the answer.
+// The way itself is a guess and may be wrong. After slow rounds the middle of the interval is
+// tested too, so that the search ends.
 std::vector<std::int64_t> Search::next_growths() const {
   std::vector<std::int64_t> growths;
   const auto add = [&](std::int64_t growth) {
@@ -219,7 +223,7 @@ std::vector<std::int64_t> Search::next_growths() const {
 Passage Search::run() {
   closed_at_ = most_ + step_;
   const std::int32_t largest = *std::max_element(balls_.radii.begin(), balls_.radii.end());
-  // No ball is left: open.
+  // At this growth no ball is left, so the passage is open.
   open_at_ = -((largest + step_ - 1) / step_) * step_;
   if (0 < closed_at_) ask_all({0});
   while (closed_at_ - open_at_ > step_) {
@@ -241,7 +245,8 @@ void Search::set_curve(const Open& open, Passage& passage) const {
   const BallSet& balls = open.scene->balls;
   const EmptySpace space(balls, open.scene->triangulation);
   const auto ball_end = static_cast<BallIndex>(open.scene->original.size());
-  // Where the balls have hardly grown, clearances near 0 would make any detour worth its way.
+  // If the balls have hardly grown, clearances near 0 would make any detour cheap. So the growth
+  // counts as at least this (Å).
   constexpr double kLeast = 0.1, kEnough = 10;  // Å
   const double grown = std::max(static_cast<double>(open_at_), balls.lattice.nearest_units(kLeast));
   const WayCost cost{grown, std::max(2 * grown, balls.lattice.nearest_units(kEnough)), ball_end};
@@ -252,7 +257,7 @@ void Search::set_curve(const Open& open, Passage& passage) const {
   passage.curve = curve_of(open, *way);
 }
 
-// Å.
+// The corners of a way from end to end, Å.
 std::vector<RealPoint> Search::curve_of(const Open& open, const EmptySpace::Way& way) const {
   const EmptySpace space(open.scene->balls, open.scene->triangulation);
   std::vector<RealPoint> places{real_point(ends_.from)};

@@ -1,6 +1,6 @@
-// The widest passage between two places outside a set of balls: how far can all balls grow by one
-// length until the places are cut off from each other? Exact; each answer takes the triangulation
-// of all balls, grown.
+// The widest passage between two places outside a set of balls. Its width is how far all radii can
+// grow before the places are separated. The answer is exact. Each tested growth takes a
+// triangulation of all grown balls.
 #pragma once
 
 #include <cstdint>
@@ -18,32 +18,32 @@ namespace alphascope {
 struct PassageGap {
   RealPoint place_angstrom;
   double clearance_angstrom;
-  bool at_wall;  // between two balls and the plane, not between three balls
+  bool at_wall;  // true: between two balls and the plane; false: between three balls
 };
 
 struct Passage {
-  // The ends are in one component outside the balls of radii r + widest, not of r + widest + step.
-  // Negative where they are cut off even as they are; a ball that shrinks to nothing is gone.
+  // The ends are in one component outside the balls of radii r + widest. With radii r + widest +
+  // step they are not. Negative if the ends are cut off without any growth. A ball whose radius
+  // shrinks to 0 is dropped.
   std::int64_t widest = 0;
-  // The ends themselves are covered by balls that grow one step more.
+  // Whether one step more would cover an end.
   bool ends_decide = false;
-  // Outside the balls of r + widest: from `from` to `to`, or to far away (Å).
+  // From `from` to `to`, or to far away, outside the balls of radii r + widest (Å).
   std::vector<RealPoint> curve;
-  // The gaps that the curve goes through, in its order; it is narrowest in one of them, or at an
-  // end.
+  // The gaps on the curve, in its order. The curve is narrowest in one of them or at an end.
   std::vector<PassageGap> gaps;
   int triangulations = 0;
 };
 
-// `widest` is a multiple of it: 0.001 Å, or the lattice's unit if that is longer.
+// The step of growths: 0.001 Å, or the lattice's unit if that is longer. In lattice units.
 std::int64_t passage_step(const Lattice& lattice);
 
-// Largest growth, a multiple of the step, that leaves this point outside all balls; negative when
-// it is not outside them as they are.
+// The largest growth, a multiple of the step, that leaves this point outside all balls. Negative if
+// the point lies in a ball without any growth.
 std::int64_t growth_room(const BallSet& balls, const LatticePoint& point);
 
-// `balls` on a lattice that passage_digits() allows, and their clearance. Works in the caller's
-// task arena; what it finds does not depend on the number of threads. Throws Cancelled.
+// Needs `balls` on a lattice that passage_digits() allows, and their clearance. Works in the
+// caller's task arena; the result does not depend on the number of threads. Throws Cancelled.
 Passage widest_passage(const BallSet& balls, const Clearance& clearance, const PassageEnds& ends,
                        const RunContext& context = {});
 

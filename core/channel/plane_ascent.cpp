@@ -1,3 +1,4 @@
+// Ascends in a plane to a local maximum of clearance, by small linear programs.
 #include "core/channel/plane_ascent.hpp"
 
 #include <algorithm>
@@ -8,12 +9,12 @@
 namespace alphascope {
 namespace {
 
-// Of the surfaces within reach of a step, the nearest ones are looked at. More are that near only
-// where many are equally far, and there the step shrinks until they are not.
+// Only this many of the nearest surfaces within reach of a step are used. More are that near only
+// where many are equally far. There the step shrinks until they no longer are.
 constexpr std::size_t kMostSurfaces = 14;
 
-// A surface's distance near a point of the plane is at least value + (gx, gy)·step: distances from
-// points are convex.
+// A lower bound of a surface's distance near a point of the plane: value + (gx, gy)·step. It holds
+// because distances from points are convex.
 struct Slope {
   double value, gx, gy;
   double at(double x, double y) const { return value + gx * x + gy * y; }
@@ -23,8 +24,8 @@ struct Step {
   double x = 0, y = 0, value = 0;
 };
 
-// The step of at most `longest` that raises the least of all slopes most: where it is limited by
-// one slope and the length, by two and the length, or by three.
+// Finds the step of at most `longest` that maximises the least of all slopes. The maximum is
+// limited by one slope and the length, by two slopes and the length, or by three slopes.
 class BestStep {
  public:
   BestStep(const std::vector<Slope>& slopes, double longest) : slopes_(slopes), longest_(longest) {
@@ -108,7 +109,8 @@ Ascent ascend_in_plane(const Clearance& clearance, const RealPoint& x, const Rea
       ascent.place = next;
       value = risen;
     }
-    // Shorter where the step gains little for its length; then it ends between three balls.
+    // Shortens the step if it gains little for its length. The ascent then ends between three
+    // balls.
     if (rise < 1e-3 * step_length) step_length /= 4;
     if (step_length < limits.shortest_step_angstrom) {
       ascent.settled = true;

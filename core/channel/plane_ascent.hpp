@@ -1,5 +1,5 @@
-// Going up to a place in a plane that is locally farthest from all balls: where a sphere that may
-// move in the plane only is caught, nearly always between three balls.
+// Ascent in a plane to a local maximum of clearance. A sphere that may move only in the plane is
+// caught there, nearly always between three balls.
 #pragma once
 
 #include "core/channel/clearance.hpp"
@@ -8,18 +8,20 @@ namespace alphascope {
 
 struct AscentLimits {
   double longest_step_angstrom = 0.2;
-  // Less than a millionth of an Å: as often as it takes to be that near to the place.
+  // The ascent ends when the step is shorter. The default gets within a millionth of an Å of the
+  // maximum.
   double shortest_step_angstrom = 1e-7;
-  double most_clearance_angstrom;  // the ascent ends where it is reached
-  double farthest_angstrom;        // from the start; the ascent ends there
+  double most_clearance_angstrom;  // the ascent ends where clearance reaches this
+  double farthest_angstrom;        // the ascent ends at this distance from its start
 };
 
 struct Ascent {
   RealPoint place;
-  bool settled = false;  // at a local maximum; otherwise a limit ended it
+  bool settled = false;  // true at a local maximum; false if a limit ended the ascent
 };
 
-// From x (Å), in the plane through x normal to the unit vector `normal`. Clearance only rises.
+// Starts at x (Å) and stays in the plane through x normal to the unit vector `normal`. Clearance
+// never falls.
 Ascent ascend_in_plane(const Clearance& clearance, const RealPoint& x, const RealPoint& normal,
                        const AscentLimits& limits);
 

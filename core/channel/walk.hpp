@@ -1,4 +1,4 @@
-// Going along a polyline.
+// Walking along a polyline by given distances.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace alphascope {
 
-// A place on a polyline, which must live longer and have a place.
+// A position on a polyline of at least one place. The polyline must outlive it.
 class Walk {
  public:
   explicit Walk(const std::vector<RealPoint>& line) : corners_(&line) { advance(0); }
@@ -18,9 +18,10 @@ class Walk {
     const RealPoint along = corner(1) - corner(0);
     return corner(0) + (passed_ / length(along)) * along;
   }
-  // Unit vector; not at the end.
+  // Unit vector. Must not be called at the end.
   RealPoint direction() const { return unit_vector(corner(1) - corner(0)); }
-  std::size_t segment() const { return segment_; }  // it has a length, and the place is not its end
+  // Its length is not 0, and the place is before its end.
+  std::size_t segment() const { return segment_; }
   void advance(double distance) {
     passed_ += distance;
     while (!at_end()) {
@@ -41,7 +42,7 @@ class Walk {
 
   const std::vector<RealPoint>* corners_;
   std::size_t segment_ = 0;
-  double passed_ = 0;  // of this segment
+  double passed_ = 0;  // Å walked on this segment
 };
 
 }  // namespace alphascope

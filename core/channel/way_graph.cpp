@@ -1,4 +1,4 @@
-// See the header.
+// Builds the graph of empty tetrahedra and finds crossings and routes in it.
 #include "core/channel/way_graph.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kNothing = ~std::uint32_t{0};
 
-// A place outside all balls, far enough from them to change nothing.
+// A place outside all balls, far enough away to change nothing near them.
 LatticePoint beside(const BallSet& balls) {
   LatticePoint low = balls.centres.front();
   for (const LatticePoint& p : balls.centres) {
@@ -40,7 +40,8 @@ WayAxis::WayAxis(const BallSet& balls, const std::vector<BallIndex>& part, const
     high_ = std::max(high_, along(p));
   }
   middle_ = (1 / static_cast<double>(part.size())) * middle_;
-  // Each slab with two neighbours on both sides: what is near by says where the part is.
+  // Each slab is averaged with two neighbours on both sides. A single slab has too few atoms to
+  // locate the part.
   constexpr std::size_t kBeside = 2;
   near_.assign(static_cast<std::size_t>((high_ - low_) / kSlab) + 1, 0);
   std::vector<double> count(near_.size(), 0);
@@ -117,7 +118,7 @@ double WayGraph::clearance_at_gap(const std::array<BallIndex, 3>& triangle,
   return gap.clearance_angstrom;
 }
 
-// Each face once, from the side of the lower index.
+// Visits each face once, from the tetrahedron of the lower index.
 void WayGraph::set_widths(const CancelToken& cancel) {
   const auto& neighbours = scene_->triangulation.neighbours;
   const double unit = balls_.lattice.unit_angstrom();
@@ -138,7 +139,7 @@ void WayGraph::set_widths(const CancelToken& cancel) {
     for (std::size_t k = 0; k < 4; ++k) {
       const Neighbour across = neighbours[t][k];
       if (across.is_hull() || across.index() < t || kind_[across.index()] == Kind::full) continue;
-      // Among those outside nothing is asked.
+      // Ways end at the first tetrahedron outside, so faces between two of them are not needed.
       if (kind_[t] == Kind::outside && kind_[across.index()] == Kind::outside) continue;
       if (!space_->is_open(t, k)) continue;
       const auto here = static_cast<float>(unit * space_->width_across(t, k, width));
@@ -155,17 +156,17 @@ void WayGraph::set_widths(const CancelToken& cancel) {
   }
 }
 
-// Corners can be far apart.
+// Tests the whole segment between both corners, because they can be far apart.
 bool WayGraph::may_pass(std::uint32_t from, std::uint32_t to) const {
   return axis_->may_lead(corner_[from], corner_[to]);
 }
 
-// Dijkstra's search from outside inwards, on both sides at once: each tetrahedron gets the label of
-// the side from which something larger comes in. Where both meet there is a crossing.
+// Dijkstra's search inwards from both sides at once. Each tetrahedron gets the label of the side
+// from which the larger sphere reaches it. A crossing is a face where both labels meet.
 std::vector<WayCrossing> WayGraph::crossings(const WayAxis& axis, const CancelToken& cancel) {
   using Entry = std::pair<float, std::uint32_t>;
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  constexpr std::int8_t kNowhere = 2;  // a zone that no step leads to
+  constexpr std::int8_t kNowhere = 2;  // no step may lead into this zone
   const auto& neighbours = scene_->triangulation.neighbours;
   std::priority_queue<Entry> open;
   std::vector<float> widest(kind_.size(), kShut);
@@ -225,7 +226,7 @@ std::vector<WayCrossing> WayGraph::crossings(const WayAxis& axis, const CancelTo
 std::vector<std::uint32_t> WayGraph::way_out(std::uint32_t from, float power,
                                              const CancelToken& cancel) const {
   using Entry = std::pair<double, std::uint32_t>;
-  constexpr double kLeast = 0.1, kEnough = 10;  // Å, as of a channel's curve
+  constexpr double kLeast = 0.1, kEnough = 10;  // Å, as for a channel's curve
   const Lattice& lattice = balls_.lattice;
   const WayCost cost{static_cast<double>(lattice.nearest_units(kLeast)),
                      static_cast<double>(lattice.nearest_units(kEnough)),

@@ -1,5 +1,5 @@
-// The empty space of a molecule as a graph of tetrahedra, and the ways through it that lead from
-// outside to outside along an axis. Beside which ways are open, all is rounded.
+// The empty space of a molecule as a graph of tetrahedra. Ways lead through it from outside to
+// outside along an axis. The decision which ways are open is exact; all else is rounded.
 #pragma once
 
 #include <array>
@@ -16,25 +16,28 @@
 
 namespace alphascope {
 
-// Where a way may lead: from outside the envelope of all balls, below the middle of a part, to
-// outside above it. In the middle third of the part it keeps near the axis; beyond, it is free.
+// The region for a way. It leads from outside the envelope of all balls, below a part's middle, to
+// outside above it. In the middle third of the part the way stays near the axis. Elsewhere it is
+// free.
 class WayAxis {
  public:
-  // Through the middle of these balls, of which there must be one. `axis`: a unit vector.
+  // The axis passes through the mean centre of these balls; there must be at least one. `axis` is a
+  // unit vector.
   WayAxis(const BallSet& balls, const std::vector<BallIndex>& part, const RealPoint& axis);
 
   const RealPoint& axis() const { return axis_; }
-  double low() const { return low_; }  // of the part's centres, Å along the axis
+  double low() const { return low_; }  // range of the part's centres, Å along the axis
   double high() const { return high_; }
   double along(const RealPoint& x) const { return dot(axis_, x); }  // Å
-  double from_axis(const RealPoint& x) const;                       // Å
+  double from_axis(const RealPoint& x) const;                       // distance, Å
 
-  // -1 and 1: in the lower and the upper third of the part, or beyond; 0: in between.
+  // -1: in the part's lower third or below; 1: in the upper third or above; 0: in the middle third.
   int zone(const RealPoint& x) const;
   int side(const RealPoint& x) const { return along(x) < (low_ + high_) / 2 ? -1 : 1; }
-  // Nearer to the axis than half of what the part's atoms are at this height, in square mean.
+  // Returns whether x is near the axis: within half the root mean square distance of the part's
+  // atoms at this height.
   bool is_near(const RealPoint& x) const;
-  // Is a straight step near the axis where it passes the middle third?
+  // Returns whether a straight step is near the axis wherever it passes the middle third.
   bool may_lead(const RealPoint& from, const RealPoint& to) const;
 
  private:
@@ -43,12 +46,12 @@ class WayAxis {
 
   RealPoint middle_, axis_;  // Å
   double low_ = 0, high_ = 0;
-  std::vector<double> near_;  // Å, of each slab
+  std::vector<double> near_;  // Å, for each slab: the distance up to which is_near() holds
 };
 
-// A triangle at which a way is narrowest by power, and the tetrahedra before and behind it.
+// A triangle at which a way is narrowest by power distance, with the tetrahedra on both sides.
 struct WayCrossing {
-  double width_angstrom = 0;  // the clearance there
+  double width_angstrom = 0;  // clearance there
   float power = 0;
   RealPoint place_angstrom;
   std::uint32_t below = 0, above = 0;
@@ -56,20 +59,22 @@ struct WayCrossing {
 
 class WayGraph {
  public:
-  // `balls` on a lattice that passage_digits() allows. It must live longer.
+  // `balls` must be on a lattice that passage_digits() allows, and outlive this object.
   WayGraph(const BallSet& balls, const Envelope& envelope, const RunContext& context);
 
-  // Each is narrowest there: on both its sides the molecule lets something larger out. A ring of
-  // balls is around it, which nothing else closes as the balls grow. The widest is the first.
+  // The crossings of the axis, the widest first. On both sides of a crossing the molecule lets a
+  // larger sphere out. A ring of balls surrounds it, and its triangle alone closes it as the balls
+  // grow.
   std::vector<WayCrossing> crossings(const WayAxis& axis, const CancelToken& cancel);
 
-  // From outside, below, to outside, above. Between its ends all are within the envelope.
+  // A way from the outside below to the outside above. All tetrahedra but the first and last are
+  // within the envelope.
   struct Route {
-    std::vector<std::uint32_t> below, above;  // from the crossing on
-    double width_angstrom = 0;                // the least clearance, at the crossing or elsewhere
+    std::vector<std::uint32_t> below, above;  // each from the crossing on
+    double width_angstrom = 0;                // least clearance, at the crossing or elsewhere
   };
-  // Through a crossing of the last call of crossings(): the way of least resistance,
-  // ∫ dl / clearance², that is nowhere narrower than the crossing by power.
+  // The route through a crossing of the last call of crossings(). It is the way of least ∫ dl /
+  // clearance² that is nowhere narrower by power distance than the crossing.
   Route route(const WayCrossing& crossing, const CancelToken& cancel) const;
 
   const RealPoint& corner(std::uint32_t tetrahedron) const { return corner_[tetrahedron]; }
@@ -89,17 +94,18 @@ class WayGraph {
   std::shared_ptr<const GrownScene> scene_;
   std::optional<EmptySpace> space_;
   std::vector<Kind> kind_;
-  std::vector<RealPoint> corner_;  // Å; of those that are not full
-  // Across each face, kShut where it is shut: the clearance, Å, and the power that orders ways as K
-  // does, square lattice units. The two order them differently where radii differ.
+  std::vector<RealPoint> corner_;  // Å; only for tetrahedra that are not full
+  // For each face the clearance (Å) and the power distance (square lattice units) across it. kShut:
+  // no way leads through. The power distance orders ways as K does. The two orders differ where
+  // radii differ.
   std::vector<std::array<float, 4>> width_, power_;
   std::vector<std::array<bool, 4>> is_gap_;
 
-  // Of the last axis.
+  // The axis of the last call of crossings().
   std::optional<WayAxis> axis_;
-  std::vector<std::int8_t> zone_;  // as WayAxis::zone(); of those outside, the side
-  std::vector<std::int8_t>
-      label_;  // -1, 1: the way out of least narrowness is below, above; 0: none
+  std::vector<std::int8_t> zone_;  // WayAxis::zone(); for tetrahedra outside: WayAxis::side()
+  // For each tetrahedron the side to which its widest way out leads: -1 below, 1 above, 0 none.
+  std::vector<std::int8_t> label_;
 };
 
 }  // namespace alphascope

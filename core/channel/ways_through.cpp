@@ -1,4 +1,5 @@
-// See the header.
+// Finds the ways through a molecule: candidates along each axis of each part, then the best as
+// channels.
 #include "core/channel/ways_through.hpp"
 
 #include <algorithm>
@@ -47,7 +48,8 @@ struct Candidate {
   WayCrossing crossing;
   WayGraph::Route route;
   std::vector<std::uint32_t> tetrahedra;  // of the route, within the envelope; ascending
-  double share = 0, length = 0;           // of the whole; Å from corner to corner
+  // Share of the whole along the axis; length from corner to corner, Å.
+  double share = 0, length = 0;
 };
 
 class Finder {
@@ -63,7 +65,7 @@ class Finder {
   WaysThrough find();
 
  private:
-  std::vector<RealPoint> axes_of(std::size_t part) const;  // of whole_axes_ and its own
+  std::vector<RealPoint> axes_of(std::size_t part) const;  // whole_axes_, and the part's own
   void look_along(std::size_t part, const RealPoint& axis);
   bool is_too_narrow(const WayCrossing& crossing) const;
   void add(Candidate candidate);
@@ -86,10 +88,10 @@ class Finder {
   std::vector<Candidate> found_;
 };
 
-// The whole's own, and of another part that in which it is longest or around which it is alike, and
-// those of the whole.
+// The axes of the whole. For another part also its own: the axis in which it is longest, or about
+// which its centres spread alike.
 std::vector<RealPoint> Finder::axes_of(std::size_t part) const {
-  constexpr double kSame = 0.97;  // cosine: 14 degrees
+  constexpr double kSame = 0.97;  // cosine of 14 degrees
   std::vector<RealPoint> axes = whole_axes_;
   if (part == 0) return axes;
   const RealPoint own = main_axis(in_order(balls_, parts_[part])).axis;
@@ -125,7 +127,7 @@ Candidate Finder::candidate(std::size_t part, const WayAxis& way,
   return result;
 }
 
-// Beside each other in one passage.
+// Returns whether both are in one passage, beside each other.
 bool Finder::are_beside(const WayCrossing& a, const WayCrossing& b) {
   constexpr double kNear = 3;  // Å
   return length(a.place_angstrom - b.place_angstrom) < kNear;
@@ -148,9 +150,10 @@ bool Finder::is_better(const Candidate& a, const Candidate& b) {
   return key(a) < key(b);
 }
 
-// Is there no room in the list for it or for what is narrower?
+// Returns whether the list is already full of wider ways. Narrower crossings then have no place
+// either.
 bool Finder::is_too_narrow(const WayCrossing& crossing) const {
-  constexpr double kRounded = 0.01;  // Å, as in the order
+  constexpr double kRounded = 0.01;  // Å, the rounding of the order
   const auto wider = std::count_if(found_.begin(), found_.end(), [&](const Candidate& known) {
     return known.share >= WayCover::kWholeShare &&
            known.route.width_angstrom > crossing.width_angstrom + kRounded;
@@ -158,7 +161,7 @@ bool Finder::is_too_narrow(const WayCrossing& crossing) const {
   return static_cast<std::size_t>(wider) >= kMostWays;
 }
 
-// All candidates differ: of two that are one, the better stays.
+// Keeps all candidates different: of two equal ones the better stays.
 void Finder::add(Candidate candidate) {
   for (Candidate& known : found_) {
     if (!are_one(known, candidate)) continue;
@@ -182,7 +185,7 @@ void Finder::look_along(std::size_t part, const RealPoint& axis) {
   }
 }
 
-// From the bottleneck to the open, until it is wider than the end radius.
+// The curve from the bottleneck outwards, until it is wider than the end radius.
 std::vector<RealPoint> Finder::curve_to(const RealPoint& place,
                                         const std::vector<std::uint32_t>& way,
                                         double end_radius) const {
@@ -196,8 +199,8 @@ std::vector<RealPoint> Finder::curve_to(const RealPoint& place,
   return curve;
 }
 
-// Its line leads on to where it is wider than anywhere in the middle third of the part, so that it
-// covers wide chambers as well.
+// The channel of a candidate. Its end radius is above the clearance anywhere on the route in the
+// middle third of the part. So the line covers wide chambers as well.
 Channel Finder::channel_of(const Candidate& candidate) const {
   constexpr double kWider = 1.02, kLeastEndRadius = 5;  // Å
   const WayCrossing& crossing = candidate.crossing;
@@ -302,7 +305,7 @@ WaysThrough find_ways_through(const BallSet& balls, const std::vector<WayPart>& 
 WayCover cover_of(const BallSet& balls, const Channel& channel) {
   const RealPoint begin = channel.samples.front().position_angstrom;
   RealPoint along = channel.samples.back().position_angstrom - begin;
-  if (along == RealPoint{}) {  // it comes back to where it began: to its farthest place
+  if (along == RealPoint{}) {  // a line that returns to its begin: towards its farthest place
     for (const ChannelSample& sample : channel.samples) {
       const RealPoint there = sample.position_angstrom - begin;
       if (length(there) > length(along)) along = there;

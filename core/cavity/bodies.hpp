@@ -1,4 +1,4 @@
-// The connected components of K_alpha that a cavity lies between.
+// The connected components of K_alpha that a cavity touches.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace alphascope {
 
-// The balls, joined by the edges in K_alpha.
+// The components of K_alpha as sets of balls: joined by the edges in K_alpha.
 inline UnionFind joined_balls(const CavityGround& ground, const Membership& in,
                               const CancelToken& cancel) {
   UnionFind sets(in.vertices.size());
@@ -20,7 +20,7 @@ inline UnionFind joined_balls(const CavityGround& ground, const Membership& in,
   return sets;
 }
 
-// How many of these sets the atoms of a cavity belong to.
+// The number of these sets to which the atoms of a cavity belong.
 inline std::uint32_t bodies_of(const Cavity& cavity, UnionFind& sets) {
   std::vector<std::uint32_t> roots;  // hardly ever more than two
   for (const BallIndex v : cavity.atoms) {

@@ -1,3 +1,5 @@
+// Finds the cavities of one K_alpha: joins empty tetrahedra across open triangles, then lists
+// mouths, sinks and Betti numbers.
 #include "core/cavity/cavities.hpp"
 
 #include <algorithm>
@@ -40,7 +42,8 @@ class CavityFinder {
     return !in_.tetrahedra[t] && is_inside_if_empty(ground_.flow, t, rule_);
   }
 
-  // Each inside tetrahedron gets the least one that it is joined to, then that one's number.
+  // Joins inside tetrahedra across triangles not in K_alpha. Each gets the lowest index of its set
+  // as its label; list_tetrahedra() replaces it by the number of the cavity.
   void label_tetrahedra() {
     UnionFind sets(tetrahedra_);
     parallel_many(incidence_.triangles.size(), cancel_, [&](std::size_t f) {
@@ -83,7 +86,7 @@ class CavityFinder {
     }
   }
 
-  // The triangles not in K_alpha that lie between a cavity and what is no part of it.
+  // For each cavity the triangles not in K_alpha between it and tetrahedra of no cavity.
   std::vector<std::vector<std::uint32_t>> openings() const {
     std::vector<std::vector<std::uint32_t>> opening(result_.cavities.size());
     for (std::uint32_t f = 0; f < incidence_.triangles.size(); ++f) {
@@ -98,7 +101,8 @@ class CavityFinder {
     }
     return opening;
   }
-  // Beyond a mouth there is a way to infinity; so what has a mouth is no void.
+  // Checks that a way leads from beyond a mouth to infinity. Without one, the cavity would be
+  // larger.
   void require_outside(std::uint32_t t) const {
     if (t == Incidence::kOutside) return;
     if (!in_.tetrahedra[t] && (ground_.flow.marks[t] & Flow::kReachesInfinity)) return;
@@ -107,7 +111,8 @@ class CavityFinder {
 
   void look_for_sinks(Cavity& cavity) const {
     for (const std::uint32_t t : cavity.tetrahedra) {
-      // What flows to infinity leaves by a mouth; so what has none is a void.
+      // A flow that reaches infinity leaves the cavity by a mouth. So no tetrahedron of a void has
+      // such a flow.
       if (cavity.is_void() && (ground_.flow.marks[t] & Flow::kReachesInfinity)) {
         throw InternalError("A cavity without mouths has a way out.");
       }

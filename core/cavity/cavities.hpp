@@ -1,5 +1,5 @@
-// The voids and pockets of K_alpha: which tetrahedra of the triangulation they are made of, and
-// through which mouths they open. Definitions: docs/algorithm.md, Cavities.
+// The voids and pockets of K_alpha: the tetrahedra of which they consist, and the mouths through
+// which they open. Definitions: docs/algorithm.md, Cavities.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@
 
 namespace alphascope {
 
-// Which empty tetrahedra lie outside, of those from which some ways of the flow end at infinity and
-// some at a sink.
+// Decides on empty tetrahedra from which some ways of the flow end at infinity and others at a
+// sink.
 enum class OutsideRule {
-  castp,  // outside iff every way ends at infinity
-  pocket  // outside iff some way does
+  castp,  // outside iff all ways end at infinity
+  pocket  // outside iff at least one way ends at infinity
 };
 
-// What the cavities of one set of balls have in common at every alpha. Below dimension 3 there are
-// no cavities, and incidence and flow are empty.
+// The part of a cavity search that does not depend on alpha. Below dimension 3 there are no
+// cavities, and incidence and flow are empty.
 struct CavityGround {
   std::shared_ptr<const BallSet> balls;
   std::shared_ptr<const Triangulation> triangulation;
@@ -37,39 +37,39 @@ CavityGround make_cavity_ground(std::shared_ptr<const BallSet> balls,
                                 FlowTies ties = FlowTies::perturbed,
                                 const RunContext& context = {});
 
-// Triangles not in K_alpha through which a pocket opens, joined where they share an edge or a
-// vertex that is not in K_alpha. Ascending indices of Incidence::triangles.
+// Triangles not in K_alpha through which a pocket opens. They are joined at shared edges and
+// vertices that are not in K_alpha. Ascending indices of Incidence::triangles.
 struct Mouth {
   std::vector<std::uint32_t> triangles;
   friend bool operator==(const Mouth&, const Mouth&) = default;
 };
 
-// Indices are those of the ground's lists and of the balls; all lists ascend.
+// Indices refer to the ground's lists and to the balls. All lists are ascending.
 struct Cavity {
   static constexpr std::uint32_t kWhole = ~std::uint32_t{0};
 
   std::vector<std::uint32_t> tetrahedra;
-  std::vector<Mouth> mouths;     // by their first triangles
-  std::vector<BallIndex> atoms;  // the vertices of the tetrahedra that are in K_alpha
-  // To how many components of K_alpha those atoms belong: more than one where it lies between
-  // bodies.
+  std::vector<Mouth> mouths;     // ordered by their first triangles
+  std::vector<BallIndex> atoms;  // vertices of the tetrahedra that are in K_alpha
+  // The number of components of K_alpha to which those atoms belong. Above 1: the cavity lies
+  // between bodies.
   std::uint32_t bodies = 0;
   std::uint32_t sinks = 0;
-  // The sink of the largest ortho-radius, of several the first by the places of its centres: what
-  // the cavity is known by while alpha moves.
+  // The sink of largest ortho-radius; of equal ones the first by the positions of its centres. It
+  // identifies the cavity while alpha changes.
   std::uint32_t deepest_sink = 0;
-  // A part of a network (split_networks.hpp): which of Cavities::networks it is of, and the
-  // triangles not in K_alpha between it and other parts, joined as those of mouths are. Of kWhole:
-  // none.
+  // For a part of a network (split_networks.hpp): its index in Cavities::networks; else kWhole.
+  // `passages` are the triangles not in K_alpha between it and other parts, joined as those of
+  // mouths.
   std::uint32_t network = kWhole;
   std::vector<Mouth> passages;
 
-  // From so many mouths on a pocket is a network of gaps that are connected rather than one hole.
-  // Above what symmetry gives a hollow shell: a cage of 24 equal parts opens at its eight threefold
-  // and six fourfold axes, which are 14.
+  // A pocket with at least this many mouths is a network of connected gaps rather than one hole.
+  // Symmetry gives a hollow shell fewer mouths. A cage of 24 equal parts opens at its eight
+  // threefold and six fourfold axes: 14 mouths.
   static constexpr std::size_t kMouthsOfNetwork = 20;
 
-  // A part without mouths is open to other parts.
+  // A part without mouths can be open to other parts, and is no void then.
   bool is_void() const { return mouths.empty() && passages.empty(); }
   bool is_part() const { return network != kWhole; }
   bool is_network() const { return !is_part() && mouths.size() >= kMouthsOfNetwork; }
@@ -79,29 +79,30 @@ struct Cavity {
 
 // A network that is listed as its parts.
 struct SplitNetwork {
-  std::uint32_t deepest_sink = 0;  // that of one of the parts, too
+  std::uint32_t deepest_sink = 0;  // also the deepest sink of one of the parts
   std::size_t mouths = 0, tetrahedra = 0, parts = 0;
-  Alpha falls_apart_angstrom2;  // NetworkParting's
+  Alpha falls_apart_angstrom2;  // NetworkParting::alpha_angstrom2
   friend bool operator==(const SplitNetwork&, const SplitNetwork&) = default;
 };
 
 struct Cavities {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  std::vector<Cavity> cavities;  // by their first tetrahedra
-  // Of each tetrahedron the index of its cavity, or kNone.
+  std::vector<Cavity> cavities;  // ordered by their first tetrahedra
+  // For each tetrahedron the index of its cavity, or kNone.
   ResultArray<std::uint32_t> cavity_of_tetrahedron;
-  std::array<std::size_t, 4> simplices{};  // of K_alpha, by dimension
-  // Connected components, tunnels and voids of K_alpha. Where there are several components, spaces
+  std::array<std::size_t, 4> simplices{};  // counts of K_alpha's simplices, by dimension
+  // Connected components, tunnels and voids of K_alpha. If there are several components, spaces
   // between bodies count as pockets.
   long long components = 0, tunnels = 0, voids = 0;
-  std::vector<SplitNetwork> networks;  // split_networks() makes them
+  std::vector<SplitNetwork> networks;  // filled by split_networks()
 
   friend bool operator==(const Cavities&, const Cavities&) = default;
 };
 
-// Of the K_alpha that `membership` says. Works in the caller's task arena; the same for any number
-// of threads. Throws Cancelled, and InternalError for what contradicts the definitions.
+// Finds the cavities of the K_alpha that `membership` describes. Works in the caller's task arena;
+// the result does not depend on the number of threads. Throws Cancelled, and InternalError if
+// something contradicts the definitions.
 Cavities find_cavities(const CavityGround& ground, const Membership& membership,
                        OutsideRule rule = OutsideRule::castp, const CancelToken& cancel = {});
 

@@ -1,3 +1,4 @@
+// Computes the depth of a pocket: distances of its lining atoms from the triangles of its openings.
 #include "core/cavity/cavity_depth.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 
 using Vector = Vector3<double>;
 
-// A triangle, and a ball around it.
+// A triangle with a ball around it. Lattice units.
 struct Shutter {
   Vector corner[3], middle;
   double reach;
@@ -37,8 +38,9 @@ class Shutters {
     return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
   }
 
-  // Of the nearest triangle; or of any one that is not farther than the root of `enough`. `first`:
-  // where to begin; becomes the one that was near enough, as what follows p is near p.
+  // The square distance from p to the nearest triangle, in square lattice units. The search stops
+  // at a triangle whose square distance is at most `enough`. It begins at index `first`. If a
+  // triangle is near enough, its index becomes `first`, because the next point is mostly near p.
   double square_distance(const Vector& p, double enough, std::size_t& first) const {
     double nearest = std::numeric_limits<double>::infinity(), distance = nearest;
     for (std::size_t n = 0, at = first; n < all_.size(); ++n, ++at) {
@@ -79,7 +81,7 @@ double depth_angstrom(const CavityGround& ground, const Cavity& cavity,
                       std::span<const BallIndex> lining, const CancelToken& cancel) {
   if (cavity.is_void()) return 0;
   const Shutters shutters(ground, cavity);
-  // What is not farther than the farthest so far need not be known to the end.
+  // A distance need not be exact if it is below the largest one so far.
   std::atomic<double> farthest = 0;
   constexpr std::size_t kGrain = 64;
   parallel_ranges(0, lining.size(), kGrain, [&](std::size_t begin, std::size_t end) {

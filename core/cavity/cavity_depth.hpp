@@ -1,4 +1,4 @@
-// How deep a pocket is.
+// The depth of a pocket.
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace alphascope {
 
-// The largest distance of the centre of a lining atom from the nearest triangle of a mouth or
-// passage, Å; 0 of a void. Works in the caller's task arena; the same bits for any number of
+// The largest distance (Å) of a lining atom's centre from the nearest triangle of a mouth or
+// passage. It is 0 for a void. Works in the caller's task arena; the same bits for any number of
 // threads. Throws Cancelled.
 double depth_angstrom(const CavityGround& ground, const Cavity& cavity,
                       std::span<const BallIndex> lining, const CancelToken& cancel = {});

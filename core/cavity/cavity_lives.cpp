@@ -1,3 +1,4 @@
+// Computes the intervals of alpha in which cavities exist, by joining tetrahedra while alpha falls.
 #include "core/cavity/cavity_lives.hpp"
 
 #include <tbb/parallel_sort.h>
@@ -16,7 +17,8 @@
 namespace alphascope {
 namespace {
 
-// The last to close comes first: that is the order in which a falling alpha opens them.
+// All triangles as gates, in the order in which a falling alpha opens them: the last to close comes
+// first.
 std::vector<Gate> gates(const CavityGround& ground, const CancelToken& cancel) {
   std::vector<Gate> all(ground.incidence.triangles.size());
   parallel_many(all.size(), cancel,
@@ -29,7 +31,7 @@ std::vector<Gate> gates(const CavityGround& ground, const CancelToken& cancel) {
 }
 
 // Sets of tetrahedra that grow while alpha falls, each with its deepest sink. One more item stands
-// for infinity, deeper than all.
+// for infinity, which counts as deeper than all sinks.
 class Basins {
  public:
   explicit Basins(const CavityGround& ground)
@@ -44,7 +46,7 @@ class Basins {
   }
   std::uint32_t infinity() const { return infinity_; }
 
-  // The sink that is not the deepest of its set any more, or kNone.
+  // Joins the sets of a and b. Returns the sink that is no longer the deepest of its set, or kNone.
   std::uint32_t join(std::uint32_t a, std::uint32_t b) {
     a = sets_.root(a);
     b = sets_.root(b);
@@ -66,7 +68,7 @@ class Basins {
   const CavityGround& ground_;
   const std::uint32_t infinity_;
   UnionFind sets_;
-  std::vector<std::uint32_t> deepest_;  // of each root
+  std::vector<std::uint32_t> deepest_;  // for each root
 };
 
 void set_places(const CavityGround& ground, CavityLives& lives) {
@@ -92,7 +94,7 @@ CavityLives cavity_lives(const CavityGround& ground, OutsideRule rule, const Can
   if (ground.triangulation->dimension < 3) return {};
   constexpr float kEver = -std::numeric_limits<float>::infinity();
   std::vector<CavityLife> of(ground.flow.marks.size(), {kEver, kEver, 0});
-  // Cavities alone, and with all that is outside.
+  // `inside` joins cavities only; `space` also joins outside tetrahedra and infinity.
   Basins inside(ground), space(ground);
   for (const Gate& gate : gates(ground, cancel)) {
     const auto [a, beyond] = ground.incidence.tetrahedra_of_triangle[gate.triangle];

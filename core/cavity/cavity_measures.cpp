@@ -1,3 +1,5 @@
+// Measures cavities: sums over their tetrahedra in fixed point, so that no order of summation
+// changes a bit.
 #include "core/cavity/cavity_measures.hpp"
 
 #include <algorithm>
@@ -14,7 +16,7 @@
 namespace alphascope {
 namespace {
 
-// Units of sums: of all lengths, areas and volumes of one set of balls, grown.
+// Units of the fixed-point sums, for all lengths, areas and volumes of one set of grown balls.
 struct Scales {
   double length, area, volume;
 };
@@ -27,7 +29,8 @@ Scales scales_of(const BallSet& balls, const CavityScale& scale) {
     for (const std::int32_t x : {p.x, p.y, p.z}) reach = std::max(reach, std::fabs(double(x)));
     reach = std::max(reach, ball.grown_radius);
   }
-  // No term is above 16 times the square or the cube of twice this.
+  // `reach` bounds all coordinates and radii. No term exceeds 16 times the square or the cube of
+  // twice `reach`.
   const int bits = bits_above(reach) + 1;
   return {WideFixedSum::scale(bits + 4), WideFixedSum::scale(2 * bits + 4),
           WideFixedSum::scale(3 * bits + 4)};
@@ -74,7 +77,7 @@ class CavityMeasurer {
   }
 
  private:
-  // The parts of all tetrahedra of all cavities, one cavity after the other.
+  // Computes the parts of all tetrahedra of all cavities, one cavity after the other.
   void number_tetrahedra() {
     first_.assign(1, 0);
     for (const Cavity& cavity : cavities_)
@@ -88,7 +91,8 @@ class CavityMeasurer {
     parallel_many(parts_.size(), cancel_, [&](std::size_t n) { parts_[n] = part(tetrahedra[n]); });
   }
 
-  // Its balls are taken in an order that the file has no part in.
+  // Takes the balls of a tetrahedron by their centres, so that the order of the file changes no
+  // bit.
   OutsidePart part(std::uint32_t t) const {
     const auto& balls = ground_.triangulation->tetrahedra[t];
     const std::array<unsigned, 4> order = order_by_centres(*ground_.balls, balls);
@@ -127,7 +131,7 @@ class CavityMeasurer {
       sums.area.add(area, sum_.area);
       if (area > kLeastArea * grown.square_radius) measures.lining.push_back(v);
       if (grown.square_radius == 0) continue;
-      // A patch moved by the solvent radius into its ball, but not beyond its centre.
+      // The patch is moved by the solvent radius into its ball, but not beyond the ball's centre.
       const double share = std::max(0.0, 1 - scale_.solvent_on_lattice / grown.grown_radius);
       sums.offset_volume.add(area * grown.grown_radius * (1 - share * share * share) / 3,
                              sum_.volume);
@@ -176,7 +180,7 @@ class CavityMeasurer {
     return grown_ball(ground_.balls->centres[i], ground_.balls->radii[i], scale_.alpha_on_lattice);
   }
 
-  // Areas of spheres of radius 1 that are rounding errors of sums of angles.
+  // Areas below this are rounding errors of sums of angles (on a sphere of radius 1).
   static constexpr double kLeastArea = 1e-11;
 
   const CavityGround& ground_;
@@ -193,7 +197,7 @@ class CavityMeasurer {
 }  // namespace
 
 MouthMeasures CavityMeasures::all_mouths() const {
-  // In the same order whichever mouth is the first.
+  // Sorts by size, so that the sum does not depend on the order of the mouths.
   std::vector<MouthMeasures> sorted = mouths;
   std::sort(sorted.begin(), sorted.end(), [](const MouthMeasures& a, const MouthMeasures& b) {
     return a.area_angstrom2 != b.area_angstrom2 ? a.area_angstrom2 < b.area_angstrom2

@@ -1,4 +1,4 @@
-// See the header.
+// Makes the table of all cavities of one K_alpha, and clips its pockets on request.
 #include "core/cavity/cavity_table.hpp"
 
 #include <cmath>

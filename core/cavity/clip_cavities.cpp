@@ -1,3 +1,4 @@
+// Measures cavities by clipping each of their tetrahedra against the balls.
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 namespace alphascope {
 namespace {
 
-// By size, so that the order of the tetrahedra changes no bit.
+// Sums values from `first` to before `end`. Sorts them by size first, so that the order of the
+// tetrahedra changes no bit.
 double sum_of(std::vector<double>& values, std::size_t first, std::size_t end) {
   std::sort(values.begin() + static_cast<std::ptrdiff_t>(first),
             values.begin() + static_cast<std::ptrdiff_t>(end));

@@ -1,4 +1,4 @@
-// See the header.
+// Finds when a triangle enters K_alpha, and orders triangles by it exactly.
 #include "core/cavity/gates.hpp"
 
 #include <algorithm>

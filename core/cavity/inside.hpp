@@ -1,4 +1,4 @@
-// What the flow says of a tetrahedron at every alpha at which it is empty.
+// Properties of a tetrahedron that follow from the flow, at every alpha at which it is empty.
 #pragma once
 
 #include "core/cavity/cavities.hpp"
@@ -7,14 +7,14 @@
 
 namespace alphascope {
 
-// Is it part of a void or a pocket?
+// Returns whether an empty tetrahedron is part of a void or a pocket.
 inline bool is_inside_if_empty(const Flow& flow, std::size_t t, OutsideRule rule) {
   return rule == OutsideRule::castp ? (flow.marks[t] & Flow::kReachesSink) != 0
                                     : (flow.marks[t] & Flow::kReachesInfinity) == 0;
 }
 
-// Has sink a a larger ortho-radius than sink b, or the same and comes first by its centres?
-// Exactly.
+// Returns whether sink a has a larger ortho-radius than sink b. Exact. Equal ones are ordered by
+// their centres.
 inline bool is_deeper_sink(const CavityGround& ground, std::uint32_t a, std::uint32_t b) {
   const float of_a = ground.flow.alpha_values[a], of_b = ground.flow.alpha_values[b];
   if (of_a != of_b) return of_a > of_b;

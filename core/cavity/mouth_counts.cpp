@@ -1,5 +1,5 @@
-// See the header. While alpha falls, tetrahedra are joined to larger cavities, and triangles to
-// larger mouths; nothing is ever divided.
+// Counts the mouths of all descendants of a network while alpha falls. Tetrahedra then only join
+// into larger cavities, and triangles into larger mouths. Nothing is ever divided.
 #include "core/cavity/mouth_counts.hpp"
 
 #include <algorithm>
@@ -15,12 +15,13 @@ namespace {
 
 constexpr std::uint32_t kNone = Cavities::kNone;
 
-// Opens as soon as alpha is below `value`.
+// An event: a simplex that is not in K_alpha as soon as alpha is below `value`.
 struct Opening {
   enum class What : std::uint8_t { passage, mouth, corner };
   float value;
   What what;
-  std::uint32_t index;  // of a passage the triangle, else in the lists of MouthCounts
+  // Triangle of a passage; else index in triangles_ (mouth) or corners_ (corner)
+  std::uint32_t index;
 };
 
 std::vector<std::uint32_t> triangles_of_mouths(const Cavity& cavity) {
@@ -78,11 +79,12 @@ class MouthCounts {
     }
   }
 
-  // An edge or vertex of a mouth's triangle that is not in K_alpha, at which two of these may join.
+  // An edge or vertex of mouths' triangles that is not in K_alpha. Two of these triangles may join
+  // there.
   struct Corner {
     float value = 0;
     bool open = false;
-    std::vector<std::uint32_t> around;  // of triangles_
+    std::vector<std::uint32_t> around;  // indices of triangles_
   };
   void list_corners() {
     corners_of_.resize(triangles_.size());
@@ -208,15 +210,16 @@ class MouthCounts {
   const Cavities& found_;
   const std::uint32_t index_;
   const Cavity& cavity_;
-  const std::vector<std::uint32_t> triangles_;  // of the mouths
+  const std::vector<std::uint32_t> triangles_;  // all triangles of the network's mouths
   std::vector<Corner> corners_;
-  std::vector<std::vector<std::uint32_t>> corners_of_;  // of each of triangles_
+  std::vector<std::vector<std::uint32_t>> corners_of_;  // for each of triangles_
   std::vector<Opening> openings_;
 
   UnionFind sets_{cavity_.tetrahedra.size()}, groups_{triangles_.size()};
-  std::vector<std::vector<std::uint32_t>> mouths_of_;  // of each root of sets_: of triangles_
-  std::vector<long> count_;                            // of each root: its mouths
-  std::vector<bool> is_open_;                          // of each of triangles_
+  // For each root of sets_ the indices of triangles_ that are open.
+  std::vector<std::vector<std::uint32_t>> mouths_of_;
+  std::vector<long> count_;    // for each root of sets_ its number of mouths
+  std::vector<bool> is_open_;  // for each of triangles_
   long networks_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// How many mouths the descendants of a network have at every alpha above its own: all alphas at
-// once, as cavity_lives.hpp, by alpha values that are rounded to floats.
+// The number of mouths of a network's descendants at every alpha above its own. All alphas are
+// treated at once, as in cavity_lives.hpp, by alpha values rounded to floats.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace alphascope {
 
-// Square lattice units, rounded as alpha values are. Wherever from < alpha < to, no descendant is a
-// network; at the ends the rounding may decide otherwise.
+// A range of alpha in which no descendant is a network: from < alpha < to. Square lattice units,
+// rounded as alpha values are. At both ends the rounding may decide otherwise.
 struct QuietRange {
   float from = 0, to = 0;
 };
 
-// Ascending, the last one up to infinity; outside of them some descendant is a network. Throws
-// Cancelled.
+// All such ranges, ascending; the last one reaches infinity. Outside of them some descendant is a
+// network. Throws Cancelled.
 std::vector<QuietRange> ranges_without_network(const CavityGround& ground,
                                                const Filtration& filtration,
                                                const Membership& membership, const Cavities& found,

@@ -1,3 +1,5 @@
+// Groups the triangles of a cavity's openings into mouths, by shared edges and vertices that are
+// not in K_alpha.
 #include "core/cavity/mouths.hpp"
 
 #include <utility>
@@ -7,8 +9,9 @@
 namespace alphascope {
 namespace {
 
-// Who was the last to come along each edge or vertex.
-using LastVisitor = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // cavity, triangle
+// For each edge or vertex the last cavity and triangle that visited it.
+// Pairs of cavity and triangle.
+using LastVisitor = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 class MouthGroups {
  public:

@@ -7,7 +7,8 @@
 
 namespace alphascope {
 
-// `opening[c]`: the triangles of cavity c, ascending; their groups are its mouths.
+// `opening[c]` holds the triangles through which cavity c opens, ascending. Their groups become its
+// mouths.
 void set_mouths(const CavityGround& ground, const Membership& membership,
                 const std::vector<std::vector<std::uint32_t>>& opening,
                 std::vector<Cavity>& cavities);

@@ -1,4 +1,5 @@
-// See the header.
+// Searches the alpha at which a network falls apart, in the ranges without network and in steps of
+// the slider.
 #include "core/cavity/network_parting.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace alphascope {
 namespace {
 
-// The cavities at a larger alpha whose tetrahedra are of cavity `index` of `found`.
+// The cavities at a larger alpha whose tetrahedra belong to cavity `index` of `found`.
 std::vector<std::uint32_t> descendants_of(const Cavities& found, std::uint32_t index,
                                           const Cavities& there) {
   std::vector<std::uint32_t> descendants;
@@ -39,7 +40,7 @@ std::optional<NetworkParting> part_network(const CavityGround& ground, const Fil
   while (alpha_of(step) <= alpha) ++step;
   for (const QuietRange& range :
        ranges_without_network(ground, filtration, in, found, index, cancel)) {
-    // One step before, for square_angstrom() rounds.
+    // Begins one step before, because square_angstrom() rounds.
     step = std::max(step,
                     std::floor(lattice.square_angstrom(range.from) * kStepsPerSquareAngstrom) - 1);
     for (; is_alpha(alpha_of(step)); ++step) {

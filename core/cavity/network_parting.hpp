@@ -1,4 +1,4 @@
-// At which alpha a network falls apart, without a new triangulation.
+// The alpha at which a network falls apart, found without a new triangulation.
 #pragma once
 
 #include <optional>
@@ -9,22 +9,22 @@
 
 namespace alphascope {
 
-// As alpha grows, a cavity splits and shrinks: what is left of it are its descendants.
+// As alpha grows, a cavity splits and shrinks. The remaining cavities are its descendants.
 struct NetworkParting {
-  // The least multiple of kNetworkStepAngstrom2 above the alpha of the network at which none of its
-  // descendants is a network.
+  // The least multiple of kNetworkStepAngstrom2 above the network's alpha at which no descendant is
+  // a network.
   Alpha alpha_angstrom2;
   Cavities there;                          // all cavities at that alpha
   std::vector<std::uint32_t> descendants;  // indices of there.cavities; ascending
 };
 
-// As the slider of alpha.
+// The step of the alpha slider (Å²).
 inline constexpr double kNetworkStepAngstrom2 = 0.01;
 
-// Of the cavity `index` of `found`, which is a network at alpha. What decides are the cavities that
-// find_cavities() finds at that alpha. None: the network does not fall apart below
-// kMaxAlphaAngstrom2. Works in the caller's task arena; the same for any number of threads, and in
-// whatever order the balls are listed. Throws Cancelled.
+// Parts cavity `index` of `found`, which is a network at alpha. The cavities that find_cavities()
+// finds at larger alphas decide. Returns nothing if the network does not fall apart below
+// kMaxAlphaAngstrom2. Works in the caller's task arena. The result is the same for any number of
+// threads and any order of the balls. Throws Cancelled.
 std::optional<NetworkParting> part_network(const CavityGround& ground, const Filtration& filtration,
                                            const Membership& membership, const Cavities& found,
                                            std::uint32_t index, const Alpha& alpha_angstrom2,

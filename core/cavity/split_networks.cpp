@@ -1,4 +1,5 @@
-// See the header.
+// Replaces networks by their parts and gives the parts all that a cavity has: mouths, passages,
+// atoms, sinks.
 #include "core/cavity/split_networks.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ class NetworkSplitter {
       if (parting && parting->descendants.size() > 1) {
         add_parts(c, *parting);
       } else {
-        kept_.push_back(found_.cavities[c]);  // found_ is still asked
+        kept_.push_back(found_.cavities[c]);  // copied, because found_ is still read
       }
     }
     finish_parts();
@@ -66,7 +67,7 @@ class NetworkSplitter {
     bodies_wanted_ = bodies_wanted_ || network.bodies > 1;
   }
 
-  // Mouths, passages and all else that a cavity knows of itself.
+  // Sets the mouths, passages and all other members of the parts.
   void finish_parts() {
     constexpr std::uint32_t kNone = Cavities::kNone;
     std::vector<std::uint32_t> part_of(ground_.triangulation->tetrahedra.size(), kNone);
@@ -98,7 +99,7 @@ class NetworkSplitter {
     }
   }
 
-  // Of each two parts the triangles between them, grouped as those of a mouth.
+  // For each pair of parts the triangles between them. They are grouped as those of a mouth.
   using Passages = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>;
   void add_passages(const Passages& passages) {
     std::vector<std::vector<std::uint32_t>> opening;
@@ -138,7 +139,8 @@ class NetworkSplitter {
     if (part.sinks == 0) throw InternalError("A part of a network has no sink.");
   }
 
-  // By the places of their sinks.
+  // Orders networks by the positions of their deepest sinks, so that the order of the balls does
+  // not matter.
   void sort_networks() {
     std::vector<std::uint32_t> order(found_.networks.size()), place(order.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -156,7 +158,7 @@ class NetworkSplitter {
     for (Cavity& part : parts_) part.network = place[part.network];
   }
 
-  // By their first tetrahedra, as find_cavities() lists them.
+  // Orders all cavities by their first tetrahedra, as find_cavities() does.
   void list_all() {
     for (Cavity& part : parts_) kept_.push_back(std::move(part));
     std::sort(kept_.begin(), kept_.end(), [](const Cavity& a, const Cavity& b) {
@@ -175,7 +177,7 @@ class NetworkSplitter {
   Cavities found_;
   const CancelToken& cancel_;
   std::vector<Cavity> kept_, parts_;
-  bool bodies_wanted_ = false;  // a network lies between several
+  bool bodies_wanted_ = false;  // whether a network lies between several bodies
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// An order of tetrahedra that does not depend on the order of the balls: by the places of their
-// centres. It decides wherever everything else is equal, so that the same balls have the same
-// cavities, numbers and names in whatever order a file lists them.
+// An order of tetrahedra by the positions of their centres, which does not depend on the order of
+// the balls. It breaks all ties. So the same balls have the same cavities, numbers and names in
+// whatever order a file lists them.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace alphascope {
 
-// Does `a` come first? In lexicographic order of the ascending centres; exactly. Two tetrahedra of
-// one triangulation have the same four centres only if they are one.
+// Returns whether `a` comes first: in lexicographic order of the ascending centres, exactly. Two
+// different tetrahedra of one triangulation never have the same four centres.
 inline bool comes_first(const BallSet& balls, const std::array<BallIndex, 4>& a,
                         const std::array<BallIndex, 4>& b) {
   const auto centres = [&](const std::array<BallIndex, 4>& of) {
@@ -24,8 +24,8 @@ inline bool comes_first(const BallSet& balls, const std::array<BallIndex, 4>& a,
   return of_a != of_b ? of_a < of_b : a < b;
 }
 
-// The balls of a simplex by their centres: those that are computed with in this order give the same
-// bits whatever their indices are.
+// The order of a simplex' balls by their centres. Computations in this order give the same bits
+// whatever the indices of the balls are.
 template <std::size_t N>
 std::array<unsigned, N> order_by_centres(const BallSet& balls,
                                          const std::array<BallIndex, N>& simplex) {

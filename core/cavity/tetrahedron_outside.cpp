@@ -1,3 +1,5 @@
+// Measures one tetrahedron outside the balls and the offsets of its arcs and corners, and one
+// triangle of a mouth.
 #include "core/cavity/tetrahedron_outside.hpp"
 
 #include <algorithm>
@@ -10,14 +12,14 @@ namespace {
 
 constexpr int kEnds[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 constexpr int kBallsOfFace[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-// The edge opposite each ball of a face, in its order.
+// For each face the edge opposite each of its balls, in the order of kBallsOfFace.
 constexpr int kEdgesOfFace[4][3] = {{5, 4, 3}, {5, 2, 1}, {4, 2, 0}, {3, 1, 0}};
 
-// The sector of a tube of radius `solvent` around an arc, between the directions to both centres:
-// of an arc of one radian. Pappus, with r - t cos(theta) for the distance from the axis.
+// The sector of a tube of radius `solvent` around an arc, between the directions to both centres;
+// per radian of the arc. By Pappus' theorem, with r - t cos(theta) as the distance from the axis.
 struct TubeSector {
   double volume, area;
-  double overlap;  // of the area, what lies across the axis: negative
+  double overlap;  // the part of `area` that lies across the axis; negative
 };
 
 double area_between(double from, double to, double r, double s) {
@@ -29,7 +31,7 @@ double volume_between(double from, double to, double r, double s) {
 
 TubeSector tube_sector(const GrownBall (&ball)[2], const BallPair& pair, double solvent) {
   const double r = std::sqrt(pair.square_disc), s = solvent;
-  // Angles from the direction to the axis, and their sines.
+  // Angles from the direction to the axis.
   const double low = -std::atan2(pair.height[0], r), high = std::atan2(pair.height[1], r);
   const auto sine = [&](int end) {  // a ball of radius 0 has its centre on the arc
     const double radius = ball[end].grown_radius;
@@ -47,8 +49,9 @@ TubeSector tube_sector(const GrownBall (&ball)[2], const BallPair& pair, double 
   return sector;
 }
 
-// The same sector as far as the axis: towards a centre that is nearer than the solvent radius there
-// is nothing beyond. `sector` is two tubes' parts, and between them triangles with the axis.
+// The same sector, cut off at the axis. Nothing lies beyond the centre of a ball that is smaller
+// than the solvent radius. The sector consists of parts of two tubes, and of triangles with the
+// axis between them.
 TubeSector tube_sector_to_axis(const BallPair& pair, double solvent) {
   const double r = std::sqrt(pair.square_disc), s = solvent;
   const double low = -std::atan2(pair.height[0], r), high = std::atan2(pair.height[1], r);
@@ -69,10 +72,10 @@ TubeSector tube_sector_to_axis(const BallPair& pair, double solvent) {
   return sector;
 }
 
-// The solid angle between the directions from the point where three spheres meet to their centres.
+// The solid angle at the point where three spheres meet, between the directions to their centres.
 double corner_angle(const GrownBall (&ball)[3], const BallPair (&pair)[3], double half_chord,
                     double normal) {
-  double product[3];  // of the directions to the ends of each edge
+  double product[3];  // for each edge the scalar product of the directions to its ends
   for (int m = 0; m < 3; ++m) {
     const GrownBall &a = ball[m == 0 ? 1 : 0], &b = ball[m == 2 ? 1 : 2];
     product[m] = 0.5 * (a.square_radius + b.square_radius - pair[m].distance * pair[m].distance);
@@ -82,12 +85,12 @@ double corner_angle(const GrownBall (&ball)[3], const BallPair (&pair)[3], doubl
   return 2 * std::atan2(normal * half_chord, below);
 }
 
-// What a ball of the solvent radius around that point has in the tetrahedron of the point and the
-// three centres.
+// The part of a ball of the solvent radius around that point, in the tetrahedron of point and three
+// centres.
 SharedMeasures corner_to_plane(const BallPair (&pair)[3], const BallTriple& triple, double normal,
                                double solvent) {
-  // Centre 0 is at the origin of the plane, centre 1 on its x axis; then all as seen from the
-  // point, which is over the foot that the radical axis has in the plane.
+  // Centre 0 is the origin of the plane, and centre 1 is on its x axis. Then all is shifted to the
+  // point's view. The point lies over the foot of the radical axis in the plane.
   const double base = pair[2].distance;
   const double along = pair[1].distance * pair[1].distance - pair[0].distance * pair[0].distance;
   const Vector3<double> at[3] = {
@@ -96,7 +99,7 @@ SharedMeasures corner_to_plane(const BallPair (&pair)[3], const BallTriple& trip
   for (int n = 0; n < 3; ++n) {
     corner[n + 1] = {at[n].x - pair[2].height[0], at[n].y - triple.reach[2], triple.half_chord};
   }
-  const PieceFace side{{0, 0, 0}, 0, 0};  // through the point
+  const PieceFace side{{0, 0, 0}, 0, 0};  // a face through the point
   ConvexPiece piece;
   piece.start(corner, {{{0, 0, 1}, triple.half_chord, 0}, side, side, side}, false);
   return piece.shared_with_ball(solvent);
@@ -129,7 +132,7 @@ class Outside {
 
  private:
   void take_ball(int n) {
-    // The angles of the three edges at the ball exceed pi by the solid angle.
+    // The solid angle is the sum of the dihedral angles of the three edges at the ball, minus pi.
     double angle = -kPi;
     for (int e = 0; e < 6; ++e) {
       if (kEnds[e][0] == n || kEnds[e][1] == n) angle += angle_[e];
@@ -193,7 +196,7 @@ class Outside {
   const double solvent_;
   const BallTetrahedron at_;
   double angle_[6], arc_[6];
-  BallPair pair_[6];  // of edges in K_alpha
+  BallPair pair_[6];  // only for edges in K_alpha
   OutsidePart part_;
 };
 
@@ -218,7 +221,7 @@ MouthPart mouth_part(const GrownBall (&ball)[3], const FacesIn& in) {
     part.area -= angle / 2 * ball[n].square_radius;
     part.length += angle * ball[n].grown_radius;
   }
-  for (int m = 0; m < 3; ++m) {  // the half of each lens
+  for (int m = 0; m < 3; ++m) {  // The half of each lens of two discs.
     if (!(in.edges >> m & 1)) continue;
     const GrownBall ends[2] = {ball[m == 0 ? 1 : 0], ball[m == 2 ? 1 : 2]};
     const BallPair pair = ball_pair(ends[0], ends[1]);

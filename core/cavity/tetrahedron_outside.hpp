@@ -1,7 +1,7 @@
-// What lies outside the balls in one tetrahedron that is not in K_alpha, by angle-weighted
-// inclusion-exclusion over its faces that are in K_alpha, and in one triangle of a mouth. Where
-// balls poke through faces, only the sum over all tetrahedra around them is right. Lengths are in
-// lattice units.
+// The part outside the balls of one tetrahedron not in K_alpha, and of one triangle of a mouth.
+// Computed by angle-weighted inclusion-exclusion over the faces that are in K_alpha. If balls poke
+// through faces, only the sum over all tetrahedra around them is right. Lengths are in lattice
+// units.
 #pragma once
 
 #include <array>
@@ -13,27 +13,29 @@
 
 namespace alphascope {
 
-// Faces that are in K_alpha, as bits: balls by their numbers, edges 01, 02, 03, 12, 13, 23 (of a
-// triangle 12, 02, 01: by the opposite ball), triangles by the opposite ball.
+// The faces that are in K_alpha, as bits. Balls go by their numbers, triangles by the opposite
+// ball. Edges of a tetrahedron are 01, 02, 03, 12, 13, 23. Edges of a triangle are 12, 02, 01: by
+// the opposite ball.
 struct FacesIn {
   std::uint32_t balls = 0, edges = 0, triangles = 0;
 };
 
 struct OutsidePart {
   double whole = 0;              // volume of the tetrahedron
-  double volume = 0;             // of what is outside
-  std::array<double, 4> area{};  // of each ball's sphere
+  double volume = 0;             // volume outside the balls
+  std::array<double, 4> area{};  // area of each ball's sphere
   double arc = 0;                // length of the arcs in which two spheres meet
   std::uint32_t corners = 0;
-  // What is within the solvent radius of arcs and corners, beyond both or all their balls. Where
-  // one of these is smaller than the solvent radius, only as far as their centres, as nothing is
-  // beyond the centre of such a ball; then nothing overlaps.
+  // The offsets of arcs and corners: within the solvent radius of them, between the directions to
+  // their balls' centres. If one of these balls is smaller than the solvent radius, the offset ends
+  // at the line or plane through the centres. Nothing lies beyond the centre of such a ball, and
+  // nothing overlaps then.
   double offset_volume = 0, offset_area = 0;
-  double offset_overlap = 0;  // of the area, what lies across the axes of the arcs: negative
+  double offset_overlap = 0;  // the part of offset_area across the axes of the arcs; negative
 };
 OutsidePart outside_part(const GrownBall (&ball)[4], const FacesIn& in, double solvent);
 
-// Of the part of a triangle outside the discs in which the balls meet its plane.
+// Area and rim of a triangle's part outside the discs in which the balls meet its plane.
 struct MouthPart {
   double area = 0, length = 0;
 };

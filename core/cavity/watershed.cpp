@@ -1,4 +1,4 @@
-// See the header.
+// Assigns tetrahedra of a network to its parts: joins them through gates in the order of opening.
 #include "core/cavity/watershed.hpp"
 
 #include <tbb/parallel_sort.h>
@@ -24,7 +24,8 @@ std::vector<std::uint32_t> watershed(const CavityGround& ground, const Membershi
     return static_cast<std::uint32_t>(std::lower_bound(tetrahedra.begin(), tetrahedra.end(), t) -
                                       tetrahedra.begin());
   };
-  std::vector<std::uint32_t> part_of(tetrahedra.size(), kNone);  // of roots it is up to date
+  // Up to date at the roots of `sets`.
+  std::vector<std::uint32_t> part_of(tetrahedra.size(), kNone);
   for (std::uint32_t k = 0; k < parting.descendants.size(); ++k) {
     for (const std::uint32_t t : parting.there.cavities[parting.descendants[k]].tetrahedra) {
       part_of[local(t)] = k;
@@ -38,7 +39,8 @@ std::vector<std::uint32_t> watershed(const CavityGround& ground, const Membershi
           found.cavity_of_tetrahedron[b] != index) {
         continue;
       }
-      // Both in descendants: they stay as they are.
+      // Triangles between two tetrahedra of descendants are not needed, because these keep their
+      // parts.
       if (part_of[n] == kNone || part_of[local(b)] == kNone) triangles.push_back(f);
     }
   }

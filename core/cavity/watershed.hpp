@@ -1,4 +1,4 @@
-// The tetrahedra of a network, given to its parts.
+// The assignment of a network's tetrahedra to its parts.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace alphascope {
 
-// Of each tetrahedron of cavity `index` of `found` the index of its descendant in
-// parting.descendants. The faces open in the order in which a falling alpha opens them, of equal
-// ones by the places of their centres; what belongs to nobody yet joins what it opens to, and two
-// descendants stay two. Exact. Throws Cancelled.
+// Returns for each tetrahedron of cavity `index` of `found` the index of its descendant in
+// parting.descendants. Triangles open in the order in which a falling alpha opens them; ties go by
+// the positions of their centres. An unassigned tetrahedron joins the set to which it opens. Two
+// descendants are never joined. Exact. Throws Cancelled.
 std::vector<std::uint32_t> watershed(const CavityGround& ground, const Membership& membership,
                                      const Cavities& found, std::uint32_t index,
                                      const NetworkParting& parting, const CancelToken& cancel = {});

@@ -1,4 +1,5 @@
-// See the header.
+// Samples the cavities along an axis of alpha, solvent radius or model. Links the cavities of a
+// table to the samples.
 #include "core/cavity_identity/cavity_curves.hpp"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ CurveSample sample_with(double at, const CavityTable& table, CurveNumbers number
 
 CavityTable table_of_balls(std::shared_ptr<const BallSet> balls, const CavityQuestion& question,
                            const CancelToken& cancel) {
-  const RunContext quiet{cancel, {}};  // the samples are the progress
+  const RunContext quiet{cancel, {}};  // reports nothing: progress is counted in samples
   auto triangulation = std::make_shared<const Triangulation>(make_triangulation(*balls, 1, quiet));
   const auto ground = std::make_shared<const CavityGround>(
       make_cavity_ground(std::move(balls), std::move(triangulation), FlowTies::perturbed, quiet));
@@ -66,7 +67,7 @@ CurveLinks link_by_sinks(const CavityCurves& curves, const CavityTable& table) {
   return links;
 }
 
-// Which cavity of a sample is each of the table.
+// For each cavity of the table the index of the same cavity in a sample, or kNone.
 std::vector<std::uint32_t> same_in(const CurveSample& sample, const CavityRegions& table,
                                    const BallSet& balls) {
   std::vector<std::uint32_t> same(table.sinks.size(), kNone);

@@ -1,4 +1,5 @@
-// See the header.
+// Matches the cavities of two tables: by deepest sinks in one triangulation, else by shared volume
+// in exact integers.
 #include "core/cavity_identity/cavity_identity.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 constexpr std::uint32_t kNone = CavityMatch::kNone;
 using Sink = std::array<BallIndex, 4>;
 
-// Six times the volume of a tetrahedron, cubic lattice units: below 2^95. A cavity has fewer than
+// Six times the volume of a tetrahedron in cubic lattice units, below 2^95. A cavity has fewer than
 // 2^31 tetrahedra, so sums stay below 2^126.
 Int128 six_volumes(const BallSet& balls, const std::array<BallIndex, 4>& corners) {
   const auto from_first = [&](std::size_t k) {
@@ -32,7 +33,8 @@ struct Share {
   Int128 volume;
 };
 
-// The larger share; of equal ones, the cavity whose sink comes first by the places of its centres.
+// Keeps for each cavity the candidate of the largest share. Among equal shares it keeps the
+// candidate whose sink comes first by the positions of its centres.
 class Largest {
  public:
   Largest(std::size_t cavities, std::span<const Sink> sinks, const BallSet& balls)
@@ -56,7 +58,7 @@ class Largest {
   const BallSet& balls_;
 };
 
-// Adds up what single tetrahedra share, later cavity by later cavity.
+// Adds up the shares of single tetrahedra, one later cavity after the other.
 class ShareSums {
  public:
   explicit ShareSums(std::size_t earlier) : sum_(earlier, 0), last_(earlier, kNone) {}
@@ -67,7 +69,7 @@ class ShareSums {
     }
     sum_[earlier] += volume;
   }
-  // Of the later cavity that was added to.
+  // Appends the sums of the later cavity that was added to.
   void finish(std::uint32_t later, std::vector<Share>& shares) {
     for (const std::uint32_t earlier : touched_) shares.push_back({earlier, later, sum_[earlier]});
     touched_.clear();
@@ -96,7 +98,7 @@ std::vector<Sink> sinks_of(const CavityTable& table) {
   return sinks;
 }
 
-// Of each tetrahedron of `later`, the first one of `earlier` that does not come before it.
+// For each tetrahedron of `later` the index of the first one of `earlier` that is not less.
 std::vector<std::uint32_t> places_in(const Simplices<4>& earlier, const Simplices<4>& later) {
   std::vector<std::uint32_t> places(later.size());
   std::uint32_t at = 0;
@@ -117,7 +119,7 @@ LatticePlace centroid(const BallSet& balls, const std::array<BallIndex, 4>& corn
   return place;
 }
 
-// The earlier cavity in which each tetrahedron of a later cavity has its centroid, or kNone.
+// For each tetrahedron of a later cavity the earlier cavity that contains its centroid, or kNone.
 class CentroidCavities {
  public:
   CentroidCavities(const CavityTable& earlier, const CavityTable& later)
@@ -137,13 +139,14 @@ class CentroidCavities {
   }
 
  private:
-  // What comes next in the list has most balls in common with it, so the search begins there.
+  // The next tetrahedron in the list shares most balls with it, so the search begins there.
   std::uint32_t of(std::size_t t) const {
     const auto& tetrahedra = earlier_.ground->triangulation->tetrahedra;
     const auto& corners = later_.ground->triangulation->tetrahedra[t];
     std::uint32_t at = std::min(places_[t], static_cast<std::uint32_t>(tetrahedra.size() - 1));
     if (tetrahedra[at] != corners) {
-      // On the lattice of the earlier balls, which may be finer or coarser: both hold all centres.
+      // Uses the earlier balls' lattice. It may be finer or coarser than the later one, but both
+      // contain all centres.
       at = locator_.find(centroid(*earlier_.ground->balls, corners), at);
     }
     return at == PointLocator::kOutside ? kNone : earlier_.found.cavity_of_tetrahedron[at];
@@ -154,8 +157,7 @@ class CentroidCavities {
   const PointLocator locator_;
 };
 
-// In one triangulation cavities only split as alpha grows, and the deepest sink tells which is
-// which.
+// In one triangulation cavities only split as alpha grows. So deepest sinks identify them.
 CavityMatch match_by_sinks(const CavityTable& earlier, const CavityTable& later) {
   const auto at_sinks = [](const CavityTable& of, const CavityTable& in) {
     std::vector<std::uint32_t> cavities;

@@ -1,10 +1,10 @@
-// Which cavity of one table is which of another one of the same atoms.
+// Matches the cavities of two tables of the same atoms.
 //
-// In one triangulation, at two alphas, a cavity is known by its deepest sink. With another solvent
-// radius, or atoms in other places, the triangulations differ, and the volume that two cavities
-// share decides: that of the tetrahedra of the later one whose centroids lie in the earlier one. A
-// tetrahedron of the same four balls in both counts as a whole. The volumes are whole numbers on
-// the lattice, so no rounding decides.
+// In one triangulation, at two alphas, a cavity is identified by its deepest sink. With another
+// solvent radius or other positions of the atoms the triangulations differ. Then the volume that
+// two cavities share decides. It is that of the later cavity's tetrahedra whose centroids lie in
+// the earlier one. A tetrahedron of the same four balls in both counts as a whole. Volumes are
+// whole numbers on the lattice, so no rounding decides.
 #pragma once
 
 #include <array>
@@ -15,44 +15,45 @@
 
 namespace alphascope {
 
-// Indices are those of Cavities::cavities. Of equal shares the cavity of the sink that comes first
-// counts as the larger one, in lexicographic order of its centres where they are later.
+// Indices are those of Cavities::cavities. Among equal shares that of the first sink counts as the
+// larger one. Sinks are compared by their centres, in lexicographic order, at the later positions.
 struct CavityMatch {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  // Of each later cavity the earlier one that it shares most with, in one triangulation the one
-  // that its deepest sink is in; kNone: it is new.
+  // For each later cavity the earlier one that it shares the largest volume with. In one
+  // triangulation: the one that contains its deepest sink. kNone: the cavity is new.
   std::vector<std::uint32_t> came_from;
-  // Of each earlier cavity the later one, likewise; kNone: it is gone.
+  // For each earlier cavity the later one, likewise. kNone: the cavity is gone.
   std::vector<std::uint32_t> goes_to;
 
-  // Does the later one carry on the earlier one's identity, colour, selection? Each is
-  // what the other one names.
+  // Returns whether the later cavity inherits the earlier one's identity, colour and selection:
+  // each must be the other's match.
   bool is_same(std::uint32_t later) const {
     return came_from[later] != kNone && goes_to[came_from[later]] == later;
   }
-  // The later cavities that came from an earlier one, ascending: two or more, and it has split.
+  // The later cavities that came from an earlier one, ascending. Two or more: it has split.
   std::vector<std::uint32_t> parts(std::uint32_t earlier) const;
-  // The earlier cavities that go to a later one, ascending: two or more, and they have merged.
+  // The earlier cavities that go to a later one, ascending. Two or more: they have merged.
   std::vector<std::uint32_t> sources(std::uint32_t later) const;
 
   friend bool operator==(const CavityMatch&, const CavityMatch&) = default;
 };
 
-// Both of balls with the same indices, else std::invalid_argument. Works in the caller's task
-// arena; the same for any number of threads. Throws Cancelled.
+// Both tables must be of balls with the same indices. Works in the caller's task arena; the result
+// does not depend on the number of threads. Throws Cancelled, and std::invalid_argument if the
+// numbers of balls differ.
 CavityMatch match_cavities(const CavityTable& earlier, const CavityTable& later,
                            const CancelToken& cancel = {});
 
-// What of a table is needed to match it later, without its triangulation.
+// The part of a table that a later match needs, without its triangulation.
 struct CavityRegions {
-  Simplices<4> tetrahedra;                      // of all cavities, in lexicographic order
-  std::vector<std::uint32_t> cavity;            // of each tetrahedron
-  std::vector<std::array<BallIndex, 4>> sinks;  // of each cavity, its deepest
+  Simplices<4> tetrahedra;                      // all cavities' tetrahedra, in lexicographic order
+  std::vector<std::uint32_t> cavity;            // for each tetrahedron
+  std::vector<std::array<BallIndex, 4>> sinks;  // for each cavity its deepest sink
 };
 CavityRegions regions_of(const CavityTable& table);
 
-// By tetrahedra of the same four balls alone. `balls`: where they are later.
+// Matches by tetrahedra of the same four balls alone. `balls` are at the later positions.
 CavityMatch match_regions(const CavityRegions& earlier, const CavityRegions& later,
                           const BallSet& balls);
 

@@ -1,4 +1,4 @@
-// See the header.
+// Gives cavities numbers that stay while alpha or the solvent radius changes.
 #include "core/cavity_identity/cavity_numbers.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ void note_changes(const CavityNumbers& before, const CavityMatch& match, CavityN
   }
 }
 
-// Whose sink comes back is a cavity of its own again.
+// Notes which cavities merged into which. A cavity whose number is in use again leaves the list.
 void note_heirs(const CavityNumbers& before, const CavityMatch& match, CavityNumbers& numbers) {
   numbers.merged_into = before.merged_into;
   for (std::uint32_t e = 0; e < match.goes_to.size(); ++e) {
@@ -51,7 +51,7 @@ void note_heirs(const CavityNumbers& before, const CavityMatch& match, CavityNum
   for (const std::uint32_t number : numbers.of) numbers.merged_into.erase(number);
 }
 
-// All without a number, and without a past.
+// Numbers of a table in which all entries are still kNone or 0.
 CavityNumbers blank_numbers(std::shared_ptr<const CavityTable> table) {
   CavityNumbers numbers;
   const std::size_t size = table->found.cavities.size();
@@ -70,7 +70,8 @@ std::uint32_t CavityNumbers::cavity(std::uint32_t number) const {
 }
 
 std::uint32_t CavityNumbers::cavity_or_heir(std::uint32_t number) const {
-  // Each step leads to what was there later, so none comes twice but for one that came back.
+  // Each step leads to a later cavity, so only a cavity that came back can occur twice. The bound
+  // of steps ends such circles.
   for (std::size_t step = 0; step <= merged_into.size(); ++step) {
     const std::uint32_t found = cavity(number);
     const auto heir = merged_into.find(number);

@@ -1,5 +1,5 @@
-// Numbers that cavities keep while alpha or the solvent radius slides, for what stays with them:
-// colours, labels, what is chosen.
+// Numbers that cavities keep while alpha or the solvent radius changes. Colours, labels and the
+// selection follow them.
 #pragma once
 
 #include <array>
@@ -14,30 +14,31 @@ namespace alphascope {
 
 struct CavityNumbers {
   std::shared_ptr<const CavityTable> table;
-  std::vector<std::uint32_t> of;  // of each of found.cavities; no two are equal
-  // Of every sink that a cavity had so far: one that comes back gets its number again.
+  std::vector<std::uint32_t> of;  // for each of found.cavities; all are different
+  // The number of every sink that a cavity had so far. A sink that comes back gets its number
+  // again.
   std::map<std::array<BallIndex, 4>, std::uint32_t> known;
-  std::uint32_t used = 0;   // all numbers are below
-  std::uint64_t steps = 0;  // next_numbers() since first_numbers()
-  // What the last step did to each of found.cavities: the number of the cavity that it has parted
-  // from, or kNone; and how many cavities have merged into it.
+  std::uint32_t used = 0;   // all numbers are below this
+  std::uint64_t steps = 0;  // calls of next_numbers() since first_numbers()
+  // The changes of the last step for each of found.cavities. `parted_from` is the number of the
+  // cavity from which it parted, or kNone. `merged` is how many cavities merged into it.
   std::vector<std::uint32_t> parted_from, merged;
-  // Of cavities that are none of their own now, because they have merged into another one: the
-  // number that this one had then.
+  // For each number whose cavity merged into another: the number of that other cavity at that time.
   std::map<std::uint32_t, std::uint32_t> merged_into;
 
-  // The cavity of a number, or CavityMatch::kNone.
+  // The index of the cavity with a number, or CavityMatch::kNone.
   std::uint32_t cavity(std::uint32_t number) const;
-  // The same, or the one that it has merged into.
+  // The same; if that cavity has merged, the one into which it merged.
   std::uint32_t cavity_or_heir(std::uint32_t number) const;
 };
 
-// By rows: 0 for the largest SA volume.
+// Numbers go by rows: 0 for the largest SA volume.
 CavityNumbers first_numbers(std::shared_ptr<const CavityTable> table);
 
-// A cavity that carries on an earlier one's identity keeps its number, another one gets the number
-// that its sink had before, and if there is none or another cavity has it now, a new one. Of balls
-// with other indices: first_numbers(). As match_cavities().
+// A cavity that is the same as an earlier one keeps its number. Another one gets the number that
+// its sink had before. If there is none, or another cavity has it now, it gets a new number. If the
+// number of balls differs, the result is that of first_numbers(). Threads and exceptions as
+// match_cavities().
 CavityNumbers next_numbers(const CavityNumbers& before, std::shared_ptr<const CavityTable> table,
                            const CancelToken& cancel = {});
 

@@ -1,4 +1,4 @@
-// See the header.
+// Finds the cavity of each given point.
 #include "core/cavity_identity/cavity_of_points.hpp"
 
 #include "core/run/parallel.hpp"

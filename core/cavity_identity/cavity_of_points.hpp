@@ -1,4 +1,4 @@
-// Which cavity holds a point, such as the centre of an atom that is no ball.
+// The cavity that contains a point, such as the centre of an atom that is no ball.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,11 @@
 
 namespace alphascope {
 
-// Of each place (lattice of the ground's balls) the index of the cavity of found.cavities in whose
-// tetrahedra it lies, as PointLocator decides, or Cavities::kNone. A cavity's tetrahedra reach into
-// the balls around it, so a point that is nearer to an atom than its radius can be in it. Works in
-// the caller's task arena; the same for any number of threads. Throws Cancelled.
+// Returns for each place (on the lattice of the ground's balls) an index in found.cavities, or
+// Cavities::kNone. PointLocator decides whose tetrahedra contain the place. A cavity's tetrahedra
+// reach into the balls around it. So a point within the radius of an atom can be in a cavity. Works
+// in the caller's task arena; the result does not depend on the number of threads. Throws
+// Cancelled.
 std::vector<std::uint32_t> cavities_at(const CavityTable& table,
                                        std::span<const LatticePlace> places,
                                        const CancelToken& cancel = {});

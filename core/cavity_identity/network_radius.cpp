@@ -1,4 +1,5 @@
-// See the header.
+// Searches the solvent radius at which a network falls apart: a guess from alpha, then strides and
+// halving.
 #include "core/cavity_identity/network_radius.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ class RadiusSearch {
   }
 
  private:
-  // What is left of the network with another radius.
+  // The cavities into which the network turns with another radius.
   struct Left {
     std::size_t networks = 0, cavities = 0;
     double largest_volume_sa_angstrom3 = 0;
@@ -54,8 +55,9 @@ class RadiusSearch {
 
   bool is_network_at(int step) { return step < first_ || at(step).networks > 0; }
 
-  // A step without a network behind one with it, by longer and longer strides from the guess, then
-  // by halves. Where it is one at all steps that are met: the last.
+  // Returns a step without a network that follows one with it. Strides from the guess double until
+  // both are found; then the interval is halved. If all tested steps have a network, returns the
+  // last step.
   int first_without(int guess) {
     int with = first_ - 1, without = guess;
     if (is_network_at(guess)) {
@@ -96,7 +98,7 @@ class RadiusSearch {
     end_.parts = parting->descendants.size();
   }
 
-  // The solvent radius that makes balls of a middle size grow as much as that alpha does.
+  // The solvent radius that makes a ball of mean radius grow as much as that alpha does.
   int guess() const {
     if (!end_.alpha_angstrom2) return first_;
     const std::vector<BallIndex>& atoms = table_.found.cavities[cavity_].atoms;
@@ -142,7 +144,7 @@ class RadiusSearch {
   const std::uint32_t cavity_;
   const NetworkSearch search_;
   const RunContext& context_;
-  int first_ = 0, last_ = 0;  // of the steps that are tried
+  int first_ = 0, last_ = 0;  // range of steps that may be tried
   std::map<int, Left> known_;
   NetworkEnd end_;
 };

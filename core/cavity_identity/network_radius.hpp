@@ -1,4 +1,4 @@
-// At which solvent radius a network falls apart: searched for with new triangulations.
+// The solvent radius at which a network falls apart, found with new triangulations.
 #pragma once
 
 #include <optional>
@@ -8,34 +8,36 @@
 
 namespace alphascope {
 
-// What RunContext::progress is told.
+// The stage name given to RunContext::progress.
 inline constexpr std::string_view kNetworkStage = "where networks fall apart";
 
-// Radii that are tried are multiples of this, up to so much more than that of the network.
+// Tested radii are multiples of the step (Å). They reach up to this much (Å) above the radius of
+// the network.
 inline constexpr double kNetworkStepAngstrom = 0.1, kNetworkReachAngstrom = 20;
 
 struct NetworkEnd {
-  // As in NetworkParting, and how many cavities are left of it there. None: at no alpha.
+  // NetworkParting's alpha and its number of descendants. Empty: the network does not fall apart at
+  // any alpha.
   std::optional<Alpha> alpha_angstrom2;
   std::size_t parts = 0;
-  // No cavity that came from it (CavityMatch) is a network with this solvent radius; one step below
-  // there is one, or that is not above the radius of the network. None: it is one with all radii
-  // that were tried.
+  // With this solvent radius no cavity that came from the network (CavityMatch) is a network. One
+  // step below there still is one, or the radius is not above the network's. Empty: there is a
+  // network at all tested radii.
   std::optional<double> radius_angstrom;
-  double largest_radius_angstrom = 0;      // that may be tried
-  std::size_t cavities = 0;                // that came from it
-  double largest_volume_sa_angstrom3 = 0;  // of these
-  int triangulations = 0;                  // what it cost
+  double largest_radius_angstrom = 0;      // upper end of the radii that may be tried
+  std::size_t cavities = 0;                // number of cavities that came from the network
+  double largest_volume_sa_angstrom3 = 0;  // the largest of these
+  int triangulations = 0;                  // number of triangulations, the main cost
 };
 
 struct NetworkSearch {
-  int threads = 1;                      // of each triangulation
+  int threads = 1;                      // for each triangulation
   FlowTies ties = FlowTies::perturbed;  // as for the ground of the table
 };
 
-// `cavity`: an index of table.found.cavities that is a network; `balls`: those of the table without
-// the solvent radius. Works in the caller's task arena; the same for any number of threads. Throws
-// Cancelled, and std::invalid_argument where it is no network.
+// `cavity` is the index in table.found.cavities of a network. `balls` are those of the table
+// without the solvent radius. Works in the caller's task arena; the result does not depend on the
+// number of threads. Throws Cancelled, and std::invalid_argument if the cavity is not a network.
 NetworkEnd find_network_end(const BallSet& balls, const CavityTable& table, std::uint32_t cavity,
                             const NetworkSearch& search = {}, const RunContext& context = {});
 

@@ -1,4 +1,4 @@
-// See the header.
+// Locates points by walking through tetrahedra, with exact tests and a grid of starts.
 #include "core/cavity_identity/point_location.hpp"
 
 #include <algorithm>
@@ -16,18 +16,18 @@ Vector difference(const LatticePoint& a, const LatticePoint& b) {
   return {std::int64_t{a.x} - b.x, std::int64_t{a.y} - b.y, std::int64_t{a.z} - b.z};
 }
 
-// On which side of the plane through a with this normal, +1 where the normal points to. Bits:
-// coordinates of the normal 61, of the difference 30 and 2 of `times`.
+// Returns on which side of the plane through `a` with this normal a place is: +1 where the normal
+// points. Bits needed: 61 for coordinates of the normal, 30 for the difference, 2 for `times`.
 int side_of_plane(const LatticePoint& a, const Vector& normal, const LatticePlace& place) {
   const Int128 along = static_cast<Int128>(normal.x) * (place.x - std::int64_t{place.times} * a.x) +
                        static_cast<Int128>(normal.y) * (place.y - std::int64_t{place.times} * a.y) +
                        static_cast<Int128>(normal.z) * (place.z - std::int64_t{place.times} * a.z);
   if (along != 0) return sign_of(along);
   const std::int64_t moved = normal.x != 0 ? normal.x : normal.y != 0 ? normal.y : normal.z;
-  return moved > 0 ? 1 : -1;  // no face is a line, so the normal is not 0
+  return moved > 0 ? 1 : -1;  // The normal is not 0, because no face is a line.
 }
 
-// Is the place beyond the face of these four balls that faces number k?
+// Returns whether the place is beyond the face opposite ball number k of these four.
 bool is_beyond(const LatticePlace& place, const std::vector<LatticePoint>& centres,
                const std::array<BallIndex, 4>& balls, std::size_t k) {
   const LatticePoint& a = centres[balls[k == 0 ? 1 : 0]];
@@ -62,9 +62,9 @@ void PointLocator::set_box() {
   }
 }
 
-// About one cell for every four vertices, where these fill the box.
+// Makes about one cell for every four vertices, if these fill the box.
 void PointLocator::set_cells() {
-  constexpr double kVertices = 4, kMostCells = 512;  // along one axis
+  constexpr double kVertices = 4, kMostCells = 512;  // cells along one axis
   const Vector size = difference(high_, low_);
   const double x = static_cast<double>(size.x) + 1, y = static_cast<double>(size.y) + 1,
                z = static_cast<double>(size.z) + 1;
@@ -83,7 +83,7 @@ void PointLocator::set_cells() {
     const LatticePoint& p = balls_.centres[v];
     near_[cell_of({p.x, p.y, p.z})] = t;
   }
-  std::uint32_t near = 0;  // empty cells begin where the last one does that is not
+  std::uint32_t near = 0;  // an empty cell takes the start of the last cell that is not empty
   for (std::uint32_t& t : near_) near = t = t == kOutside ? near : t;
 }
 

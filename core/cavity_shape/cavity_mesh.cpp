@@ -1,3 +1,4 @@
+// Makes the mesh of a cavity from its outer faces without mouths and passages.
 #include "core/cavity_shape/cavity_mesh.hpp"
 
 #include <algorithm>

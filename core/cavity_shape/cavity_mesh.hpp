@@ -1,4 +1,4 @@
-// The surface of a cavity's tetrahedra, for programs that draw meshes.
+// The surface of a cavity's tetrahedra as a mesh, for programs that draw meshes.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@ namespace alphascope {
 
 // Each triangle is counterclockwise when seen from outside the cavity.
 struct CavityMesh {
-  std::vector<RealPoint> points;  // Å; each once: centres of balls, by their index
+  std::vector<RealPoint> points;  // Å; centres of balls, each once, ordered by index
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// Of cavity `index` of `found`. Of a void it is closed, of a pocket open at the mouths, of
-// a part of a network at the passages as well.
+// The mesh of cavity `index` of `found`. It is closed for a void and open at the mouths of a
+// pocket. For a part of a network it is also open at the passages.
 CavityMesh cavity_mesh(const CavityGround& ground, const Cavities& found, std::uint32_t index);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Finds the widest places: in a cavity by ascent from a sink, in a mouth by refined grids.
 #include "core/cavity_shape/cavity_places.hpp"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace alphascope {
 namespace {
 
-// Up in one plane after the other, until no plane leads higher. From a cavity that grows wider and
-// wider outwards, the way up would leave it: then the start is as good.
+// Ascends in one plane after the other until none leads higher. If a cavity widens outwards, the
+// ascent would leave it. Then the start is returned.
 WidestPlace climbed(const Clearance& clearance, const RealPoint& start) {
   constexpr double kFarthest = 1.5, kStep = 0.2, kShortest = 1e-5, kGain = 1e-5;  // Å
   constexpr int kMostRounds = 40;
@@ -39,7 +39,7 @@ class MouthSearch {
   MouthSearch(const Clearance& clearance, const std::array<RealPoint, 3>& corners)
       : clearance_(clearance), corners_(corners) {}
 
-  // On a grid, then on finer and finer ones around the best.
+  // Searches a grid over the triangle, then finer grids around the best place.
   WidestPlace find() {
     constexpr int kSide = 8, kRefined = 4;
     for (int a = 0; a <= kSide; ++a) {
@@ -79,7 +79,8 @@ WidestPlace widest_place(const CavityGround& ground, const Cavity& cavity,
                          const Clearance& clearance) {
   const EmptySpace space(*ground.balls, *ground.triangulation);
   const double unit = ground.balls->lattice.unit_angstrom();
-  // The orthocentre of a sink is within it; so only these are surely in the cavity.
+  // Only the orthocentre of a sink lies within its tetrahedron. So only these are certainly in the
+  // cavity.
   WidestPlace best{{}, -std::numeric_limits<double>::infinity()};
   for (const std::uint32_t t : cavity.tetrahedra) {
     if (!ground.flow.is_sink(t)) continue;

@@ -1,4 +1,5 @@
-// The places of a cavity and of its mouths that are farthest from all balls: ends of channels.
+// The places of a cavity and of its mouths that are farthest from all balls. They can be ends of
+// channels.
 #pragma once
 
 #include "core/cavity/cavities.hpp"
@@ -8,17 +9,18 @@ namespace alphascope {
 
 struct WidestPlace {
   RealPoint place_angstrom;
-  double clearance_angstrom = 0;  // negative: within a ball
+  double clearance_angstrom = 0;  // negative: the place is within a ball
 };
 
-// `clearance` is of the balls as they are, without a solvent; the cavity of any radii and alpha.
+// `clearance` must be of the balls without a solvent radius. The cavity may be of any radii and
+// alpha.
 
-// Beside the orthocentre of a sink: a place to which the largest sphere near by rises. Where the
-// cavity has several chambers, of the widest.
+// A local maximum of clearance near the orthocentre of a sink. If the cavity has several chambers,
+// that of the widest.
 WidestPlace widest_place(const CavityGround& ground, const Cavity& cavity,
                          const Clearance& clearance);
 
-// On the triangles of the mouth, to some 0.01 Å.
+// The widest place on the mouth's triangles, to about 0.01 Å.
 WidestPlace widest_place(const CavityGround& ground, const Mouth& mouth,
                          const Clearance& clearance);
 

@@ -1,4 +1,4 @@
-// See the header.
+// Lists the faces, rims and a place of a cavity for drawing.
 #include "core/cavity_shape/cavity_shape.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What of a cavity can be drawn.
+// The parts of a cavity that can be drawn.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace alphascope {
 
-// Face `face` of a tetrahedron.
+// Face number `face` of a tetrahedron, opposite that vertex.
 struct OuterFace {
   std::uint32_t tetrahedron, face;
 };
-// What is around cavity `index` of `found`: the faces of its tetrahedra beyond which there is none
-// of them. They close; the triangles of its mouths are among them.
+// The outer faces of cavity `index` of `found`: only one side is one of its tetrahedra. They form a
+// closed surface that includes the mouths' triangles.
 std::vector<OuterFace> outer_faces(const CavityGround& ground, const Cavities& found,
                                    std::uint32_t index);
-// The same as balls.
+// The outer faces as triples of balls.
 Simplices<3> cavity_surface(const CavityGround& ground, const Cavities& found, std::uint32_t index);
 
-// The rims of its mouths: the edges that only one triangle of a mouth has.
+// The rims of the mouths: edges that belong to only one triangle of a mouth.
 Simplices<2> mouth_rims(const CavityGround& ground, const Cavity& cavity);
 
-// The middle of its deepest sink, Å: a place inside it.
+// The centroid of the deepest sink (Å), a place inside the cavity.
 RealPoint deepest_place_angstrom(const CavityGround& ground, const Cavity& cavity);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Fills a cavity with spheres around orthocentres, and thins them out if there are too many.
 #include "core/cavity_shape/filling_spheres.hpp"
 
 #include <algorithm>
@@ -38,9 +39,9 @@ FillingSphere sphere_at(const CavityGround& ground, const Cavity& cavity,
   return sphere;
 }
 
-// Spheres are in one cell when their radii have one binary exponent, and their centres are in one
-// cube of an edge of `share` times that power of two (Å). Such cubes are within the bounds of the
-// lattice, so that numbers of cubes are exact.
+// A cell of spheres: their radii have the same binary exponent, and their centres are in the same
+// cube. The cube's edge is `share` times that power of two (Å). Such cubes are within the bounds of
+// the lattice, so their indices are exact.
 struct Cell {
   std::array<std::int64_t, 4> place;
   friend bool operator==(const Cell&, const Cell&) = default;
@@ -64,7 +65,7 @@ Cell cell_of(const FillingSphere& sphere, double share) {
   return {{exponent, along(c.x), along(c.y), along(c.z)}};
 }
 
-// Of the spheres in each cell the first.
+// Keeps only the first sphere of each cell.
 void thin_out(std::vector<FillingSphere>& spheres, double share) {
   std::unordered_set<Cell, CellHash> taken(spheres.size());
   std::erase_if(spheres, [&](const FillingSphere& sphere) {
@@ -72,7 +73,7 @@ void thin_out(std::vector<FillingSphere>& spheres, double share) {
   });
 }
 
-// Larger ones first, and those at one place together.
+// Orders spheres by falling radius. Spheres at the same place are then neighbours.
 bool is_before(const FillingSphere& a, const FillingSphere& b) {
   const auto key = [](const FillingSphere& s) {
     const RealPoint& c = s.centre_angstrom;

@@ -1,3 +1,4 @@
+// Look-ups in the steps of a ball.
 #include "core/explain/ball_steps.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// How an engine finds the simplices of one ball, step after step, as data: numbers, and what is
-// kept and dropped. Sentences are made of them by core/document/explain/steps_text.hpp.
+// The steps in which an engine finds the simplices of one ball, as data: numbers, and the simplices
+// kept and dropped. Sentences are made of them in core/document/explain/steps_text.hpp.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace alphascope {
 enum class StepsEngine : std::uint8_t { tuples, dual_edges };
 
 enum class StepKind : std::uint8_t {
-  left_out,  // the ball is not in the grid at all
+  left_out,  // the ball is not in the grid
   grid,
   cube,
   pairs,    // edge optimisation
@@ -28,25 +28,25 @@ enum class StepKind : std::uint8_t {
   places,   // prefix sum
   filter,   // kernel II
   exact,    // kernel III
-  faces,    // the same tests of pairs, triples and the ball alone
-  // Of the dual-edge engine, which has grid and exact as well:
-  neighbours,  // kernel I: whose grown balls meet that of the ball
-  discs,       // kernel I: long lists are culled
-  edges,       // is anybody in conflict with an edge
+  faces,    // the same tests for pairs, triples and the ball alone
+  // Only in the dual-edge engine, which also has grid and exact:
+  neighbours,  // kernel I: balls whose grown balls meet that of the ball
+  discs,       // kernel I: culling of long lists
+  edges,       // tests whether a ball conflicts with an edge
   triangles,   // three balls that meet in pairs
-  clipping,    // kernel II: their dual edges
-  ends,        // what their ends decide: triangles and tetrahedra
+  clipping,    // kernel II: clipping of the triangles' dual edges
+  ends,        // triangles and tetrahedra, decided by the ends of dual edges
   vertex,
   beyond_range,  // alpha is too large for this engine
   too_many,
   result
 };
 
-// What a step counts. `here`: of tuples, those that the engine makes at this ball, because it is in
-// the lowest place of the grid; the others are made at another ball of theirs. The dual-edge engine
-// finds a simplex at its ball of the lowest index.
+// A number that a step counts. `here` counts the tuples that the engine makes at this ball. In
+// these the ball has the lowest place in the grid. Other tuples are made at another of their balls.
+// The dual-edge engine finds a simplex at its ball of the lowest index.
 struct StepCount {
-  std::string_view id;  // of the list below
+  std::string_view id;  // an identifier from the list below
   std::uint64_t all = 0;
   std::uint64_t here = 0;
 };
@@ -69,14 +69,15 @@ inline constexpr std::string_view kBalls = "balls_in_grid", kCells = "cells", kP
 
 enum class StepMark : std::uint8_t { chosen, kept, dropped, undecided };
 
-// For drawing and listing: the first kMostMarked tetrahedra or so, and how many there are.
+// Simplices to draw and list: the first kMostMarked of each dimension, and the number of the
+// others.
 struct MarkedSimplices {
   StepMark mark = StepMark::kept;
   Simplices<1> vertices = {};
   Simplices<2> edges = {};
   Simplices<3> triangles = {};
   Simplices<4> tetrahedra = {};
-  std::uint64_t left_out = 0;  // not in the lists
+  std::uint64_t left_out = 0;  // number of simplices that are not in the lists
 
   static constexpr std::size_t kMostMarked = 4000;
 };
@@ -92,42 +93,44 @@ struct StepSphere {
   double radius_angstrom = 0;
 };
 
-// What is left of a dual edge.
+// The rest of a dual edge after clipping.
 struct StepSegment {
   StepMark mark = StepMark::kept;
   std::array<BallIndex, 3> triangle{};
   RealPoint from_angstrom, to_angstrom;
 };
 
-// What a ball does to what is left of a dual edge. too_far: its plane is certainly beyond both
-// ends. unclear: the filter cannot tell which of two balls ends it.
+// The effect of a ball on the rest of a dual edge. For too_far its plane is certainly beyond both
+// ends. For unclear the filter cannot tell which of two balls ends the rest.
 enum class CutKind : std::uint8_t { too_far, nothing, moves_end, unclear, takes_rest };
 struct StepCut {
   BallIndex ball = 0;
   CutKind kind = CutKind::nothing;
-  // What is left after it: Å along `direction`, from `foot`. After takes_rest: before it.
+  // The rest after this ball: Å along `direction`, from `foot`. For takes_rest: the rest before it.
   double low_angstrom = 0, high_angstrom = 0;
 };
-// One dual edge, ball after ball, in the order of the engine.
+// One dual edge with the balls that clip it, in the engine's order.
 struct StepDualEdge {
-  StepMark mark = StepMark::kept;  // undecided: kernel III looks again
+  StepMark mark = StepMark::kept;  // undecided: kernel III decides
   std::array<BallIndex, 3> triangle{};
-  RealPoint foot_angstrom, direction;          // where the three powers are equal; a unit vector
-  double low_angstrom = 0, high_angstrom = 0;  // what is within alpha, before all cuts
+  // The point of equal power in the centres' plane, and the unit vector along the line of equal
+  // power.
+  RealPoint foot_angstrom, direction;
+  double low_angstrom = 0, high_angstrom = 0;  // the part within alpha, before all cuts
   std::vector<StepCut> cuts;
 
-  // From so many balls on nothing changed any more.
+  // The number of balls after which nothing changes any more.
   std::size_t settled_after() const;
 };
 
-// A ball in conflict with so many simplices of the step: it ends the test of each.
+// A ball in conflict with simplices of the step, and their number. It ends the test of each.
 struct StepRemover {
   BallIndex ball = 0;
   std::uint64_t simplices = 0;
-  std::vector<BallIndex> first;  // one of them
+  std::vector<BallIndex> first;  // one of these simplices
 };
 
-// So many tuples are made of a triple, and this is the place of the first.
+// The number of tuples made of a triple, and the place of the first.
 struct StepPlace {
   std::array<BallIndex, 3> triple{};
   std::uint64_t tuples = 0, place = 0;
@@ -135,23 +138,24 @@ struct StepPlace {
 
 struct Step {
   StepKind kind = StepKind::grid;
-  bool off = false;  // its optimisation is switched off
+  bool off = false;  // whether the step's optimisation is switched off
   std::vector<StepCount> counts;
   std::vector<MarkedSimplices> marks;
   std::vector<StepBox> boxes;
-  std::vector<StepRemover> removers;  // by how many, descending
-  std::vector<StepPlace> places;      // the first few
-  double length_angstrom = 0;  // of a cell's side; half the side of the cube; the grown radius
-  // Of the dual-edge engine:
+  std::vector<StepRemover> removers;  // by falling number of simplices
+  std::vector<StepPlace> places;      // only the first few
+  // Grid: side of a cell; cube: half its side; neighbours: the grown radius
+  double length_angstrom = 0;
+  // Only in the dual-edge engine:
   std::vector<StepSphere> spheres;
-  std::vector<StepSegment> segments;     // the first MarkedSimplices::kMostMarked
+  std::vector<StepSegment> segments;     // at most MarkedSimplices::kMostMarked
   std::vector<StepDualEdge> dual_edges;  // the first few of each fate
 
-  // Throws std::out_of_range.
+  // Throws std::out_of_range if the step has no such count.
   const StepCount& count(std::string_view id) const;
 };
 
-// Why a ball takes no part.
+// The reason why a ball takes no part.
 enum class LeftOut : std::uint8_t { no, empty, hidden };
 
 struct BallSteps {
@@ -162,24 +166,25 @@ struct BallSteps {
   TupleOptions options;  // of the tuple engine
   LeftOut left_out = LeftOut::no;
   std::vector<Step> steps;
-  // The simplices of the alpha complex that contain the ball; none after `too_many`.
+  // The simplices of the alpha complex that contain the ball; empty after `too_many`.
   AlphaComplex star;
 
-  const Step* find(StepKind kind) const;  // null: there is none
+  const Step* find(StepKind kind) const;  // null if there is none
 };
 
-// More 4-tuples of one ball are not looked at.
+// The bound for 4-tuples of one ball; above it the steps end with `too_many`.
 inline constexpr std::uint64_t kMostTuplesOfBall = 1'000'000;
 
-// The steps of the thesis' pipeline. Throws std::invalid_argument (no such ball, alpha is NaN),
-// Cancelled.
+// The steps of the tuple engine. Throws std::invalid_argument if there is no such ball or alpha is
+// NaN, and Cancelled.
 BallSteps tuple_steps(const BallSet& balls, BallIndex ball, const LatticeAlpha& alpha_on_lattice,
                       const TupleOptions& options, const RunContext& context = {});
 
-// More dual edges of one ball are not looked at.
+// The bound for dual edges of one ball; above it the steps end with `too_many`.
 inline constexpr std::uint64_t kMostDualEdgesOfBall = 200'000;
 
-// The steps of the dual-edge engine as it runs on the CPU, whole complex. The same exceptions.
+// The steps of the dual-edge engine as it runs on the CPU for a whole complex. Throws as
+// tuple_steps().
 BallSteps dual_edge_steps(const BallSet& balls, BallIndex ball,
                           const LatticeAlpha& alpha_on_lattice, const RunContext& context = {});
 

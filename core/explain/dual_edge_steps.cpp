@@ -1,6 +1,7 @@
-// One ball's way through the dual-edge engine: the engine's own code (core/dual_edge) with a sink.
-// The engine finds a simplex at its ball of the lowest index. So it is run with the chosen ball and
-// with those of its neighbours that come before, of which only what has the chosen ball counts.
+// The steps of one ball in the dual-edge engine. They run the engine's own code (core/dual_edge)
+// with a sink. The engine finds a simplex at its ball of the lowest index. So it runs for the
+// chosen ball and for those neighbours of lower index. Only simplices that contain the chosen ball
+// count.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,7 +77,8 @@ class DualEdgeSteps {
   void result_step();
 
   BallIndex ball(std::uint32_t slot) const { return grid_.ball[slot]; }
-  // A neighbour whose edge, and so on, is found at this ball.
+  // Returns whether the neighbour has a higher index. Simplices with it are then found at this
+  // ball.
   bool is_later(std::uint32_t slot) const { return ball(slot) > result_.ball; }
   Tally neighbours() const {
     Tally all;
@@ -98,7 +100,7 @@ class DualEdgeSteps {
   std::uint32_t slot_ = 0;
   std::vector<std::uint32_t> list_;  // slots of the neighbours, ascending by ball
   DualEdgeTrace trace_;
-  std::map<BallIndex, BlockOutput> found_;  // at the ball and its earlier neighbours
+  std::map<BallIndex, BlockOutput> found_;  // for the ball and its neighbours of lower index
   VertexState vertex_ = VertexState::absent;
   BallSteps result_;
 };
@@ -282,11 +284,12 @@ void DualEdgeSteps::vertex_step() {
       vertex_ == VertexState::unattached ? StepMark::kept : StepMark::undecided;
 }
 
-// As the engine does it for all balls: triangles tell their edges, and these their vertices.
+// Completes the star as the engine does for all balls: edges follow from triangles, vertices from
+// edges.
 void DualEdgeSteps::gather() {
   AlphaComplex& star = result_.star;
-  // Third edges without the ball are other balls'. Nothing is asked about them; like all lists here
-  // these are in lexicographic order.
+  // Third edges, which lack the ball, belong to other balls and are not tested. All lists here, and
+  // so these, are in lexicographic order.
   std::map<BallIndex, BlockOutput> others;
   for (const auto& [lowest, out] : found_) {
     for (std::size_t n = 0; n < out.triangles.simplices.size(); ++n) {

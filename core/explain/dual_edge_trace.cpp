@@ -1,3 +1,4 @@
+// Counts and lists what the dual-edge engine reports about one ball's simplices.
 #include "core/explain/dual_edge_trace.hpp"
 
 #include <cmath>
@@ -5,7 +6,7 @@
 namespace alphascope {
 namespace {
 
-// Followed ball after ball, of each fate.
+// The number of dual edges of each fate that are followed ball by ball.
 constexpr std::size_t kMostSamples = 8;
 
 RealPoint real_point(const Vector3<double>& v) {
@@ -112,7 +113,7 @@ void DualEdgeTraceSink::operator()(const DualEdge<double>& edge, int m,
   current_.unsure = !edge.ends_certain();
   current_.edge = edge;
   StepDualEdge& steps = current_.steps;
-  // What is gone has no ends.
+  // An empty rest has no ends, so the ends before this cut are kept.
   const double low = !gone                ? -size * edge.low().t
                      : steps.cuts.empty() ? steps.low_angstrom
                                           : steps.cuts.back().low_angstrom,
@@ -152,7 +153,7 @@ void DualEdgeTraceSink::operator()(const FaceNote& note) const {
   if (left) decided(note.face);
 }
 
-// Kernel II.
+// Notes the result of kernel II.
 void DualEdgeTraceSink::filtered(bool open) const {
   Fates& fates = trace_.filter;
   fates.tested.add(here());
@@ -177,7 +178,7 @@ void DualEdgeTraceSink::filtered(bool open) const {
   }
 }
 
-// Kernel III.
+// Notes the result of kernel III.
 void DualEdgeTraceSink::exactly() const {
   Fates& fates = trace_.exact;
   fates.tested.add(here());
@@ -193,7 +194,7 @@ void DualEdgeTraceSink::exactly() const {
   }
   fates.valid.add(here());
   alphascope::add<3>(fates.kept, current_.triangle);
-  // For a picture, the ends in double precision. Kernel II may have had other ones.
+  // The ends are computed in double precision, for a picture. Kernel II may have had other ends.
   const auto [high, low] = *current_.ends;
   if (!current_.edge) return;
   const DualEdge<double>& edge = *current_.edge;
@@ -205,7 +206,7 @@ void DualEdgeTraceSink::exactly() const {
   add(trace_.exact_segments, segment(edge, end(high, edge.high()), end(low, edge.low())));
 }
 
-// Something is left of it.
+// Notes the triangle and tetrahedra of a dual edge that has a rest.
 void DualEdgeTraceSink::decided(const TriangleFace& face) const {
   const std::array<BallIndex, 3>& triangle = current_.triangle;
   trace_.left.add(here());

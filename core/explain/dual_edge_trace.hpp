@@ -1,5 +1,4 @@
-// What BallSimplices tells of the simplices of one ball, counted and listed. Inner header of
-// core/steps.
+// Collects reports of BallSimplices about the simplices of one ball. Inner header of core/explain.
 #pragma once
 
 #include <array>
@@ -14,16 +13,17 @@
 
 namespace alphascope {
 
-// Of all simplices with the ball, at whichever of their balls the engine finds them.
+// Numbers and lists for all simplices with the ball, at whichever of their balls the engine finds
+// them.
 struct DualEdgeTrace {
-  // The ball's own list of neighbours.
-  std::uint64_t coverers = 0;     // that were tried
-  std::vector<BallIndex> listed;  // that may cut
-  std::vector<BallIndex> facing;  // of them: that may have a facet
+  // About the ball's own list of neighbours:
+  std::uint64_t coverers = 0;     // number of coverers that were tried
+  std::vector<BallIndex> listed;  // neighbours that may cut
+  std::vector<BallIndex> facing;  // those of them that may have a facet
 
   Fates edges;  // conflict: attached; band: integers were needed
   Choice triples;
-  Fates filter, exact;  // dual edges; valid: something is left
+  Fates filter, exact;  // of dual edges; valid: a rest is left
   Tally outside, held, far, moved;
   std::vector<StepSegment> filter_segments, exact_segments;
   std::vector<StepDualEdge> samples;
@@ -32,16 +32,16 @@ struct DualEdgeTrace {
   std::set<std::array<BallIndex, 4>> tetrahedra;
 };
 
-// Thrown through the engine's code.
+// Thrown through the engine's code if a ball has more than kMostDualEdgesOfBall.
 struct TooManyDualEdges {};
 
 class DualEdgeTraceSink final : public BallSimplicesSink {
  public:
-  // What is about `ball` goes to `trace`.
+  // Writes the reports about `ball` to `trace`.
   DualEdgeTraceSink(const BallSet& balls, BallIndex ball, const RunContext& context,
                     DualEdgeTrace& trace)
       : balls_(balls), about_(ball), context_(context), trace_(trace) {}
-  // The next run of BallSimplices is with the ball `from`.
+  // Must be called before BallSimplices runs for the ball `from`.
   void start(BallIndex from) { from_ = from; }
 
   bool wants(int j, int k) const override;
@@ -57,19 +57,20 @@ class DualEdgeTraceSink final : public BallSimplicesSink {
   void operator()(const FaceNote& note) const override;
 
  private:
-  // The dual edge at hand, as far as it is known.
+  // The current dual edge, as far as it is known.
   struct Current {
     std::array<BallIndex, 3> triangle{};
     int j = 0, k = 0;
-    // Kernel II: none when no point of the line is within alpha.
+    // The dual edge of kernel II; empty if no point of the line is within alpha.
     std::optional<DualEdge<double>> edge;
     StepDualEdge steps;
     bool unsure = false;
-    // Kernel III: it found both ends; and in either, who took the rest.
+    // `ends` is set if kernel III found both ends. `taken_by` is the ball that took the rest, in
+    // either kernel; -1: none.
     std::optional<std::array<int, 2>> ends;
     int taken_by = -1;
   };
-  // An edge at hand.
+  // The current edge.
   struct CurrentEdge {
     bool integers = false;
     int cut_by = -1;
@@ -90,7 +91,7 @@ class DualEdgeTraceSink final : public BallSimplicesSink {
   const RunContext& context_;
   DualEdgeTrace& trace_;
   BallIndex from_ = 0;
-  // Sinks are called as constants.
+  // Mutable because sinks are called as constants.
   mutable std::vector<BallIndex> list_;
   mutable CurrentEdge edge_;
   mutable Current current_;

@@ -1,3 +1,4 @@
+// Explains one simplex from the regular triangulation of a few balls around it.
 #include "core/explain/explanation.hpp"
 
 #include <algorithm>
@@ -19,8 +20,8 @@ namespace {
 
 using Balls = std::vector<BallIndex>;
 
-constexpr std::size_t kNearest = 6;  // shown
-constexpr std::size_t kFirst = 24;   // chosen at each point, to begin with
+constexpr std::size_t kNearest = 6;  // number of balls listed
+constexpr std::size_t kFirst = 24;   // number of balls chosen at each point to begin with
 
 template <int N>
 std::array<BallIndex, N> as_array(std::span<const BallIndex> simplex) {
@@ -29,7 +30,7 @@ std::array<BallIndex, N> as_array(std::span<const BallIndex> simplex) {
   return s;
 }
 
-// body(Orthosphere<N>)
+// Calls body with the Orthosphere<N> of a simplex of N balls.
 template <class Body>
 auto with_sphere(const BallSet& balls, std::span<const BallIndex> s, const Body& body) {
   switch (s.size()) {
@@ -50,7 +51,7 @@ double quotient(const ExactRho& rho) {
   return rho.numerator.near_double() / rho.denominator.near_double();
 }
 
-// The least first; what doubles cannot tell apart, by index.
+// Sorted by margin; margins that are equal in double precision, by index.
 std::vector<BallMargin> margins(const BallSet& balls, std::span<const BallIndex> simplex,
                                 const Balls& near) {
   const double rho = quotient(rho_of(balls, simplex));
@@ -74,7 +75,7 @@ std::vector<BallMargin> margins(const BallSet& balls, std::span<const BallIndex>
   return result;
 }
 
-// A complex, its simplices of N balls and of N + 1.
+// The list of a complex for simplices of N balls, and a simplex' place in it.
 template <int N>
 const SimplexList<N>& list_of(const AlphaComplex& complex) {
   if constexpr (N == 1) return complex.vertices;
@@ -89,7 +90,7 @@ std::optional<std::size_t> find(const SimplexList<N>& list, const std::array<Bal
   return static_cast<std::size_t>(at - list.simplices.begin());
 }
 
-// body(Size<N>) for the size of a simplex.
+// Calls body(Size<N>) for a simplex of N balls.
 template <int N>
 struct Size {
   static constexpr int value = N;
@@ -102,7 +103,7 @@ auto at_size(std::size_t size, const Body& body) {
                      : body(Size<4>{});
 }
 
-// The simplices around one, as a filtration of few balls knows them.
+// A simplex and its surroundings in the filtration of a few balls.
 class Surrounded {
  public:
   Surrounded(const BallSet& balls, const LocalStar& star, const RunContext& context)
@@ -159,7 +160,7 @@ class Surrounded {
     const auto& list = list_of<N>(filtration_.top());
     return list.alpha_values[*find<N>(list, s)];
   }
-  // visit(coface)
+  // Calls visit(coface) for each coface with one more ball.
   template <int N, class Visit>
   void for_cofaces(const std::array<BallIndex, N>& s, const Visit& visit) const {
     for (const auto& coface : list_of<N + 1>(filtration_.top()).simplices) {
@@ -183,7 +184,8 @@ class Surrounded {
     const double rho = quotient(rho_of(balls_, from));
     return {balls_.lattice.square_angstrom(rho), on_lattice, std::move(from)};
   }
-  // Of several cofaces of one float the one of the least exact value.
+  // The level of a simplex. For an attached one that of a coface with the same float; among
+  // several, that of the least exact value.
   template <int N>
   AlphaLevel value_of(const std::array<BallIndex, N>& s) const {
     const float value = float_of<N>(s);
@@ -201,7 +203,7 @@ class Surrounded {
     }
     return least;
   }
-  // Vertices of the largest simplices.
+  // The number of vertices of the largest simplices.
   std::size_t largest_size() const {
     return static_cast<std::size_t>(star_.triangulation.dimension) + 1;
   }
@@ -222,7 +224,8 @@ class Surrounded {
     return balls_.lattice.unit_angstrom() *
            (real_point(star_.balls->centres[s[0]]) + sphere.from_first_ball());
   }
-  // From the largest simplices, of N vertices, around the simplex, and from their faces there.
+  // Sets dual edges, hull and interior level. They follow from the largest simplices around the
+  // simplex (N balls) and from their faces there.
   template <int N>
   void fill_interior(const Balls& local, Explanation& e) const {
     const auto around = [&local](const auto& larger) {
@@ -242,7 +245,7 @@ class Surrounded {
       if (around(s)) lower(e.interior, value_of<N>(s), 1);
     }
   }
-  // Keeps the lower (sign -1) or the higher one.
+  // Keeps the lower (sign -1) or the higher (sign 1) of two levels.
   void lower(std::optional<AlphaLevel>& kept, AlphaLevel one, int sign) const {
     if (!kept || compare_exact(rho_of(balls_, one.from), rho_of(balls_, kept->from)) * sign > 0)
       kept = std::move(one);
@@ -253,7 +256,8 @@ class Surrounded {
   Filtration filtration_;
 };
 
-// The two balls that cut off the whole line on which three have equal power, or the one that does.
+// The two balls that together cut off three balls' whole line of equal power; or the one ball that
+// does so alone.
 Balls cutters_of_line(const BallSet& balls, const Balls& ijk, const Balls& chosen) {
   const LiftedInt j = lifted_vector(balls, ijk[0], ijk[1]),
                   k = lifted_vector(balls, ijk[0], ijk[2]);
@@ -262,7 +266,7 @@ Balls cutters_of_line(const BallSet& balls, const Balls& ijk, const Balls& chose
     if (std::binary_search(ijk.begin(), ijk.end(), m)) continue;
     const LiftedInt v = lifted_vector(balls, ijk[0], m);
     const int side = sign_of(determinant(j, k, v));
-    if (side == 0) {  // all of the line, or nothing
+    if (side == 0) {  // The ball cuts off all of the line or nothing.
       if (triangle_foot_cut(j, k, v) > 0) return {m};
       continue;
     }
@@ -276,7 +280,7 @@ Balls cutters_of_line(const BallSet& balls, const Balls& ijk, const Balls& chose
   return found;
 }
 
-// A ball of the same centre that hides this one (core/neighbours/coincident.hpp has the rule).
+// A ball of the same centre that hides ball i, by the rule of core/neighbours/coincident.hpp.
 std::optional<BallIndex> twin_that_hides(const BallSet& balls, BallIndex i) {
   std::optional<BallIndex> best;
   for (BallIndex m = 0; m < balls.size(); ++m) {
@@ -289,7 +293,7 @@ std::optional<BallIndex> twin_that_hides(const BallSet& balls, BallIndex i) {
   return best;
 }
 
-// Which faces of a simplex there are, the smaller ones first; not itself.
+// All proper faces of a simplex, the smaller ones first.
 std::vector<Balls> proper_faces(const Balls& simplex) {
   std::vector<Balls> faces;
   for (unsigned bits = 1; bits + 1 < 1u << simplex.size(); ++bits) {
@@ -320,7 +324,7 @@ LocalStar star_of(const BallSet& balls, const Balls& simplex, const Explanation&
   return local_star(balls, simplex, std::move(first), context);
 }
 
-// Why `simplex` is absent, as far as it is its own fault and not that of a face.
+// Notes why `simplex` is absent if the reason is not the absence of a face.
 void own_absence(const BallSet& balls, const Balls& simplex, const Explanation& e,
                  const Balls& chosen, Explanation& to) {
   to.absence = Absence::cut_away;

@@ -1,8 +1,10 @@
-// The triangulation of the chosen balls is made; every tetrahedron around the simplex, and every
-// facet of the hull there, is then held against all other balls, and those that cut one off are
-// chosen too, until none is. A simplex that the chosen balls cut away is cut away by all balls.
-// What is left around the simplex is cut off by nobody, so all of it is in the triangulation of all
-// balls; and as it surrounds the simplex on all sides, or up to the hull, nothing else is there.
+// Finds balls whose triangulation has the simplex' true surroundings. First the chosen balls are
+// triangulated. Every tetrahedron around the simplex, and every hull facet there, is tested against
+// all other balls. Balls that cut one off are chosen too, until there are none.
+//
+// Correctness: a simplex that the chosen balls cut away is cut away by all balls. No ball cuts off
+// anything of the rest around the simplex. So all of the rest is in the triangulation of all balls.
+// It surrounds the simplex on all sides, or up to the hull, so nothing else is there.
 #include "core/explain/local_star.hpp"
 
 #include <cmath>
@@ -16,11 +18,11 @@
 namespace alphascope {
 namespace {
 
-// Far above the relative errors of the sums below, which are less than 2^-46: what is nearer to 0
-// is decided in integers.
+// Relative errors of the sums below are less than 2^-46, far below this. Values nearer to 0 are
+// decided in integers.
 constexpr double kDoubt = 1.0 / (std::int64_t{1} << 40);
 
-// A ball that cuts off a tetrahedron or a facet, and by how much; the worst one is wanted.
+// The ball that cuts off most of a tetrahedron or facet, with its excess; HUGE_VAL: no ball does.
 struct Worst {
   double excess = HUGE_VAL;
   BallIndex ball = 0;
@@ -63,13 +65,13 @@ class Corner {
   BallIndex i_;
   LiftedInt j_, k_;
   EndBall l_;
-  RealPoint x_;  // from ball i's centre
+  RealPoint x_;  // orthocentre, measured from ball i's centre
   double rho_ = 0;
 };
 
 class Outside {
  public:
-  // The balls are counterclockwise when seen from outside.
+  // The balls must be counterclockwise when seen from outside.
   Outside(const BallSet& balls, const std::array<BallIndex, 3>& f)
       : balls_(balls),
         i_(f[0]),
@@ -105,7 +107,7 @@ bool contains(const Simplex& larger, std::span<const BallIndex> simplex) {
   });
 }
 
-// What has to be held against all balls.
+// The tetrahedra and hull facets around the simplex, which are tested against all balls.
 struct Boundary {
   std::vector<Corner> corners;
   std::vector<Outside> outside;
@@ -126,8 +128,9 @@ struct Boundary {
     }
   }
 
-  // Whoever cuts off a corner has at most its power there, as has every ball of the simplex: grown
-  // by the largest rho they meet, so their centres are no farther apart than this squared.
+  // A square distance beyond which no ball can cut off a corner. Such a ball has at most the
+  // corner's power there, as has every ball of the simplex. Grown by the largest rho they therefore
+  // meet. So their centres are no farther apart than the root of the result.
   double reach_square(std::int64_t weight, std::int64_t other_weight) const {
     double rho = -HUGE_VAL;
     for (const Corner& corner : corners) rho = std::max(rho, corner.rho());
@@ -139,11 +142,11 @@ struct Boundary {
   }
 };
 
-// Those that cut off something around the simplex, the worst for each.
+// For each tetrahedron or facet around the simplex the ball that cuts off most of it.
 std::vector<BallIndex> cutters(const BallSet& balls, std::span<const BallIndex> simplex,
                                const LocalStar& star, const CancelToken& cancel) {
   Boundary boundary(balls, simplex, star);
-  if (boundary.corners.empty()) return {};  // the simplex is cut away
+  if (boundary.corners.empty()) return {};  // the chosen balls cut the simplex away
   const BallIndex i = simplex[0];
   const RealPoint p = real_point(balls.centres[i]);
   const std::int64_t largest =
@@ -190,7 +193,7 @@ LocalStar local_star(const BallSet& balls, std::span<const BallIndex> simplex,
   star.chosen = std::move(first);
   const std::vector<BallIndex> span = spanning_balls(balls, simplex[0]);
   star.chosen.insert(star.chosen.end(), span.begin(), span.end());
-  // All balls are in one plane or on one line: then all are taken.
+  // If all balls are in one plane or on one line, all are chosen.
   if (span.size() < 4) {
     star.chosen.resize(balls.size());
     std::iota(star.chosen.begin(), star.chosen.end(), BallIndex{0});

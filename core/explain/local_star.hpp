@@ -1,5 +1,5 @@
-// A triangulation of a few balls around a simplex that has the same simplices around it as the
-// triangulation of all balls.
+// A triangulation of a few balls that has the same simplices around a given simplex as that of all
+// balls.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace alphascope {
 
-// If the simplex is in `triangulation`, it is in that of all balls, and so is every simplex that
-// contains it, with the same neighbours; if it is not, it is in neither.
+// If the simplex is in `triangulation`, it is in that of all balls. So is every simplex that
+// contains it, with the same neighbours. If it is not in `triangulation`, it is in neither.
 struct LocalStar {
   std::vector<BallIndex> chosen;  // ascending; local ball n is ball chosen[n]
   std::shared_ptr<const BallSet> balls;
@@ -33,8 +33,8 @@ struct LocalStar {
   }
 };
 
-// `first`: balls that are likely to be needed, in any order, the simplex (ascending) among them.
-// Throws Cancelled.
+// `first` holds balls that are likely to be needed, in any order, including those of the simplex.
+// `simplex` is ascending. Throws Cancelled.
 LocalStar local_star(const BallSet& balls, std::span<const BallIndex> simplex,
                      std::vector<BallIndex> first, const RunContext& context);
 

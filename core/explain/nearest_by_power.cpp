@@ -1,3 +1,4 @@
+// Finds balls of least power distance by one pass with a heap for each point.
 #include "core/explain/nearest_by_power.hpp"
 
 #include <algorithm>
@@ -7,14 +8,15 @@
 namespace alphascope {
 namespace {
 
-// The `count` least of what it is given.
+// Keeps the `count` balls of least power distance among those offered.
 class Least {
  public:
   Least(PointAtBall at, const BallSet& balls, std::size_t count)
       : p_(real_point(balls.centres[at.ball])), twice_(2 * at.offset), count_(count) {}
 
   void offer(const BallSet& balls, BallIndex m) {
-    // Less what is the same for all. Squares of far points would swallow the differences.
+    // The squared offset is the same for all balls and left out. At far points it would swallow the
+    // differences.
     const RealPoint d = real_point(balls.centres[m]) - p_;
     const double r = balls.radii[m];
     const double power = dot(d, d) - r * r - dot(d, twice_);
@@ -35,7 +37,7 @@ class Least {
   }
 
  private:
-  RealPoint p_, twice_;  // a centre, and from there to the point, twice
+  RealPoint p_, twice_;  // a ball's centre, and twice the vector from it to the point
   std::size_t count_;
   double most_ = std::numeric_limits<double>::infinity();
   std::vector<std::pair<double, BallIndex>> heap_;

@@ -1,4 +1,4 @@
-// Which balls have the least power distance at a point: one pass over all of them.
+// The balls of least power distance at a point, found in one pass over all balls.
 #pragma once
 
 #include <span>
@@ -9,14 +9,15 @@
 
 namespace alphascope {
 
-// A point, as the vector from a ball's centre. Lattice units.
+// A point given as the vector from a ball's centre. Lattice units.
 struct PointAtBall {
   BallIndex ball;
   RealPoint offset;
 };
 
-// For each point up to `count` balls other than `without` (ascending), those of the least power
-// first. Powers are compared in double precision: this proposes, and decides nothing.
+// Returns for each point up to `count` balls other than `without` (ascending), by rising power
+// distance. Powers are compared in double precision, so the result is only a proposal and decides
+// nothing.
 std::vector<std::vector<BallIndex>> nearest_by_power(const BallSet& balls,
                                                      std::span<const PointAtBall> points,
                                                      std::span<const BallIndex> without,

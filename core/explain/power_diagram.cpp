@@ -1,4 +1,4 @@
-// See the header.
+// Cuts the faces of a power diagram as polygons out of planes.
 #include "core/explain/power_diagram.hpp"
 
 #include <algorithm>
@@ -10,9 +10,10 @@ namespace {
 
 using Polygon = std::vector<RealPoint>;
 
-constexpr double kBeyond = 0.1;  // of the diagonal of all balls, on each side
+// The box' extra margin on each side, as a share of the diagonal of all balls
+constexpr double kBeyond = 0.1;
 
-// What is kept: points x with normal · x <= offset.
+// The points x with normal · x <= offset are kept.
 struct HalfSpace {
   RealPoint normal;
   double offset = 0;
@@ -57,7 +58,7 @@ class Diagram {
               {{-1, 0, 0}, more - low.x}, {{0, -1, 0}, more - low.y}, {{0, 0, -1}, more - low.z}};
   }
 
-  // Less than three corners: they have no border.
+  // The border between the cells of a and b. Fewer than three corners: there is none.
   Polygon face(std::size_t a, std::size_t b) const {
     const auto of_a = least_beside(a, b);
     if (!of_a) return {};
@@ -68,14 +69,14 @@ class Diagram {
       if (const auto kept = least_beside(a, k)) {
         polygon = cut(polygon, *kept);
       } else if (squares_[k] > squares_[a] || (squares_[k] == squares_[a] && k < a)) {
-        return {};  // a has no cell
+        return {};  // ball a has no cell
       }
     }
     return polygon;
   }
 
  private:
-  // Where the power to a is at most that to b; none of balls with one centre.
+  // The half-space where the power to a is at most that to b; empty if both have one centre.
   std::optional<HalfSpace> least_beside(std::size_t a, std::size_t b) const {
     const RealPoint along = centres_[b] - centres_[a];
     const double distance = length(along);
@@ -85,7 +86,7 @@ class Diagram {
     return HalfSpace{normal, dot(normal, centres_[a]) + from_a};
   }
 
-  // A square of the border of a half-space that reaches beyond the box.
+  // A square in the half-space's border plane that reaches beyond the box.
   Polygon plane_of(const HalfSpace& half, const RealPoint& near) const {
     const RealPoint middle = near - half.beyond(near) * half.normal;
     RealPoint u, v;
@@ -96,9 +97,9 @@ class Diagram {
   }
 
   std::vector<RealPoint> centres_;  // Å
-  std::vector<double> squares_;     // of radii, Å²
+  std::vector<double> squares_;     // squared radii, Å²
   std::vector<HalfSpace> sides_;    // of the box
-  double reach_ = 0;                // its diagonal
+  double reach_ = 0;                // diagonal of the box around all balls, Å
 };
 
 }  // namespace

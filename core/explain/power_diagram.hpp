@@ -1,5 +1,5 @@
-// The power diagram of a few balls as polygons: the borders between their cells, cut at a box. Only
-// a picture, in doubles; what is in a complex is decided elsewhere.
+// The power diagram of a few balls as polygons: the borders between cells, cut off at a box. It is
+// computed in double precision for pictures only and decides no membership.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace alphascope {
 
-// What two balls share of the borders of their cells.
+// The common border of two balls' cells.
 struct PowerFace {
   BallIndex a = 0, b = 0;                   // a < b
-  std::vector<RealPoint> corners_angstrom;  // of a convex polygon, in its order
+  std::vector<RealPoint> corners_angstrom;  // corners of a convex polygon, in order
 };
 
-// More balls are not drawn: it takes O(n³).
+// The largest number of balls that is drawn, because the time is O(n³).
 inline constexpr std::size_t kMostBallsOfDiagram = 200;
 
-// By a, then b. The box is that of all balls, larger by a share of its diagonal. Of more balls than
-// the bound: none. Of balls with one centre only one has a cell.
+// The faces by a, then b. The box contains all balls and a margin. Returns nothing for more balls
+// than the bound. Among balls with one centre only one has a cell.
 std::vector<PowerFace> power_diagram(const BallSet& balls);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Repeats an engine's comparison in each arithmetic and records the steps.
 #include "core/explain/recorded_steps.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 using Steps = std::vector<ArithmeticStep>;
 
-// Offsets below this are exact in single precision, as dual_edge.hpp asks for.
+// Offsets below this are exact in single precision, as dual_edge.hpp requires.
 constexpr std::int64_t kSingleLimit = std::int64_t{1} << 24;
 
 template <class Real>
@@ -33,7 +34,7 @@ double quotient(const ExactRho& rho) {
   return rho.numerator.near_double() / rho.denominator.near_double();
 }
 
-// One comparison: steps until one decides.
+// Records one comparison: steps until one decides.
 class Recorder {
  public:
   Recorder(const BallSet& balls, std::span<const BallIndex> simplex)
@@ -44,7 +45,7 @@ class Recorder {
     weight_ = balls.weight(simplex[0]);
   }
   bool decided() const { return !steps_.empty() && steps_.back().sign != 0; }
-  // Å² from square lattice units.
+  // `value` and `error` in square lattice units; recorded in Å².
   void add(Arithmetic by, int sign, double value, double error) {
     steps_.push_back({by, sign, true, value * unit_, error * unit_});
   }
@@ -69,7 +70,7 @@ bool all_within(const Recorder& r, int count) {
   return true;
 }
 
-// Does m cut off the centre of the disc of an edge?
+// Records whether m cuts off the centre of an edge's disc.
 template <class Real>
 void filter_edge(Recorder& r, const LiftedInt& m) {
   double gap = 0, error = 0;
@@ -81,7 +82,8 @@ void filter_edge(Recorder& r, const LiftedInt& m) {
   r.add(kFilter<Real>, outside_unless(cut), -gap, error);
 }
 
-// Does m cut off the foot on the line of a triangle? `reach`: a squared distance beyond the foot.
+// Records whether m cuts off the foot on a triangle's line. `reach` is a squared distance beyond
+// the foot.
 template <class Real>
 void filter_triangle(Recorder& r, const LiftedInt& m, double reach) {
   using Edge = DualEdge<Real>;
@@ -101,15 +103,15 @@ void filter_triangle(Recorder& r, const LiftedInt& m, double reach) {
     case Edge::Takes::some: {
       edge.clip(cut, 0);
       const auto& end = cut.slope > 0 ? edge.high() : edge.low();
-      // An end of nobody is the boundary of what is looked at, far beyond the foot.
+      // An end without a ball is the boundary of the search, far beyond the foot.
       if (edge.ends_certain()) sign = end.cutter < 0 ? 1 : outside_unless(Edge::beyond_foot(end));
     }
   }
   r.add(kFilter<Real>, sign, 2.0 * cut.offset, 2.0 * cut.offset_error);
 }
 
-// The dual edge of the first three balls of a tetrahedron, ended by the fourth; false when it could
-// not be.
+// Makes the dual edge of a tetrahedron's first three balls, ended by the fourth. Returns false if
+// the filter cannot do so with certainty.
 template <class Real>
 bool end_by_fourth(const Recorder& r, double reach, DualEdge<Real>& edge) {
   if (!edge.start(lifted_as<Real>(r.v(0)), lifted_as<Real>(r.v(1)), static_cast<Real>(reach))) {
@@ -119,7 +121,7 @@ bool end_by_fourth(const Recorder& r, double reach, DualEdge<Real>& edge) {
   return edge.ends_certain() && (edge.high().cutter == 0 || edge.low().cutter == 0);
 }
 
-// Does m cut off the end of a dual edge that the fourth ball of a tetrahedron has made?
+// Records whether m cuts off the end that a tetrahedron's fourth ball makes on a dual edge.
 template <class Real>
 void filter_tetrahedron(Recorder& r, const LiftedInt& m, double reach) {
   using Takes = typename DualEdge<Real>::Takes;
@@ -143,7 +145,7 @@ void filter_tetrahedron(Recorder& r, const LiftedInt& m, double reach) {
              std::fabs(static_cast<double>(cut.slope)) * end.error));
 }
 
-// 4 (rho + w), and somewhat more: beyond the orthocentre.
+// 4 (rho + w) and a little more, which is beyond the orthocentre.
 template <int N>
 double reach_of(const Orthosphere<N>& sphere, std::int64_t weight) {
   return 4 * std::max(0.0, quotient(sphere.rho()) + static_cast<double>(weight)) + 16;
@@ -166,7 +168,7 @@ void margin_steps(Recorder& r, const BallSet& balls, std::span<const BallIndex> 
   if constexpr (N == 3) sign = -triangle_foot_cut_exact(r.v(0), r.v(1), v);
   if constexpr (N == 4) sign = sphere.side(m);
   r.add(Arithmetic::integers, sign, sphere.excess(m), 0);
-  // Of equal centres the rule of coincident.hpp decides, not the perturbation.
+  // For equal centres the rule of coincident.hpp decides, not the perturbation.
   const bool twin = std::any_of(simplex.begin(), simplex.end(),
                                 [&](BallIndex b) { return balls.centres[b] == balls.centres[m]; });
   if (sign != 0 || twin) return;

@@ -1,6 +1,6 @@
-// The engines' own comparisons, made one arithmetic after another and written down: what single
-// precision says (as on a GPU), then double, then integers, then the perturbation. The first that
-// decides is the last of the steps.
+// An engine's comparison, made in one arithmetic after another and recorded. The order is single
+// precision (as on a GPU), double precision, integers, perturbation. The first step that decides is
+// the last one.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,19 @@ enum class Arithmetic : std::uint8_t { single_filter, double_filter, integers, p
 
 struct ArithmeticStep {
   Arithmetic by = Arithmetic::integers;
-  int sign = 0;  // 0: it does not decide, or integers found a tie
-  // The number whose sign is asked for, Å², and the bound that is proven for its error (0: exact).
-  // Not every filter computes that number; such a step has none.
+  int sign = 0;  // 0: the step does not decide, or integers found a tie
+  // The number whose sign is asked for (Å²), and the proven bound of its error (0: exact). Some
+  // filters do not compute that number; then `has_number` is false.
   bool has_number = false;
   double value_angstrom2 = 0, error_angstrom2 = 0;
 };
 
-// Is ball m outside (+1) or inside (-1) the smallest orthosphere of 1 to 4 affinely independent
-// balls, none of which it is? Numbers are positive outside.
+// Records whether ball m is outside (+1) or inside (-1) the smallest orthosphere of 1 to 4 affinely
+// independent balls. Ball m is none of them. Numbers are positive outside.
 std::vector<ArithmeticStep> steps_of_margin(const BallSet& balls,
                                             std::span<const BallIndex> simplex, BallIndex m);
 
-// The sign of rho - alpha of such balls.
+// Records the sign of rho - alpha for such balls.
 std::vector<ArithmeticStep> steps_of_rho(const BallSet& balls, std::span<const BallIndex> simplex,
                                          const LatticeAlpha& alpha_on_lattice);
 

@@ -1,4 +1,4 @@
-// What steps count and list while an engine's code runs. Inner header of core/steps.
+// Counters and lists that steps fill while an engine's code runs. Inner header of core/explain.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ void add(MarkedSimplices& marked, const std::array<BallIndex, N>& simplex) {
   }
 }
 
-// What becomes of the simplices that a kernel tests.
+// The results of a kernel's tests: numbers and lists of simplices.
 struct Fates {
   Tally tested, conflict, above_alpha, flat, valid, band;
   MarkedSimplices gone{.mark = StepMark::dropped}, kept{.mark = StepMark::kept},
@@ -71,7 +71,7 @@ struct Fates {
   }
 };
 
-// What an optimisation leaves.
+// The simplices that an optimisation kept and dropped.
 struct Choice {
   Tally kept, dropped;
   MarkedSimplices gone{.mark = StepMark::dropped}, left{.mark = StepMark::kept};

@@ -1,6 +1,7 @@
-// One ball's way through the tuple engine: the engine's own templates in the engine's order, with
-// sinks. Every tuple that contains the ball is made from its list of neighbours; the engine makes
-// at a ball only those in which it is in the lowest place. These are counted apart.
+// The steps of one ball in the tuple engine. They use the engine's own templates in the engine's
+// order, with sinks. All tuples that contain the ball are made from its list of neighbours. The
+// engine itself makes at a ball only those in which the ball has the lowest place. These are
+// counted apart.
 #include <algorithm>
 #include <cmath>
 #include <memory_resource>
@@ -70,7 +71,7 @@ class TupleTrace {
   RealPoint angstrom(const RealPoint& units) const {
     return balls_.lattice.unit_angstrom() * units;
   }
-  // All 4-tuples of the ball and three neighbours.
+  // The number of all 4-tuples of the ball and three neighbours.
   std::uint64_t possible() const {
     const std::uint64_t n = slots_.size();
     return n < 3 ? 0 : n * (n - 1) / 2 * (n - 2) / 3;
@@ -88,7 +89,7 @@ class TupleTrace {
     return s;
   }
 
-  // Kernel I: all tuples of one more neighbour.
+  // Kernel I: makes all tuples with one more neighbour.
   template <int N>
   void extend(const BallTuple<N>& base) {
     const bool here = is_here(base);
@@ -131,7 +132,7 @@ class TupleTrace {
     next_place_ += tuples;
   }
 
-  // Kernels II and III.
+  // Kernels II and III: tests a tuple.
   template <int N>
   void test(const BallTuple<N>& tuple) {
     const bool here = is_here(tuple);
@@ -195,13 +196,14 @@ class TupleTrace {
   TupleGrid grid_;
   Scene scene_{};
   std::uint32_t slot_ = 0;
-  std::vector<std::uint64_t> starts_;  // of one list only
+  std::vector<std::uint64_t> starts_;  // starts for a single list
   std::vector<std::uint32_t> slots_;   // the list
   NeighbourLists lists_{};
   std::vector<BallTuple<2>> pairs_;
-  Choice choices_[3];  // of pairs, triples, 4-tuples by the edge optimisation
+  Choice choices_[3];  // edge optimisation of pairs, triples and 4-tuples
   Choice by_alpha_;
-  Fates filter_, exact_, faces_, exact_faces_;  // 4-tuples; what is smaller
+  // Two for 4-tuples, two for smaller tuples.
+  Fates filter_, exact_, faces_, exact_faces_;
   std::vector<StepPlace> places_;
   std::uint64_t next_place_ = 0;
   OwnSimplicesByDimension own_;

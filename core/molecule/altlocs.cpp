@@ -1,3 +1,5 @@
+// Chooses among alternative locations: groups atoms into residues, even where numbers repeat, then
+// keeps one location of each atom.
 #include "core/molecule/altlocs.hpp"
 
 #include <algorithm>
@@ -9,15 +11,17 @@
 namespace alphascope {
 namespace {
 
-// Residue numbers begin anew, at 0 or 1 after 9999 or 99999, where one falls by more than this.
+// A fall of residue numbers by more than this means that they begin anew: at 0 or 1, after 9999 or
+// 99999.
 constexpr std::int32_t kWrapped = 5000;
-// Of those with one number; a file that numbers all its waters 1 has very many.
+// The number of residues of one number to which an atom is compared. A file that numbers all its
+// waters 1 has very many.
 constexpr std::size_t kResiduesLookedAt = 8;
 
-// An atom whose residue number some lettered atom has too.
+// An atom that shares its residue number with an atom that has a letter.
 struct Candidate {
   std::size_t atom;
-  std::uint32_t round;  // how often the residue numbers have begun anew before it
+  std::uint32_t round;  // number of times that residue numbers began anew before it
 };
 
 auto number_tuple(const Atom& a, std::uint32_t round) {
@@ -30,7 +34,8 @@ std::uint64_t number_hash(const Atom& a) {
   return key;
 }
 
-// Smaller is better.
+// The order of locations: higher occupancy, then lower B factor, then the earlier letter. The least
+// is the best.
 auto rank(double occupancy, double b_factor, char letter) {
   return std::tuple(-occupancy, b_factor, letter);
 }
@@ -44,7 +49,8 @@ struct LetterMean {
 using Atoms = std::vector<Atom>;
 using Indices = std::vector<std::size_t>;
 
-// confidences: what stands for B factors says nothing of locations.
+// The best letter of a residue. If `confidences`, B factors are ignored, because pLDDT values do
+// not tell locations apart.
 char best_letter(const Atoms& atoms, const Indices& residue, bool confidences,
                  NameId& residue_name) {
   std::map<char, LetterMean> letters;
@@ -67,7 +73,7 @@ char best_letter(const Atoms& atoms, const Indices& residue, bool confidences,
   return best->first;
 }
 
-// Marks what gives way among the atoms of one residue.
+// Marks those atoms of one residue that give way to another location.
 void choose_in_residue(const Atoms& atoms, Indices residue, std::size_t begin, bool confidences,
                        std::vector<bool>& minor) {
   NameId chosen_type = 0;
@@ -97,12 +103,12 @@ void choose_in_residue(const Atoms& atoms, Indices residue, std::size_t begin, b
   }
 }
 
-// Atoms that are of one residue, and what decides whether another is.
+// The atoms of one residue, with sets that decide whether another atom belongs to it.
 struct Residue {
   Indices atoms;
   std::unordered_set<std::uint64_t> locations;  // name and letter
-  std::unordered_set<NameId> names, single;     // of all atoms; of those without a letter
-  std::map<char, NameId> types;                 // the residue name that a letter stands for
+  std::unordered_set<NameId> names, single;  // names of all atoms; names of atoms without a letter
+  std::map<char, NameId> types;              // residue name of each letter
 
   static std::uint64_t location(const Atom& a) {
     return (std::uint64_t{a.name} << 8) | static_cast<unsigned char>(a.altloc);
@@ -120,9 +126,10 @@ struct Residue {
   }
   bool has_location(const Atom& a) const { return locations.contains(location(a)); }
 
-  // Whether an atom that stands elsewhere may be one more of this residue. If its name is here
-  // under the same letter, or one of the two has no letter, or its letter is another type's, then
-  // it is of another residue with the same number.
+  // Returns whether an atom elsewhere in the file may belong to this residue. It belongs to another
+  // residue of the same number in three cases. (1) Its name is here under the same letter. (2) Its
+  // name is here, and one of the two atoms has no letter. (3) Its letter stands for another residue
+  // name.
   bool may_have(const Atom& a) const {
     if (has_location(a)) return false;
     if (a.altloc == ' ') return !names.contains(a.name);
@@ -131,17 +138,17 @@ struct Residue {
   }
 };
 
-// Atoms that stand together in the file.
+// Consecutive atoms of one residue in the file.
 struct Block {
   Indices atoms;
-  bool lettered = true;  // all of them
+  bool lettered = true;  // whether all of them have a letter
 };
 
-// Names of residues of one number of which there are several, of one atom each: some location
-// comes twice, and no other name.
+// Residue names of several one-atom residues with the same number. For such a name a location
+// occurs twice, and there is no second atom name.
 std::unordered_set<NameId> single_atoms(const Atoms& atoms,
                                         std::span<const Candidate> same_number) {
-  std::map<NameId, std::pair<NameId, bool>> found;  // atom's name; whether it is the only one
+  std::map<NameId, std::pair<NameId, bool>> found;  // atom name; whether it is the only one
   std::unordered_set<std::uint64_t> locations;
   std::unordered_set<NameId> several;
   for (const Candidate& c : same_number) {
@@ -163,8 +170,8 @@ std::vector<Block> blocks_of(const Atoms& atoms, std::span<const Candidate> same
     const bool goes_on = !blocks.empty() && last.atoms.back() + 1 == i &&
                          atoms[last.atoms.back()].residue_name == atoms[i].residue_name &&
                          !last.has_location(atoms[i]) &&
-                         // Of ions that all have one number, one without a letter is no
-                         // location of the one with a letter beside it.
+                         // If ions all have one number, one without a letter is no location of the
+                         // lettered one beside it.
                          (!single.contains(atoms[i].residue_name) || last.may_have(atoms[i]));
     if (!goes_on) {
       blocks.emplace_back();
@@ -177,9 +184,9 @@ std::vector<Block> blocks_of(const Atoms& atoms, std::span<const Candidate> same
   return blocks;
 }
 
-// The atoms of one chain, segment, number and insertion code as the residues that they form. Most
-// often that is one, but a file with more residues than numbers uses them again. Alternative
-// locations may stand apart, behind the chain say; then every atom there has its letter.
+// Groups the atoms of one chain, segment, number and insertion code into residues. Mostly there is
+// one. A file with more residues than numbers uses numbers again. Alternative locations may stand
+// apart, for example after the chain. Then every atom there has its letter.
 std::vector<Residue> residues_of(const Atoms& atoms, std::span<const Candidate> same_number) {
   std::vector<Residue> residues;
   for (const Block& block : blocks_of(atoms, same_number)) {
@@ -199,7 +206,7 @@ std::vector<Residue> residues_of(const Atoms& atoms, std::span<const Candidate> 
   return residues;
 }
 
-// The candidates of a model, those of one residue number together and in the order of the file.
+// All candidates of a model. Those of one residue number are together, in the order of the file.
 std::vector<Candidate> find_candidates(const Atoms& atoms, std::size_t begin, std::size_t end) {
   std::unordered_set<std::uint64_t> numbers;
   for (std::size_t i = begin; i < end; ++i) {

@@ -1,4 +1,4 @@
-// Choosing one of several alternative locations of the atoms of a residue.
+// The choice of one of several alternative locations of a residue's atoms.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,16 @@
 
 namespace alphascope {
 
-// For the atoms [begin, end): true where an atom gives way to another location. Per residue one
-// letter is chosen: highest mean occupancy, then lowest mean B factor, then the first letter. An
-// atom that does not have that letter keeps its own best one, unless it belongs to another residue
-// type (microheterogeneity): then it goes with its letter.
+// Returns for the atoms [begin, end) whether an atom gives way to another location. One letter is
+// chosen per residue: highest mean occupancy, then lowest mean B factor, then the first letter. An
+// atom without that letter keeps its own best one. If it belongs to another residue type
+// (microheterogeneity), it goes with its letter.
 //
-// Residues that share chain and number are told apart by their segment, by numbers that begin anew
-// between them (10,000 waters in four columns), and by an atom that both have.
+// Residues that share chain and number are told apart in three ways. They have different segments,
+// numbers begin anew between them (10,000 waters in four columns), or both have the same atom.
 //
-// Only atoms that `compete` says true of take part (none given: all): who asks for the letter B
-// gets it, and who leaves out A gets what is left.
+// Only atoms for which `compete` returns true take part; without `compete` all do. So a request for
+// letter B gets B, and a request without A gets the others.
 std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std::size_t end,
                                 const std::function<bool(const Atom&)>& compete = {});
 

@@ -1,3 +1,4 @@
+// Expands assemblies and parses their operator expressions.
 #include "core/molecule/assembly.hpp"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ namespace alphascope {
 namespace {
 
 constexpr std::uint64_t kMostCopies = 1'000'000;
-// An Atom, and in the set of balls a centre, a radius, the atom's index and a place in the search
-// for coincident centres.
+// Bytes of an Atom, and of a ball's centre, radius, atom index and entry in the search for
+// coincident centres.
 constexpr std::uint64_t kBytesPerAtom = sizeof(Atom) + sizeof(LatticePoint) + 4 + 4 + 5;
 
 using Rows = std::array<std::array<double, 4>, 3>;
@@ -37,7 +38,7 @@ std::uint64_t copies_of(const AssemblyGenerator& generator) {
   return copies;
 }
 
-// The k-th product of operators; the last factor runs fastest.
+// The k-th product of operators, where the last factor changes fastest.
 Rows operator_at(const Assemblies& assemblies, const AssemblyGenerator& generator,
                  std::uint64_t k) {
   Rows result{};
@@ -181,8 +182,8 @@ class Expansion {
     return {out[0], out[1], out[2]};
   }
 
-  // Each author chain counts its copies by the asymmetric units that they come from, so that the
-  // waters of chain A, another asymmetric unit, stay with the same copy of A.
+  // The name of a chain's copy. Each author chain counts its copies for each asymmetric unit of the
+  // file. So the waters of chain A, another asymmetric unit, stay with the same copy of A.
   NameId name_of_copy(NameId chain, NameId label_chain) {
     const std::uint64_t key = (std::uint64_t{chain} << 32) | label_chain;
     const auto known = new_names_.find(key);
@@ -192,7 +193,8 @@ class Expansion {
     if (copy > 1) {
       const std::string base(source_.text(chain)), number = std::to_string(copy);
       std::string separator = "-";
-      // A file that was expanded before has such names itself: then "A_2", "A__2".
+      // A file that was expanded before has such names itself. Then copies are called "A_2" or
+      // "A__2".
       while (is_chain(base + separator + number)) {
         separator = separator == "-" ? "_" : separator + "_";
       }
@@ -203,7 +205,7 @@ class Expansion {
     return name;
   }
 
-  // Whether the file itself has a chain of this name.
+  // Returns whether the file itself has a chain of this name.
   bool is_chain(const std::string& name) {
     if (chains_.empty()) {
       chains_.assign(source_.names.size(), false);
@@ -218,9 +220,9 @@ class Expansion {
   const RunContext& context_;
   Molecule result_;
   std::unordered_map<std::uint64_t, std::uint32_t> copies_of_chain_;
-  std::unordered_map<std::uint64_t, NameId> new_names_;  // of the copy at hand
-  std::vector<bool> chains_;                             // by name
-  std::string renamed_;                                  // the last copy whose name was not free
+  std::unordered_map<std::uint64_t, NameId> new_names_;  // of the current copy
+  std::vector<bool> chains_;  // for each name id: whether it is a chain of the file
+  std::string renamed_;       // last name of a copy that needed another separator
   double largest_rounding_ = 0, total_ = 1;
 };
 

@@ -1,4 +1,4 @@
-// Which operators of assemblies move a molecule, and which make something else of it.
+// Checks whether the operators of assemblies move a molecule, mirror it, or distort it.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -9,7 +9,8 @@
 namespace alphascope {
 namespace {
 
-// Six printed digits leave 3·10^-6 in the files of the PDB; 0.001 is 0.05 Å in 100 Å.
+// Six printed digits leave an error of 3·10^-6 in files of the PDB. A tolerance of 0.001 allows
+// 0.05 Å in 100 Å.
 constexpr double kLeastTolerance = 1e-3;
 
 using Rows = std::array<std::array<double, 4>, 3>;
@@ -43,7 +44,7 @@ void for_each_operator(const Assembly& assembly, const Use& use) {
 
 OperatorKind operator_kind(const SymmetryOperator& symmetry_operator) {
   const Rows& m = symmetry_operator.rows;
-  // Integers are exact; d decimal places leave half a unit of the last.
+  // Integers are exact. With d decimal places the error is half a unit of the last.
   const int digits = symmetry_operator.digits;
   const double error = digits > 0 ? 0.5 * std::pow(10.0, -digits) : 0;
   for (int i = 0; i < 3; ++i) {
@@ -53,7 +54,7 @@ OperatorKind operator_kind(const SymmetryOperator& symmetry_operator) {
         product += m[i][k] * m[j][k];
         tolerance += (std::fabs(m[i][k]) + std::fabs(m[j][k])) * error;
       }
-      // Turned round, so that no number goes through as a rotation by being none.
+      // Negated, so that NaN does not pass as a rotation.
       if (!(std::fabs(product) <= std::max(tolerance, kLeastTolerance))) {
         return OperatorKind::no_motion;
       }

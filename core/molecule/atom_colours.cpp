@@ -1,5 +1,6 @@
-// The colours of elements follow the Corey-Pauling-Koltun tradition (carbon grey, nitrogen blue,
-// oxygen red, sulphur yellow), softened so that light and dark backgrounds both carry them.
+// Colours of elements and chains.
+// Colours follow the Corey-Pauling-Koltun tradition: carbon grey, nitrogen blue, oxygen red,
+// sulphur yellow. They are softened so that they show on light and dark backgrounds.
 #include "core/molecule/atom_colours.hpp"
 
 #include <array>
@@ -7,9 +8,9 @@
 namespace alphascope {
 namespace {
 
-// Found by annealing, together with the colours of cavities (core/chart/colour_map.cpp): the least
-// difference of two colours was made as large as it would get, with usual sight and with each of
-// the three kinds of colour blindness, more so among the first colours, and so that neighbours
+// These colours were found by annealing, together with those of cavities
+// (core/chart/colour_map.cpp). Annealing maximised the least difference of two colours, with usual
+// sight and with three kinds of colour blindness. The first colours got more weight, and neighbours
 // differ in lightness. tests/core/chart/colour_difference_test.cpp has the bounds that were
 // reached.
 constexpr std::array<Rgb8, kChainColours> kColoursOfChains{
@@ -26,7 +27,7 @@ Rgb8 element_colour(Element element) {
     case 1:
       return {228, 232, 236};  // H
     case 6:
-      return {122, 130, 141};  // C: as far from white as from the dark background
+      return {122, 130, 141};  // C: equally far from white and from the dark background
     case 7:
       return {84, 122, 226};  // N
     case 8:
@@ -84,7 +85,8 @@ std::vector<Rgb8> colours_by_element(const Molecule& molecule,
 
 std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
                                    const std::vector<std::uint32_t>& atom_of_ball) {
-  // Over all atoms, so that a chain keeps its colour when another one is switched off.
+  // Counts all atoms of the molecule, so that a chain keeps its colour while another is switched
+  // off.
   std::vector<Rgb8> of_chain(molecule.names.size());
   std::vector<bool> seen(molecule.names.size(), false);
   std::size_t chains = 0;

@@ -1,3 +1,4 @@
+// Derives the chemical type of an atom from the names of its residue and itself.
 #include "core/molecule/atom_type.hpp"
 
 #include <algorithm>
@@ -6,10 +7,11 @@
 namespace alphascope {
 namespace {
 
-// Side chains: the trigonal carbons without and with hydrogen; all other carbons are aliphatic.
+// The trigonal side-chain carbons of an amino acid, without and with hydrogen. All its other
+// side-chain carbons are aliphatic.
 struct AminoAcid {
   std::string_view name;
-  std::string_view trigonal;  // " CG CZ "
+  std::string_view trigonal;  // between blanks: " CG CZ "
   std::string_view aromatic_ch;
 };
 
@@ -50,7 +52,7 @@ bool in_list(std::string_view list, std::string_view name) {
 }
 
 const AminoAcid* find_amino_acid(std::string_view residue) {
-  // AMBER's names of residues at the ends of a chain.
+  // AMBER gives residues at the ends of a chain a prefix N or C.
   const bool at_end = residue.size() == 4 && (residue[0] == 'N' || residue[0] == 'C');
   if (at_end) residue.remove_prefix(1);
   for (const auto& alias : kAliases) {

@@ -1,5 +1,5 @@
-// Chemical types of the heavy atoms of proteins and nucleic acids, by residue and atom name, as the
-// united-atom radii sets distinguish them. Hydrogens and ligands have none.
+// Chemical types of the heavy atoms of proteins and nucleic acids, by residue and atom name.
+// United-atom radii sets use them. Hydrogens and ligands have no type.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +16,28 @@ enum class AtomType : std::uint8_t {
   nucleic_base_carbon,
   nucleic_base_ch_carbon,
   nucleic_methyl_carbon,
-  amide_nitrogen,  // and every other nitrogen of proteins but the next
+  amide_nitrogen,  // all nitrogens of proteins but lysine NZ
   amine_nitrogen,  // lysine NZ
   nucleic_nitrogen,
   carbonyl_oxygen,  // one bond
-  hydroxyl_oxygen,  // and ether, ester
+  hydroxyl_oxygen,  // also ether and ester
   sulphur,
   selenium,
   phosphorus,
 };
 
-// "HIS" for HIS, HID, NHIE (an N-terminus of AMBER) …; empty when it is no known amino acid.
+// The standard name: "HIS" for HIS, HID, NHIE (an N-terminus of AMBER) and so on. Empty for an
+// unknown amino acid.
 std::string_view standard_amino_acid(std::string_view residue);
 
-// One of ACGIUT for the nucleotides, 0 for everything else.
+// One of ACGIUT for a nucleotide; 0 otherwise.
 char nucleotide_base(std::string_view residue);
 
-// Names without blanks; "O1P", "C5*" and residue names of simulation packages are understood.
+// Names must have no blanks. "O1P", "C5*" and residue names of simulation packages are understood.
 AtomType atom_type(std::string_view residue, std::string_view atom);
 
-// Of aspartate, glutamate, and the second one at the end of a chain (OXT). The first one there is
-// called O, as in every other residue.
+// Returns whether an oxygen is of the carboxylate of aspartate or glutamate, or is OXT at a chain's
+// end. The other oxygen there is called O, as in every residue, and does not count.
 bool is_carboxylate_oxygen(std::string_view residue, std::string_view atom);
 
 }  // namespace alphascope

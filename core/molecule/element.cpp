@@ -1,3 +1,4 @@
+// Symbols of the elements and their look-up.
 #include "core/molecule/element.hpp"
 
 #include <array>
@@ -15,14 +16,15 @@ constexpr std::array<std::string_view, kHeaviestElement + 1> kSymbols = {
     "Th", "Pa", "U",  "Np", "Pu", "Am", "Cm", "Bk", "Cf", "Es", "Fm", "Md", "No", "Lr", "Rf",
     "Db", "Sg", "Bh", "Hs", "Mt", "Ds", "Rg", "Cn", "Nh", "Fl", "Mc", "Lv", "Ts", "Og"};
 
-// 0..25 for a letter of either case, 31 for anything else.
+// 0 to 25 for a letter of either case, 31 for any other character.
 constexpr unsigned letter(char c) {
   if (c >= 'a' && c <= 'z') return static_cast<unsigned>(c - 'a');
   if (c >= 'A' && c <= 'Z') return static_cast<unsigned>(c - 'A');
   return 31;
 }
 
-// Both letters of a symbol index one table, since millions of atoms ask; 26 = no second letter.
+// Indexed by both letters of a symbol, because millions of atoms are looked up. Index 26: no second
+// letter.
 constexpr auto make_lookup() {
   std::array<std::array<Element, 27>, 26> table{};
   for (unsigned z = 1; z <= kHeaviestElement; ++z) {

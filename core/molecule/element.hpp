@@ -6,22 +6,22 @@
 
 namespace alphascope {
 
-// Atomic number; 0 when the element is not known. Deuterium and tritium count as hydrogen.
+// Atomic number; 0 if the element is unknown. Deuterium and tritium count as hydrogen.
 using Element = std::uint8_t;
 
 inline constexpr Element kUnknownElement = 0;
 inline constexpr Element kHydrogen = 1;
 inline constexpr Element kHeaviestElement = 118;
 
-// "C", "Zn"; "X" for kUnknownElement and for numbers that are no element.
+// "C", "Zn"; "X" for kUnknownElement and for numbers above kHeaviestElement.
 std::string_view element_symbol(Element element);
 
-// The element of a symbol in any case, without blanks around it; kUnknownElement for anything else.
+// The element of a symbol in any case, without blanks; kUnknownElement for any other text.
 Element element_from_symbol(std::string_view symbol);
 
-// Metals, metalloids excluded: what forms cations and is alone in its residue.
+// Metals without metalloids: elements that form cations and stand alone in their residue.
 bool is_metal(Element element);
-// F, Cl, Br and I: what forms halide ions.
+// F, Cl, Br and I, which form halide ions.
 bool is_halogen(Element element);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Tables with one number per element, written as lists of the elements that have one.
+// Tables with one number per element, written as lists of elements and numbers.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace alphascope {
 
-using ElementTable = std::array<std::int16_t, kHeaviestElement + 1>;  // 10^-3 Å; 0 = no value
+using ElementTable = std::array<std::int16_t, kHeaviestElement + 1>;  // 10^-3 Å; 0: no value
 
 struct ElementEntry {
   Element element;

@@ -1,3 +1,4 @@
+// Names of atoms, and the way from copies to deposited atoms and back.
 #include "core/molecule/molecule.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 namespace alphascope {
 namespace {
 
-// Where `deposited` stands in the list; its size when it is not there.
+// The position of `deposited` in the list; its size if it is not there.
 std::size_t place_in(const CopiedAtoms& part, std::size_t deposited) {
   const auto at = std::lower_bound(part.source.begin(), part.source.end(), deposited);
   const bool there = at != part.source.end() && *at == deposited;
@@ -40,7 +41,7 @@ AtomSource atom_source(const Molecule& molecule, std::size_t atom) {
   const CopiedAtoms& part = *(next - 1);  // the first begins at 0
   const std::size_t inside = atom - part.begin;
   AtomSource source{part.source[inside % part.source.size()], inside / part.source.size()};
-  // Another generator may have copied the same chain before.
+  // Copies of the same chain by earlier generators are counted too.
   for (const CopiedAtoms& earlier : molecule.copied) {
     if (earlier.begin == part.begin) break;
     if (place_in(earlier, source.deposited) < earlier.source.size()) source.copy += earlier.copies;

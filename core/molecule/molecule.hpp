@@ -1,5 +1,5 @@
-// A molecule as its file gives it: atoms of all models on the decimal lattice, with their names.
-// What is used of it, and with which radii, is decided in prepare_balls.hpp.
+// A molecule as its file describes it: atoms of all models on the decimal lattice, with their
+// names. The choice of atoms and of their radii is made in prepare_balls.hpp.
 #pragma once
 
 #include <cstddef>
@@ -18,37 +18,40 @@
 
 namespace alphascope {
 
-// What an atom belongs to. Dummies are markers without matter, such as OPM's membrane planes.
+// The kind of residue an atom belongs to. Dummies are markers without matter, such as OPM's
+// membrane planes.
 enum class AtomKind : std::uint8_t { polymer, water, ligand, ion, dummy };
 
-// Names are ids in Molecule::names. 60 bytes, since an assembly may have 16 million of them.
+// Names are ids in Molecule::names. The size is 60 bytes, because an assembly may have 16 million
+// atoms.
 struct Atom {
   LatticePoint position;            // lattice units
-  std::int32_t file_radius = -1;    // lattice units; 0 as the file says; -1 when it gives none
-  std::int32_t serial = 0;          // 0 when unknown
-  std::int32_t residue_number = 0;  // the author's
-  std::uint32_t source_line = 0;    // counted from 1; 0 when unknown
-  float occupancy = 1;              // 1 when the file gives none
-  float b_factor = 0;  // Å², or see Molecule::has_confidences; 0 when the file gives none
+  std::int32_t file_radius = -1;    // lattice units; 0: the file says so; -1: the file gives none
+  std::int32_t serial = 0;          // 0: unknown
+  std::int32_t residue_number = 0;  // the author's number
+  std::uint32_t source_line = 0;    // counted from 1; 0: unknown
+  float occupancy = 1;              // 1 if the file gives none
+  float b_factor = 0;  // Å² (or see Molecule::has_confidences); 0 if the file gives none
   NameId name = 0;
   NameId residue_name = 0;
-  NameId chain = 0;        // the author's
-  NameId label_chain = 0;  // mmCIF's label_asym_id, which assemblies refer to; else the same
+  NameId chain = 0;  // the author's name
+  // The label_asym_id of mmCIF, to which assemblies refer; else the author's name.
+  NameId label_chain = 0;
   Element element = kUnknownElement;
   AtomKind kind = AtomKind::polymer;
   char altloc = ' ';
   char insertion_code = ' ';
-  bool hetero = false;                          // HETATM in the file
-  bool element_guessed : 1 = false;             // from its names, which leave a choice
-  bool has_b_factor : 1 = false;                // the file gives one
-  ResidueReason why : 6 = ResidueReason::none;  // `kind` is what it is
-  // Of a PDB file's columns 73-76, numbered in order of appearance; 0 where they are blank. Files
-  // of several segments repeat chain and residue number.
+  bool hetero = false;                          // HETATM record in the file
+  bool element_guessed : 1 = false;             // guessed from names that allow several elements
+  bool has_b_factor : 1 = false;                // whether the file gives one
+  ResidueReason why : 6 = ResidueReason::none;  // the reason for `kind`
+  // The segment in columns 73-76 of a PDB file, numbered in order of appearance; 0: blank. Files of
+  // several segments repeat chains and residue numbers.
   std::uint16_t segment = 0;
 };
 
-// Whether the file gives two atoms the same chain, segment, residue number and insertion code. It
-// does so for atoms of one residue, and for those of two when it runs out of numbers.
+// Returns whether two atoms have the same chain, segment, residue number and insertion code in the
+// file. Atoms of one residue do. Atoms of two residues do if the file runs out of numbers.
 inline bool same_residue_number(const Atom& a, const Atom& b) {
   return a.residue_number == b.residue_number && a.chain == b.chain && a.segment == b.segment &&
          a.insertion_code == b.insertion_code;
@@ -56,13 +59,13 @@ inline bool same_residue_number(const Atom& a, const Atom& b) {
 
 // Atoms [begin, end) of Molecule::atoms form one model.
 struct ModelRange {
-  int number = 1;  // as the file says
+  int number = 1;  // number in the file
   std::size_t begin = 0, end = 0;
   std::size_t size() const { return end - begin; }
 };
 
-// Of an assembly, and of one model: atoms of the file that were copied together. Copy k of
-// `source[j]` is Molecule::atoms[begin + k * source.size() + j].
+// Atoms of one model that were copied together for an assembly. Copy k of `source[j]` is
+// Molecule::atoms[begin + k * source.size() + j].
 struct CopiedAtoms {
   std::size_t begin = 0, copies = 0;
   std::vector<std::size_t> source;  // indices into the deposited molecule's atoms, ascending
@@ -73,32 +76,32 @@ struct Molecule {
   std::string format;  // "PDB", "mmCIF", "XYZR", "CRD"…
   std::string title;
   Lattice lattice;
-  double rounding_angstrom = 0;    // largest change that the lattice made to a coordinate or radius
-  bool has_file_radii = false;     // some atom has a radius > 0 from the file
-  bool has_confidences = false;    // of a predicted model (pLDDT), in place of B factors
-  std::vector<Atom> atoms;         // models one after another
-  std::vector<ModelRange> models;  // at least one, none of them empty
+  double rounding_angstrom = 0;    // largest change of a coordinate or radius by the lattice
+  bool has_file_radii = false;     // whether any atom has a radius > 0 from the file
+  bool has_confidences = false;    // B factors are confidences (pLDDT) of a predicted model
+  std::vector<Atom> atoms;         // one model after another
+  std::vector<ModelRange> models;  // at least one, none empty
   NameTable names;
-  std::vector<std::string> notes;   // sentences: what the reader had to assume
-  Assemblies assemblies;            // that the file describes
-  std::string assembly_id;          // of expand_assembly(); empty = as deposited
-  std::vector<CopiedAtoms> copied;  // by expand_assembly(), in the order of `atoms`; else empty
-  std::string sha256;               // of the file as it lies on disk, in hexadecimal digits
+  std::vector<std::string> notes;   // sentences on assumptions that the reader had to make
+  Assemblies assemblies;            // as the file describes them
+  std::string assembly_id;          // set by expand_assembly(); empty: as deposited
+  std::vector<CopiedAtoms> copied;  // set by expand_assembly(), in the order of `atoms`; else empty
+  std::string sha256;               // of the file on disk, in hexadecimal digits
 
   std::string_view text(NameId id) const { return names.text(id); }
 };
 
-// "CA GLY 12A, chain B": how an atom is named to people.
+// An atom's name for people: "CA GLY 12A, chain B".
 std::string atom_label(const Molecule& molecule, std::size_t atom);
 
-// Which atom of the file an atom is a copy of, and which copy: 0 for the first, and for every atom
-// of a molecule as deposited. Copies of one atom are counted in the order of the assembly's
-// generators, as in the names of their chains: the chain of copy 1 is called "A-2".
+// The deposited atom of which an atom is a copy, and the number of the copy. The number is 0 for
+// the first copy and for every atom of a molecule as deposited. Copies of an atom are counted in
+// the order of the assembly's generators, as in the chains' names. Copy 1 is in chain "A-2".
 struct AtomSource {
   std::size_t deposited = 0, copy = 0;
 };
 AtomSource atom_source(const Molecule& molecule, std::size_t atom);
-// The other way round; nothing when this assembly has no such copy, or the file no such atom.
+// The inverse of atom_source(). Empty if the assembly has no such copy, or the file no such atom.
 std::optional<std::size_t> find_atom(const Molecule& molecule, const AtomSource& source);
 
 }  // namespace alphascope

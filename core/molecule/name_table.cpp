@@ -1,3 +1,4 @@
+// Interns names, with a small cache for short ones.
 #include "core/molecule/name_table.hpp"
 
 #include <cstring>
@@ -10,7 +11,7 @@ NameId NameTable::intern(std::string_view text) {
   if (text.empty()) return 0;
   Recent* slot = nullptr;
   std::uint64_t key = 0;
-  // A name with a zero byte could share its key with a shorter one, so it takes the slow way.
+  // A name with a zero byte could share its key with a shorter one. So it does not use the cache.
   if (text.size() <= sizeof key && text.find('\0') == std::string_view::npos) {
     std::memcpy(&key, text.data(), text.size());
     slot = &recent_[(key * 0x9E3779B97F4A7C15u) >> 55];

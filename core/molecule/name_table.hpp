@@ -1,5 +1,5 @@
-// Strings of a molecule (atom, residue and chain names), each stored once and known by a number, so
-// that an atom stays small whatever the length of its names.
+// Names of a molecule's atoms, residues and chains. Each is stored once and known by a number, so
+// that an atom stays small.
 #pragma once
 
 #include <array>
@@ -17,19 +17,20 @@ class NameTable {
  public:
   NameTable() : texts_{""}, ids_{{"", 0}} {}  // id 0 is the empty name
 
-  // What a name has of characters that cannot be shown is kept as printable() has it.
+  // Characters that cannot be shown are stored as printable() writes them.
   NameId intern(std::string_view text);
 
-  // Valid as long as the table; ids come from intern() of the same table or of a copy's original.
+  // Valid as long as the table. `id` must come from intern() of this table, or of the one it was
+  // copied from.
   std::string_view text(NameId id) const { return texts_[id]; }
 
-  // The id of a text that is in the table, else 0.
+  // The id of a text in the table; 0 if it is not there.
   NameId find(std::string_view text) const;
 
   std::size_t size() const { return texts_.size(); }
 
  private:
-  // Short names are looked up by their eight bytes first: files repeat a few hundred of them.
+  // A cache by the first eight bytes, because files repeat a few hundred short names.
   struct Recent {
     std::uint64_t key = 0;
     NameId id = 0;

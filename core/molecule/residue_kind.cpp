@@ -1,3 +1,4 @@
+// Classes of residues with their names and colours.
 #include "core/molecule/residue_kind.hpp"
 
 #include <string_view>

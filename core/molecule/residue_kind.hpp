@@ -1,5 +1,5 @@
-// What kind of residue an atom is of: Lesk's classes of amino acids (Introduction to
-// Bioinformatics, Oxford University Press, 2002), and what is no amino acid.
+// The class of an atom's residue. Amino acids have Lesk's classes (Introduction to Bioinformatics,
+// Oxford University Press, 2002); other residues have further ones.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ enum class ResidueKind : std::uint8_t {
   negative,        // Asp, Glu
   positive,        // Lys, Arg
   nucleotide,
-  other,  // of a polymer, and none of these
+  other,  // in a polymer, but none of these
   ligand,
   ion,
   water,
@@ -28,7 +28,7 @@ inline constexpr std::size_t kResidueKinds = 11;
 ResidueKind residue_kind(const Molecule& molecule, const Atom& atom);
 
 const char* residue_kind_name(ResidueKind kind);  // "small non-polar"
-// Lesk's hues as Okabe and Ito have them, and others for what is no amino acid.
+// Lesk's hues in the shades of Okabe and Ito. Other residues have further colours.
 Rgb8 residue_kind_colour(ResidueKind kind);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Texts and identifiers of the reasons for a residue's kind.
 #include "core/molecule/residue_reason.hpp"
 
 namespace alphascope {

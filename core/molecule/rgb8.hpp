@@ -1,4 +1,4 @@
-// A colour.
+// A colour in eight bits per channel.
 #pragma once
 
 #include <cstdint>

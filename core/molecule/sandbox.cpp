@@ -1,4 +1,4 @@
-// See the header.
+// Edits the balls of a sandbox and keeps them on the lattice and within its bounds.
 #include "core/molecule/sandbox.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ auto& ball_at(AnySandbox& sandbox, std::size_t ball) {
 
 }  // namespace
 
-// The bounds are whole units, so that rounding does not leave them.
+// The bounds are whole lattice units, so rounding cannot exceed them.
 double sandbox_reach(const Lattice& lattice) {
   return std::min(kSandboxReach, lattice.angstrom(kMaxLatticeCoordinate));
 }

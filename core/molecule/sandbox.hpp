@@ -1,5 +1,5 @@
-// A handful of balls that somebody sets by hand, in place of the atoms of a file. Which ball is
-// where and how large, on the lattice; not how it is shown.
+// A few balls set by hand in place of a file's atoms: their centres and radii on the lattice. How
+// they are shown is decided elsewhere.
 #pragma once
 
 #include <array>
@@ -22,42 +22,43 @@ struct SandboxBall {
 
 struct Sandbox {
   Lattice lattice;
-  // All centres are in the plane z = 0, exactly, and stay there.
+  // All centres are, and stay, exactly in the plane z = 0.
   bool flat = false;
   std::vector<SandboxBall> balls;
   friend bool operator==(const Sandbox&, const Sandbox&) = default;
 };
 
 inline constexpr std::size_t kMostSandboxBalls = 500;
-// Å: it is looked at as a whole.
+// Å. A sandbox is viewed as a whole, so it stays small.
 inline constexpr double kSandboxReach = 1000, kMostSandboxRadius = 50;
-// Å; less where the lattice is so fine that it ends before.
-double sandbox_reach(const Lattice& lattice);  // of coordinates, each way
+// Bounds in Å. They are smaller if the lattice is so fine that it ends before.
+double sandbox_reach(const Lattice& lattice);  // of coordinates, in each direction
 double most_sandbox_radius(const Lattice& lattice);
 double least_sandbox_radius(const Lattice& lattice);  // one unit
 
-// A sentence with the remedy; empty: these balls can be changed by hand.
+// The reason why so many balls cannot be changed by hand, with the remedy; empty: they can.
 std::string why_no_sandbox(std::size_t balls);
 
-// These balls as they are; flat when all of them are in the plane z = 0 and there is one.
+// A sandbox with these balls. It is flat if all centres are in the plane z = 0 and there is at
+// least one.
 Sandbox sandbox_of(const BallSet& balls);
 
-// Lengths in Å, rounded to the lattice, and into its bounds where they are beyond; z is 0 in a flat
-// sandbox. Throw std::invalid_argument for a number that is none, and for a ball that is not there;
-// add_ball() also when there are kMostSandboxBalls.
+// Lengths are in Å. They are rounded to the lattice and moved into its bounds. In a flat sandbox z
+// is set to 0. These functions throw std::invalid_argument for NaN and for a ball that does not
+// exist. The first also throws it if there are kMostSandboxBalls.
 using SandboxPlace = std::array<double, 3>;
 std::size_t add_ball(Sandbox& sandbox, const SandboxPlace& centre,
-                     double radius_angstrom);  // its index
+                     double radius_angstrom);  // returns its index
 void move_ball(Sandbox& sandbox, std::size_t ball, const SandboxPlace& centre);
 void resize_ball(Sandbox& sandbox, std::size_t ball, double radius_angstrom);
 void remove_ball(Sandbox& sandbox, std::size_t ball);
 SandboxPlace centre_of(const Sandbox& sandbox, std::size_t ball);
 double radius_of(const Sandbox& sandbox, std::size_t ball);
-// Into the plane z = 0, each straight up or down.
+// Moves all centres straight into the plane z = 0.
 void flatten(Sandbox& sandbox);
 
-// With these balls as its atoms, in their order and with their radii as the file's; everything else
-// as in `file`.
+// A molecule with these balls as atoms, in their order and with their radii. Source, format, title
+// and SHA-256 are those of `file`.
 Molecule sandbox_molecule(const Molecule& file, const Sandbox& sandbox);
 
 }  // namespace alphascope

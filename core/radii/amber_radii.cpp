@@ -1,9 +1,11 @@
-// The values are R*, in 10^-3 Å, of the types in parm94 (W. D. Cornell et al., J. Am. Chem. Soc.
-// 117 (1995) 5179), which parm99 (J. Wang, P. Cieplak, P. A. Kollman, J. Comput. Chem. 21 (2000)
-// 1049) and ff14SB keep. Which atom has which type is in AMBER's residue libraries (all_amino94,
-// all_aminont94, all_aminoct94, all_nucleic94). Ions of parm99: Li, Na, Mg, K, Ca, Rb, Cs from J.
-// Åqvist, J. Phys. Chem. 94 (1990) 8021; chloride (type IM) from D. E. Smith, L. X. Dang, J. Chem.
-// Phys. 100 (1994) 3757. It has no other halide ions: those are guessed like any missing value.
+// AMBER's radii of atoms. The values are R*, in 10^-3 Å, of the types in parm94 (W. D. Cornell et
+// al., J. Am. Chem. Soc. 117 (1995) 5179). parm99 (J. Wang, P. Cieplak, P. A. Kollman, J. Comput.
+// Chem. 21 (2000) 1049) and ff14SB keep them. AMBER's residue libraries (all_amino94,
+// all_aminont94, all_aminoct94, all_nucleic94) give the type of each atom.
+//
+// Ions are those of parm99: Li, Na, Mg, K, Ca, Rb, Cs from J. Åqvist, J. Phys. Chem. 94 (1990)
+// 8021; chloride (type IM) from D. E. Smith, L. X. Dang, J. Chem. Phys. 100 (1994) 3757. parm99 has
+// no other halide ions; they are guessed like any missing value.
 #include "core/radii/amber_radii.hpp"
 
 #include <algorithm>
@@ -16,25 +18,27 @@ namespace alphascope {
 namespace {
 
 enum Hydrogen : std::int16_t {
-  kH = 600,    // on N; HS on S has the same
-  kHO = 600,   // on O: 0 in AMBER, as is HW of water, which is no ball
+  kH = 600,  // on N; HS on S has the same value
+  // On O. AMBER has 0 for it and for HW of water, which would give no ball.
+  kHO = 600,
   kHC = 1487,  // on aliphatic C
-  kH1 = 1387,  // on aliphatic C beside one group that withdraws electrons
-  kH2 = 1287,  // beside two
-  kHP = 1100,  // beside a charged group
+  kH1 = 1387,  // on aliphatic C with one electron-withdrawing neighbour
+  kH2 = 1287,  // with two such neighbours
+  kHP = 1100,  // next to a charged group
   kHA = 1459,  // on aromatic C
-  kH4 = 1409,  // on aromatic C beside one group that withdraws electrons
-  kH5 = 1359,  // beside two
+  kH4 = 1409,  // on aromatic C with one electron-withdrawing neighbour
+  kH5 = 1359,  // with two such neighbours
 };
-enum Oxygen : std::int16_t { kO = 1661, kOS = 1684, kOH = 1721, kOW = 1768 };  // O2 is as O
+// O2 has the value of O.
+enum Oxygen : std::int16_t { kO = 1661, kOS = 1684, kOH = 1721, kOW = 1768 };
 
 struct HydrogenRule {
-  std::string_view residue, prefix;  // "*" for any residue; of the atom's name
+  std::string_view residue, prefix;  // `residue` "*": any; `prefix`: of the atom's name
   Hydrogen type;
 };
 
-// Of side chains and of both ends. The first rule that fits decides; what is on a carbon of a side
-// chain and has no rule is HC.
+// Rules for hydrogens of side chains and of both ends. The first rule that fits decides. A hydrogen
+// on a side-chain carbon without a rule is HC.
 constexpr HydrogenRule kHydrogenRules[] = {
     {"ARG", "HD", kH1},  {"ARG", "HE", kH},   {"ARG", "HH", kH},   {"ASN", "HD2", kH},
     {"ASP", "HD", kHO},  {"CYS", "HB", kH1},  {"CYS", "HG", kH},   {"GLN", "HE2", kH},
@@ -47,7 +51,7 @@ constexpr HydrogenRule kHydrogenRules[] = {
     {"TRP", "HZ", kHA},  {"TYR", "HD", kHA},  {"TYR", "HE", kHA},  {"TYR", "HH", kHO},
     {"*", "HA", kH1},    {"*", "HXT", kHO},   {"*", "HO", kHO}};
 
-// Of the bases; names are whole.
+// Rules for hydrogens of bases; the atom's whole name must fit.
 constexpr HydrogenRule kBaseRules[] = {
     {"A", "H2", kH5},   {"A", "H8", kH5},   {"A", "H61", kH},  {"A", "H62", kH},
     {"C", "H5", kHA},   {"C", "H6", kH4},   {"C", "H41", kH},  {"C", "H42", kH},
@@ -66,7 +70,8 @@ constexpr struct {
                  {35, 2220}, {37, 2956}, {53, 2350}, {55, 3395}};
 constexpr int kChlorideIon = 2470;
 
-// An atom's name with its digit behind, primes for stars and H for deuterium: "H5'1" for "1H5*".
+// An atom's name in one spelling: digit at the end, primes instead of stars, H instead of D. So
+// "1H5*" becomes "H5'1".
 class Canonical {
  public:
   explicit Canonical(std::string_view name) {
@@ -87,7 +92,8 @@ bool one_of(const std::string_view (&list)[N], std::string_view name) {
   return std::find(std::begin(list), std::end(list), name) != std::end(list);
 }
 
-// "SEC" and "MSE" are typed as what they stand for.
+// The standard name of an amino acid. "SEC" and "MSE" have the types of the residues that they
+// replace.
 std::string_view amino_acid(std::string_view residue) {
   if (residue == "HYP") return residue;
   const std::string_view name = standard_amino_acid(residue);
@@ -127,7 +133,7 @@ AmberRadius amino_acid_hydrogen(std::string_view residue, std::string_view atom,
       return typed(rule.type);
     }
   }
-  // A letter of the position along the side chain; Y is CHARMM's acetyl.
+  // The letter tells the position along the side chain; Y is CHARMM's acetyl.
   const bool known = atom.size() > 1 && std::string_view("BGDEZHY").find(atom[1]) != atom.npos;
   return known ? typed(kHC) : kUntypedHydrogen;
 }

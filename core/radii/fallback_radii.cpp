@@ -1,3 +1,4 @@
+// Radii by element for atoms that the chosen set does not have.
 #include "core/radii/fallback_radii.hpp"
 
 #include <cmath>
@@ -15,17 +16,17 @@ constexpr ElementEntry kBondiEntries[] = {
     {78, 1750}, {79, 1660}, {80, 1550}, {81, 1960}, {82, 2020}, {92, 1860}};
 constexpr ElementTable kBondi = make_element_table(kBondiEntries);
 
-// M. Mantina et al., J. Phys. Chem. A 113 (2009) 5806: the main-group elements that Bondi left out,
-// on Bondi's scale by construction.
+// M. Mantina et al., J. Phys. Chem. A 113 (2009) 5806. These are main-group elements that Bondi
+// left out, on Bondi's scale by construction.
 constexpr ElementEntry kMantinaEntries[] = {
     {4, 1530},  {5, 1920},  {13, 1840}, {20, 2310}, {32, 2110}, {37, 3030}, {38, 2490}, {51, 2060},
     {55, 3430}, {56, 2680}, {83, 2070}, {84, 1970}, {85, 2020}, {86, 2200}, {87, 3480}, {88, 2830}};
 constexpr ElementTable kMantina = make_element_table(kMantinaEntries);
 
-// R. D. Shannon, Acta Cryst. A 32 (1976) 751: effective ionic radii, six neighbours, for the charge
-// that ChimeraX takes (the CRC Handbook's short table): Fe2+ and Co2+ of low spin, Mn2+ of high
-// spin, else the commonest. The second half, which that table lacks: Ag+, Tl+, else 3+, W, Re and
-// Os 4+.
+// R. D. Shannon, Acta Cryst. A 32 (1976) 751: effective ionic radii with six neighbours. The first
+// half has the charges that ChimeraX takes (the CRC Handbook's short table). These are Fe2+ and
+// Co2+ of low spin, Mn2+ of high spin, else the commonest. The second half has elements that the
+// table lacks: Ag+, Tl+; W, Re and Os 4+; else 3+.
 constexpr ElementEntry kIonicEntries[] = {
     {3, 760},   {4, 450},   {9, 1330},  {11, 1020}, {12, 720},  {13, 540},  {17, 1810}, {19, 1380},
     {20, 1000}, {21, 750},  {22, 860},  {23, 790},  {24, 730},  {25, 830},  {26, 610},  {27, 650},
@@ -38,7 +39,7 @@ constexpr ElementEntry kIonicEntries[] = {
     {69, 880},  {70, 868},  {71, 861},  {74, 660},  {75, 630},  {76, 630},  {77, 680},  {81, 1500}};
 constexpr ElementTable kIonic = make_element_table(kIonicEntries);
 
-// What crystallographic programs give to elements without a van der Waals radius.
+// The usual value of crystallographic programs for elements without a van der Waals radius.
 constexpr int kOtherMilliangstrom = 2000;
 
 bool is_van_der_waals(RadiiSet set) {

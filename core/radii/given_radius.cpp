@@ -1,3 +1,4 @@
+// Puts given radii on a lattice, and refines the lattice if that avoids rounding.
 #include "core/radii/given_radius.hpp"
 
 #include <algorithm>
@@ -11,9 +12,9 @@ constexpr int kGivenDigits = 6;
 }  // namespace
 
 LatticeRadius on_lattice(std::int32_t microangstrom, const Lattice& lattice) {
-  std::int64_t step = 1;  // 10^-6 Å in a unit
+  std::int64_t step = 1;  // 10^-6 Å per lattice unit
   for (int digits = lattice.digits; digits < kGivenDigits; ++digits) step *= 10;
-  // A lattice of whole ångströms must not make a ball vanish.
+  // At least one unit, so that no ball vanishes on a lattice of whole ångströms.
   const std::int64_t units =
       std::clamp<std::int64_t>((microangstrom + step / 2) / step, 1, kMaxLatticeRadius);
   const auto change = static_cast<double>(std::llabs(units * step - microangstrom));

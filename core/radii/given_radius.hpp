@@ -1,4 +1,4 @@
-// Radii as sets, tables and users give them, in 10^-6 Å, on the lattice of the balls.
+// Radii on the lattice of the balls. Sets, tables and users give them in 10^-6 Å.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,14 @@
 
 namespace alphascope {
 
-// In units of the lattice, at least 1, and by how much it was changed where the lattice does not
-// hold it.
+// The radius in lattice units, at least 1, and the change by rounding (Å).
 struct LatticeRadius {
   std::int32_t units;
   double rounding_angstrom;
 };
 LatticeRadius on_lattice(std::int32_t microangstrom, const Lattice& lattice);
 
-// A ball whose given radius its lattice does not hold.
+// A ball whose given radius is no multiple of its lattice unit.
 struct RoundedBall {
   BallIndex ball;
   std::int32_t microangstrom;
@@ -28,8 +27,9 @@ struct RadiusRounding {
   double largest_angstrom = 0;
 };
 
-// Puts the balls on the coarsest lattice that holds all given radii, or on the finest that the
-// bounds leave room for; tells what is rounded even there.
+// Puts the balls on the coarsest lattice that holds all given radii exactly. If the bounds leave no
+// room for it, takes the finest possible lattice. Returns the number of radii that are still
+// rounded, and the largest change.
 RadiusRounding fit_lattice(BallSet& balls, const std::vector<RoundedBall>& rounded);
 
 }  // namespace alphascope

@@ -1,12 +1,12 @@
-// Which set of radii is asked for.
+// The sets of radii from which a user chooses.
 #pragma once
 
 #include <cstdint>
 
 namespace alphascope {
 
-// automatic = the file's own radii when it has any; else ProtOr when there is polymer without
-// hydrogens that ProtOr knows; else Bondi.
+// automatic: the file's own radii if it has any; else ProtOr for polymers without hydrogens that
+// ProtOr knows; else Bondi.
 enum class RadiiSet : std::uint8_t {
   automatic,
   file,

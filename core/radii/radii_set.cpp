@@ -1,3 +1,4 @@
+// The tables of the radii sets, and the look-up of an atom's radius.
 #include "core/radii/radii_set.hpp"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ constexpr ElementEntry kAlvarezEntries[] = {
     {95, 2830}, {96, 3050}, {97, 3400}, {98, 3050}, {99, 2700}};
 constexpr ElementTable kAlvarez = make_element_table(kAlvarezEntries);
 
-// RasMol's table has units of 1/250 Å: 387, 350, 337, 452.
+// RasMol's table is in units of 1/250 Å: 387, 350, 337, 452.
 constexpr ElementEntry kRasmolEntries[] = {{1, 1100}, {6, 1548},  {7, 1400},
                                            {8, 1348}, {15, 1880}, {16, 1808}};
 constexpr ElementTable kRasmol = make_element_table(kRasmolEntries);
@@ -63,7 +64,7 @@ constexpr RadiiSetInfo kSets[] = {
     {RadiiSet::user, "user", "user table", "a table of the user", false},
 };
 
-// 10^-3 Å; 0 for a type that the set does not have.
+// 10^-3 Å; 0: the set does not have this type.
 int protor(AtomType type) {
   switch (type) {
     case AtomType::aliphatic_carbon:
@@ -129,7 +130,8 @@ int naccess(AtomType type) {
   return 0;
 }
 
-// The set's own middle value for an element of an atom that it does not type (ligands).
+// The set's middle value for an element, for atoms that it does not type (ligands). 10^-3 Å; 0:
+// none.
 int typical(RadiiSet set, Element element) {
   const bool naccess_set = set == RadiiSet::naccess;
   switch (element) {
@@ -160,7 +162,7 @@ AssignedRadius by_element(const ElementTable& table, RadiiSet set, const Atom& a
   return known ? of_set(table[atom.element]) : fallback_radius(set, atom.element, atom.kind);
 }
 
-// Of CASTp; the others are ProtOr's.
+// CASTp's value, 10^-3 Å; its other radii are ProtOr's.
 constexpr int kCarboxylateOxygen = 1400;
 
 AssignedRadius by_type(RadiiSet set, AtomType type, const Atom& atom) {
@@ -220,7 +222,7 @@ AssignedRadius RadiiLookup::radius(std::size_t index) {
   return entry->second;
 }
 
-// A residue's atoms are neighbours in the file.
+// The form of the atom's residue. The atoms of a residue are consecutive in the file.
 AmberForm RadiiLookup::form_around(std::size_t index) {
   if (index >= residue_begin_ && index < residue_end_) return residue_form_;
   const std::vector<Atom>& atoms = molecule_.atoms;

@@ -1,4 +1,4 @@
-// Sets of van der Waals radii, each with its source, and finding an atom's radius in one.
+// Sets of van der Waals radii with their sources, and the look-up of an atom's radius.
 #pragma once
 
 #include <cstdint>
@@ -17,53 +17,54 @@ namespace alphascope {
 
 struct RadiiSetInfo {
   RadiiSet set;
-  std::string_view id;    // "bondi": for the command line and for session files
-  std::string_view name;  // "Bondi"
+  std::string_view id;    // for the command line and session files: "bondi"
+  std::string_view name;  // for people: "Bondi"
   std::string_view citation;
-  bool united_atom;  // heavy atoms contain their hydrogens
+  bool united_atom;  // whether radii of heavy atoms include their hydrogens
 };
 
 const RadiiSetInfo& radii_set_info(RadiiSet set);
 std::span<const RadiiSetInfo> all_radii_sets();
-// By id, in any case. False when there is none of that name.
+// Finds a set by its id, in any case. Returns false if there is none.
 bool find_radii_set(std::string_view id, RadiiSet& set);
 
-// Radii of a table written by the user (core/read/user_radii.hpp), in 10^-6 Å.
+// Radii of a user's table (core/read/user_radii.hpp), in 10^-6 Å.
 struct UserRadii {
-  std::string source;                           // file name, for the report
-  std::string sha256;                           // of that file; empty when it was no file
-  std::map<std::string, std::int32_t> by_atom;  // "ALA CB"; "* CB" for any residue
+  std::string source;  // file name, for the report
+  std::string sha256;  // of that file; empty if the table is not from a file
+  std::map<std::string, std::int32_t> by_atom;  // keys "ALA CB", or "* CB" for any residue
   std::map<Element, std::int32_t> by_element;
 };
 
-// AssignedRadius::source of atoms that the set knows by their element only, such as a ligand's.
+// AssignedRadius::source of atoms that the set knows only by their element, such as a ligand's.
 inline constexpr std::string_view kTypicalOfTheSet = "the set's typical value for the element";
 
 struct AssignedRadius {
   std::int32_t microangstrom = 0;  // > 0
-  bool guessed = false;     // the set has no value: the element's from elsewhere, or a default
-  std::string_view source;  // of a guess: "Bondi 1964"; static text
+  // The set has no value, so the radius is the element's from elsewhere, or a default
+  bool guessed = false;
+  std::string_view source;  // source of a guess, such as "Bondi 1964"; static text
 };
 
-// What an atom of unknown element gets.
+// The radius of an atom of unknown element (Å).
 inline constexpr double kUnknownRadiusAngstrom = 1.8;
 
-// Looks radii up, remembering the answer for each pair of residue and atom name.
+// Looks up radii and remembers them by names of residue and atom.
 class RadiiLookup {
  public:
-  // user is needed for RadiiSet::user only. set is neither automatic nor file.
+  // `user` is needed only for RadiiSet::user. `set` must be neither automatic nor file.
   RadiiLookup(const Molecule& molecule, RadiiSet set, std::shared_ptr<const UserRadii> user);
-  // Of Molecule::atoms[atom]; quickest when asked in the order of the atoms.
+  // The radius of Molecule::atoms[atom]. Fastest in the order of the atoms.
   AssignedRadius radius(std::size_t atom);
 
  private:
-  // All that a radius depends on. Kind and element vary little for one pair of names, but they may:
-  // a ligand called ALA.
+  // All inputs of a radius. Kind and element mostly follow from the names, but not always: a ligand
+  // may be called ALA.
   struct Key {
     NameId residue, name;
     Element element;
     AtomKind kind;
-    AmberForm form;  // of the residue; 0 but for AMBER
+    AmberForm form;  // of the residue, for AMBER; else 0
     friend bool operator==(const Key&, const Key&) = default;
   };
   struct Hash {
@@ -76,7 +77,8 @@ class RadiiLookup {
   RadiiSet set_;
   std::shared_ptr<const UserRadii> user_;
   std::unordered_map<Key, AssignedRadius, Hash> known_;
-  std::size_t residue_begin_ = 0, residue_end_ = 0;  // of the residue of residue_form_
+  // Range of the atoms to which residue_form_ belongs.
+  std::size_t residue_begin_ = 0, residue_end_ = 0;
   AmberForm residue_form_ = 0;
 };
 

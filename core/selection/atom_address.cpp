@@ -1,5 +1,5 @@
-// See the header. An address is turned into a selection expression, so that names, numbers and
-// ranges mean the same in both.
+// Reads and writes addresses of atoms. An address is turned into a selection expression, so that
+// names, numbers and ranges mean the same in both.
 #include "core/selection/atom_address.hpp"
 
 #include <algorithm>
@@ -50,15 +50,15 @@ bool has_addresses(std::string_view text) {
                      [](std::string_view part) { return trimmed(part).starts_with('#'); });
 }
 
-// One of the addresses: an atom of the file by its number from 1, or an expression.
+// One address: an atom's number in the file, or an expression.
 struct Address {
-  std::size_t number = 0;  // 0: the expression
+  std::size_t number = 0;  // counted from 1; 0: use the expression
   SelectionExpression expression;
 };
 
 class AddressReader {
  public:
-  // `column` of the address in the whole text, from 1.
+  // `column`: where the address begins in the whole text, from 1.
   AddressReader(std::string_view text, std::size_t column) : text_(text), column_(column) {}
 
   Address read() {

@@ -1,4 +1,4 @@
-// See the header.
+// Applies the options of a selection to atoms.
 #include "core/selection/atom_filter.hpp"
 
 #include "core/molecule/altlocs.hpp"
@@ -60,7 +60,7 @@ void AtomFilter::choose_chains() {
   const auto mark = [this](const std::vector<std::string>& chains, bool keep) {
     for (const std::string& chain : chains) {
       const NameId id = molecule_.names.find(chain);
-      // A chain that is not there must not match the atoms without chain (id 0).
+      // A chain that does not exist must not match the atoms without a chain (id 0).
       if (id != 0 || chain.empty()) chains_[id] = keep;
     }
   };

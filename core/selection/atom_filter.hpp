@@ -1,4 +1,4 @@
-// Which atoms of one model a user's choice takes as balls. Radii are not looked at here.
+// The choice of those atoms of a model that become balls. It does not consider radii.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +14,16 @@ struct AtomRange {
   std::size_t begin, end;
 };
 
-// Decides atom by atom; what a whole residue decides (altlocs) is worked out at the start. Molecule
-// and options must live longer.
+// Decides on one atom at a time. Decisions on whole residues (alternative locations) are made by
+// the constructor. Molecule and options must outlive this object.
 class AtomFilter {
  public:
   AtomFilter(const Molecule& molecule, const BallOptions& options, AtomRange range,
              bool drop_hydrogens);
 
-  // Of an atom of the range.
+  // The reason to drop an atom of the range; empty: it is kept.
   std::optional<DropReason> reason_to_drop(std::size_t atom) const;
-  // Whether it gives way to another of its alternative locations.
+  // Returns whether the atom gives way to another of its alternative locations.
   bool is_minor_location(std::size_t atom) const {
     return !minor_.empty() && minor_[atom - range_.begin];
   }
@@ -36,7 +36,7 @@ class AtomFilter {
   const BallOptions& options_;
   AtomRange range_;
   bool drop_hydrogens_;
-  std::vector<bool> chains_;  // by name: whether the chain is kept; empty = all are
+  std::vector<bool> chains_;  // by name id: whether the chain is kept; empty: all chains are
   std::optional<SelectionExpression::Bound> selection_;
   std::vector<bool> minor_;
 };

@@ -1,3 +1,4 @@
+// Groups balls by atom, residue or chain.
 #include "core/selection/atom_groups.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kNew = 0xffffffff;
 
-// The atoms of the residue at hand, to see where its atoms come again.
+// The atoms of the current residue. A repeated atom shows that the next residue begins.
 class OneResidue {
  public:
   void begin(const Molecule& molecule, const Atom& atom) {
@@ -19,9 +20,9 @@ class OneResidue {
     add(molecule, atom);
   }
 
-  // Whether the atom begins the next residue of the same name and number. Waters and ions may all
-  // have one number. One that is 0, or is none, tells nothing of other residues either, unless
-  // their atoms are named by their elements alone.
+  // Returns whether the atom begins another residue of the same name and number. Waters and ions
+  // may all have one number. Number 0 does not tell other residues apart either, except where atoms
+  // are named by their elements alone.
   bool ends_before(const Molecule& molecule, const Atom& atom) {
     const bool alone = atom.kind == AtomKind::water || atom.kind == AtomKind::ion;
     const bool told = alone || (atom.residue_number == 0 && has_names_);
@@ -37,7 +38,8 @@ class OneResidue {
     if (seen_.size() < kMostAtoms) seen_.push_back({atom.name, atom.altloc});
     has_names_ |= molecule.text(atom.name).size() > element_symbol(atom.element).size();
   }
-  // A letter and none are of two residues, two letters may be of one.
+  // Returns whether the atom is there already. For number 0, an atom with a letter and one without
+  // belong to two residues. Two letters may belong to one.
   bool comes(const Atom& atom) const {
     return std::any_of(seen_.begin(), seen_.end(), [&](const auto& seen) {
       return seen.first == atom.name &&
@@ -47,7 +49,7 @@ class OneResidue {
   }
 
   std::vector<std::pair<NameId, char>> seen_;
-  bool has_names_ = false;  // some atom's name is more than its element
+  bool has_names_ = false;  // whether an atom's name is longer than its element
 };
 
 }  // namespace
@@ -72,7 +74,7 @@ AtomGroups atom_groups(const Molecule& molecule, std::span<const std::uint32_t> 
     if (by == AtomGrouping::residue) {
       bool goes_on = last && same_residue(*last, atom);
       if (goes_on) {
-        // Atoms between the two that are no balls tell residues apart as well.
+        // Atoms in between that are no balls count as well.
         for (std::size_t k = last_index + 1; k <= index; ++k) {
           const Atom& next_atom = molecule.atoms[k];
           if (!same_residue(*last, next_atom) || !residue.ends_before(molecule, next_atom))

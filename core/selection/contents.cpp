@@ -1,3 +1,4 @@
+// Counts the atoms of a molecule by chain and kind.
 #include "core/selection/contents.hpp"
 
 #include <limits>

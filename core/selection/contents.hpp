@@ -1,4 +1,4 @@
-// What a molecule consists of, counted: for lists from which people choose.
+// The contents of a molecule in numbers, for lists from which people choose.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace alphascope {
 
-// Atoms by kind; the index is an AtomKind.
+// Numbers of atoms by kind; the index is an AtomKind.
 using KindCounts = std::array<std::size_t, 5>;
 
 inline std::size_t of_kind(const KindCounts& counts, AtomKind kind) {
   return counts[static_cast<std::size_t>(kind)];
 }
 
-// "polymer 1,069 · water 60": those of which there are any.
+// The kinds that occur: "polymer 1,069 · water 60".
 std::string kinds_text(const KindCounts& counts);
 
 struct ChainContents {
-  std::string name;  // the author's; empty where the file gives none
+  std::string name;  // the author's name; empty: the file gives none
   std::size_t atoms = 0;
   KindCounts kinds{};
 };
@@ -30,10 +30,10 @@ struct MoleculeContents {
   std::vector<ChainContents> chains;  // in order of first appearance
   KindCounts kinds{};
   std::size_t hydrogens = 0;
-  std::size_t with_altloc = 0;  // atoms that have an alternative location's letter
+  std::size_t with_altloc = 0;  // atoms with the letter of an alternative location
 };
 
-// All models together.
+// Counts the atoms of all models together.
 MoleculeContents contents_of(const Molecule& molecule);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Makes balls of the selected atoms, and counts all that was dropped, guessed or rounded.
 #include "core/selection/prepare_balls.hpp"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ AtomRange chosen_atoms(const Molecule& molecule, int model) {
   return {molecule.models[model].begin, molecule.models[model].end};
 }
 
-// Counts each dropped atom under its reason, and under its residue's name for the list.
+// Counts dropped atoms by reason, and by residue name for the list.
 class DropCounter {
  public:
   DropCounter(const Molecule& molecule, SelectionReport& report)
@@ -85,7 +86,7 @@ class DropCounter {
   std::map<std::pair<DropReason, NameId>, std::size_t> by_residue_;
 };
 
-// Radii in lattice units, with the lists of the guessed, overridden and missing ones.
+// Looks up radii in lattice units, and lists the guessed, overridden and missing ones.
 class RadiusSource {
  public:
   RadiusSource(const Molecule& molecule, const BallOptions& options, SelectionReport& report)
@@ -96,10 +97,11 @@ class RadiusSource {
     for (const RadiusOverride& o : options.overrides) add_override(o);
   }
 
-  // The given radius (10^-6 Å) that the last answer of radius() is rounded from; 0 if it is not.
+  // The given radius (10^-6 Å) from which the last result of radius() was rounded; 0: it was not
+  // rounded.
   std::int32_t rounded_from() const { return rounded_from_; }
 
-  // 0 when the atom has no ball; `missing` then says why.
+  // The radius in lattice units; 0: the atom has no ball, and `missing` is set to the reason.
   std::int32_t radius(std::size_t index, DropReason& missing) {
     rounded_from_ = 0;
     const Atom& atom = molecule_.atoms[index];
@@ -135,7 +137,8 @@ class RadiusSource {
     return text + (text.empty() ? "" : "; ") + "element guessed from the atom's name";
   }
 
-  // Names are numbered from 0 without gaps, far below 2^28 even in the largest files.
+  // A key of three parts. Names are numbered from 0 without gaps, far below 2^28 even in the
+  // largest files.
   static std::uint64_t key(NameId residue, NameId name, Element element) {
     return (std::uint64_t{residue} << 36) ^ (std::uint64_t{name} << 8) ^ element;
   }
@@ -147,7 +150,7 @@ class RadiusSource {
     const auto& [residue_text, atom_text, element] = o.atoms;
     const NameId residue = molecule_.names.find(residue_text),
                  name = molecule_.names.find(atom_text);
-    // Names that this molecule does not have must not match its atoms without a name (id 0).
+    // Names that this molecule lacks must not match its atoms without a name (id 0).
     if ((residue == 0 && !residue_text.empty()) || (name == 0 && !atom_text.empty())) return;
     overrides_[key(residue, name, element)] = o.microangstrom;
   }
@@ -181,19 +184,19 @@ class RadiusSource {
   Index guess_index_, override_index_, unsized_index_;
 };
 
-// Balls by element and radius.
+// Counts balls by element and radius.
 class SizeCounter {
  public:
   void add(const Atom& atom, std::int32_t radius) {
     const std::uint64_t key =
         (std::uint64_t{atom.element} << 32) | static_cast<std::uint32_t>(radius);
-    // Neighbours in a file often are of one size.
+    // Neighbours in a file often have one size, so the last entry is tried first.
     if (key != last_key_ || last_ == nullptr) {
       last_ = &counts_[key];
       last_key_ = key;
     }
     ++last_->count;
-    // One more than is told, to see whether there are more.
+    // Keeps one name more than is listed, to see whether there are more.
     std::vector<NameId>& names = last_->names;
     if (names.size() > kNamesTold) return;
     if (std::find(names.begin(), names.end(), atom.name) == names.end()) {
@@ -227,12 +230,13 @@ class SizeCounter {
     return text;
   }
 
-  std::map<std::uint64_t, Counted> counts_;  // its elements stay where they are
+  std::map<std::uint64_t, Counted> counts_;  // entries of a map keep their addresses
   std::uint64_t last_key_ = 0;
   Counted* last_ = nullptr;
 };
 
-// ProtOr is meant for proteins and nucleic acids without hydrogens, and says nothing of others.
+// Returns whether ProtOr suits the atoms. It is made for proteins and nucleic acids without
+// hydrogens and has no values for others.
 bool suits_protor(const Molecule& molecule, AtomRange range) {
   bool typed = false;
   RadiiLookup protor(molecule, RadiiSet::protor, nullptr);
@@ -282,7 +286,7 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
   DropCounter dropped(molecule, report);
   RadiusSource radii(molecule, options, report);
   std::vector<RoundedBall> rounded;
-  const Atom* guessed = nullptr;  // the last that was
+  const Atom* guessed = nullptr;  // the last atom of a guessed residue
   auto balls = std::make_shared<BallSet>();
   balls->lattice = molecule.lattice;
   for (std::size_t i = range.begin; i < range.end; ++i) {

@@ -1,5 +1,5 @@
-// From atoms to balls: which atoms of a molecule are used, with which radii, and an honest account
-// of everything that was left out or guessed.
+// The way from atoms to balls: which atoms are used, and with which radii. A report lists all that
+// was left out or guessed.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace alphascope {
 
-// A radius that the set did not have.
+// Atoms of one kind with a radius that the set did not have.
 struct GuessedRadius {
   std::string atoms;  // "FE in HEM"
   std::size_t count = 0;
@@ -36,26 +36,28 @@ struct BallSize {
   Element element = kUnknownElement;
   std::int32_t radius = 0;
   std::size_t count = 0;
-  std::string atoms;  // names of some: "CA, CB, CG, …"; empty where the file has none
+  std::string atoms;  // some names: "CA, CB, CG, …"; empty: the file has none
 };
 
-// Each atom left out is counted once, under the first of the reasons that applies.
+// Each dropped atom is counted once, under the first reason that applies.
 struct SelectionReport {
   std::size_t total = 0;  // atoms of the chosen model
   std::size_t used = 0;
   std::size_t dropped_chains = 0;
-  std::size_t dropped_selection = 0;  // not picked by the selection expression
+  std::size_t dropped_selection = 0;  // not part of the selection expression
   std::size_t dropped_dummies = 0;
   std::size_t dropped_waters = 0;           // atoms of waters
-  std::size_t dropped_water_hydrogens = 0;  // of them
+  std::size_t dropped_water_hydrogens = 0;  // those of them that are hydrogens
   std::size_t dropped_ions = 0;
   std::size_t dropped_ligands = 0;
   std::size_t dropped_polymers = 0;
   std::size_t dropped_hydrogens = 0;
   std::size_t dropped_altlocs = 0;
-  std::size_t dropped_zero_radius = 0;     // the file says 0: no ball, by its own account
-  std::size_t dropped_without_radius = 0;  // the file's own radii are asked for; none here
-  std::vector<DroppedAtoms> dropped;  // the same, by residue name: reasons in order, most first
+  std::size_t dropped_zero_radius = 0;  // the file gives the radius 0
+  // The file's radii are used, and it gives none for the atom.
+  std::size_t dropped_without_radius = 0;
+  // The same numbers by residue name: reasons in order, largest number first
+  std::vector<DroppedAtoms> dropped;
 
   RadiiSet radii = RadiiSet::bondi;  // never automatic
   std::string radii_name;
@@ -64,44 +66,46 @@ struct SelectionReport {
   std::size_t guessed_atoms = 0;
   std::vector<GuessedRadius> overridden;  // by BallOptions::overrides
   std::size_t overridden_atoms = 0;
-  std::vector<GuessedRadius> unsized;   // dropped for the lack of a radius; theirs is 0 here
-  std::vector<BallSize> sizes;          // of the balls, most frequent first
-  std::size_t rounded_radii = 0;        // of sets, tables and edits, where no lattice holds them
-  double radius_rounding_angstrom = 0;  // the largest change
-  Lattice lattice;                      // of the balls: the file's, or a finer one for such radii
+  std::vector<GuessedRadius> unsized;  // atoms dropped for lack of a radius; their radius here is 0
+  std::vector<BallSize> sizes;         // of the balls, most frequent first
+  std::size_t rounded_radii = 0;  // radii of sets, tables and edits that the lattice does not hold
+  double radius_rounding_angstrom = 0;  // largest change, Å
+  Lattice lattice;  // of the balls: the file's, or a finer one that holds such radii
 
-  // Residues of the chains and the selection that were guessed to be polymer or ligand.
+  // Residues of the selected chains and atoms whose kind (polymer or ligand) was guessed.
   std::size_t guessed_residues = 0;
 
-  // Balls whose centre is exactly that of an earlier ball. They stay in the set; of balls with one
-  // centre only the largest shows.
+  // Balls whose centre is exactly that of an earlier ball. They stay in the set. Among balls with
+  // one centre only the largest is visible.
   std::size_t coincident_centres = 0;
 };
 
-// An atom that is there, though not in the body: to be drawn, or to ask which cavity it is in.
+// An atom that is present but no ball. It can be drawn, or looked up in a cavity.
 struct LeftOutAtom {
-  std::uint32_t atom = 0;                    // index into Molecule::atoms, which has its position
-  DropReason reason = DropReason::hydrogen;  // or water (with its hydrogens), ion, ligand
+  std::uint32_t atom = 0;                    // index into Molecule::atoms
+  DropReason reason = DropReason::hydrogen;  // hydrogen, water (with its hydrogens), ion or ligand
   friend bool operator==(const LeftOutAtom&, const LeftOutAtom&) = default;
 };
 
 struct PreparedBalls {
   std::shared_ptr<const BallSet> balls;
   std::vector<std::uint32_t> atom_of_ball;  // index into Molecule::atoms
-  // Ascending. Of alternative locations only the chosen ones; no atoms of other models, of chains
-  // left out or beside the selection, and none without a radius by the file's own account.
+  // Ascending. Only chosen alternative locations are listed. Atoms of other models, of dropped
+  // chains or outside the selection are not listed. Neither are atoms to which the file gives no
+  // radius.
   std::vector<LeftOutAtom> left_out;
   SelectionReport report;
 };
 
-// Balls come in the order of their atoms. Throws std::invalid_argument for a model that is not
-// there, for radii from a file without any, for RadiiSet::user without a table, and for more atoms
-// than an index can count; Cancelled. No atom left is no error: the set is empty and the report
-// says why.
+// Makes the balls, in the order of their atoms. Throws std::invalid_argument in four cases: a
+// missing model; file radii of a file without any; RadiiSet::user without a table; more atoms than
+// an index can count. Throws Cancelled. An empty result is no error; the report says why it is
+// empty.
 PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options = {},
                             const RunContext& context = {});
 
-// "used 2,104 of 2,431 atoms; dropped 201 waters, 88 alternative locations; radii Bondi; 2 guessed"
+// One line: "used 2,104 of 2,431 atoms; dropped 201 waters, 88 alternative locations; radii Bondi;
+// 2 guessed".
 std::string summary(const SelectionReport& report);
 
 struct CountedReason {
@@ -109,7 +113,7 @@ struct CountedReason {
   std::size_t count = 0;
   std::string text;  // "201 waters"
 };
-// The reasons for which something was dropped, in the order in which they apply.
+// The reasons for which atoms were dropped, in the order in which they apply.
 std::vector<CountedReason> drop_reasons(const SelectionReport& report);
 
 }  // namespace alphascope

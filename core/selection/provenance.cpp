@@ -1,3 +1,4 @@
+// Collects the provenance of a set of balls as texts.
 #include "core/selection/provenance.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/short_number.hpp"
@@ -22,7 +23,8 @@ std::string radii_text(const BallOptions& options, const SelectionReport& report
   }
   for (const GuessedRadius& given : report.overridden) {
     char radius[32];
-    std::snprintf(radius, sizeof radius, "%.8g", given.radius_angstrom);  // all to 10^-6 Å
+    // All digits: radii have 10^-6 Å.
+    std::snprintf(radius, sizeof radius, "%.8g", given.radius_angstrom);
     text += "; by hand " + given.atoms + " " + radius;
   }
   return text;

@@ -1,5 +1,5 @@
-// Where a set of balls comes from, as short texts for whatever is written with it: headers of
-// files, columns of tables, the text in a picture.
+// The provenance of a set of balls as short texts. They are written with results: in headers of
+// files, columns of tables, and pictures.
 #pragma once
 
 #include <string>
@@ -10,22 +10,22 @@
 
 namespace alphascope {
 
-// Key and value, in this order: file, sha256, format, model, assembly, options,
+// Keys and values, in this order: file, sha256, format, model, assembly, options,
 // selection_expression, selection, radii, lattice_unit_angstrom, rounding_angstrom,
-// radius_rounding_angstrom. Every key is always there; what does not apply is empty. Values are
-// printable, also the name of a file that is not.
+// radius_rounding_angstrom. Every key is always there; its value is empty if it does not apply.
+// Values are printable, even if a file's name is not.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 Provenance provenance(const Molecule& molecule, const BallOptions& options,
                       const SelectionReport& report);
 
-// "0.001", the unit in Å with all its digits.
+// The lattice unit in Å with all its digits: "0.001".
 std::string lattice_unit_text(const Lattice& lattice);
 
-// "2", counted from 1 as the command line counts; "joined" for kAllModels.
+// The number of a model, counted from 1 as on the command line: "2". "joined" for kAllModels.
 std::string model_text(int model);
 
-// What was chosen otherwise than by default, in the command line's words: "--altlocs all --waters".
-// Model, assembly, selection expression and radii set are not repeated here.
+// The options that differ from the defaults, in the command line's words: "--altlocs all --waters".
+// Model, assembly, selection expression and radii set are not included.
 std::string options_text(const BallOptions& options);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Groups residues by name and decision, and finds expressions that name each group.
 #include "core/selection/residue_groups.hpp"
 
 #include <algorithm>
@@ -17,18 +17,19 @@
 namespace alphascope {
 namespace {
 
-// What the file's evidence says of an atom that may be treated.
+// The atom as the file's evidence decides it, without treatments.
 const Atom& as_in_file(const Molecule& deposited, const Molecule& molecule, std::size_t atom) {
   if (molecule.atoms[atom].why != ResidueReason::by_hand) return molecule.atoms[atom];
   return deposited.atoms[atom_source(molecule, atom).deposited];
 }
 
-// Neighbours of one residue that are the same go together, as in list_residues().
+// Returns whether an atom continues the run of a residue, as in list_residues(): same residue, kind
+// and reason.
 bool goes_on(const Atom& last, const Atom& atom) {
   return last.kind == atom.kind && last.why == atom.why && same_residue(last, atom);
 }
 
-// Whether an address can name the atom's residue and not all of its chain.
+// Returns whether an address can name the atom's residue without naming its whole chain.
 bool has_address(const Atom& atom) {
   return atom.residue_name != 0 || atom.residue_number != 0 || atom.chain == 0;
 }
@@ -74,8 +75,8 @@ class Grouping {
   struct Found {
     ResidueGroup group;
     NameId name = 0;
-    std::vector<std::size_t> first;  // atoms of some residues, one more than can be named
-    std::vector<bool> by;            // treatments
+    std::vector<std::size_t> first;  // first atoms of some residues; one more than can be named
+    std::vector<bool> by;            // for each treatment whether it applies to the group
   };
 
   void begin_residue(std::size_t index) {
@@ -86,7 +87,7 @@ class Grouping {
                             static_cast<unsigned>(file.kind), static_cast<unsigned>(file.why)}) {
       key = key << 8 | part;
     }
-    // 32 bits of the name and 32 of these four.
+    // The key has 32 bits of the name and 32 of these four values.
     const auto [known, is_new] = places_.try_emplace(key, groups_.size());
     place_ = known->second;
     if (is_new) {
@@ -124,7 +125,7 @@ class Grouping {
     for (const std::size_t atom : found.first) {
       if (!has_address(molecule_.atoms[atom])) return;
       std::string address = residue_address(molecule_, atom);
-      // Atoms of two types at one place take turns.
+      // Atoms of two types at one place alternate, so an address may repeat.
       if (std::find(called.begin(), called.end(), address) == called.end()) {
         called.push_back(std::move(address));
       }
@@ -132,7 +133,8 @@ class Grouping {
     group.called = std::move(called);
   }
 
-  // "resn "HOH" and not (chain "A" and resi 143)"; empty where the others are too many as well.
+  // An expression for all residues of the name but those of other groups, such as "resn "HOH" and
+  // not (chain "A" and resi 143)". Empty if there are too many others.
   std::string all_but_others(const Found& found) const {
     const std::size_t others = residues_of_name_[found.name] - found.group.residues;
     if (found.name == 0 || others > kMostAddresses) return {};
@@ -156,14 +158,16 @@ class Grouping {
   const Molecule& molecule_;
   const std::vector<std::string>& treatments_;
   const TreatedAtoms& treated_;
-  std::vector<std::size_t> residues_of_name_;  // that treatments can change
+  // Numbers of residues that treatments can change, by name id.
+  std::vector<std::size_t> residues_of_name_;
   std::vector<Found> groups_;
-  std::unordered_map<NameId, std::vector<const Found*>> of_name_;  // the same, when all are there
+  // Groups by name; filled when all are known.
+  std::unordered_map<NameId, std::vector<const Found*>> of_name_;
   std::unordered_map<std::uint64_t, std::size_t> places_;
-  std::size_t place_ = 0;  // of the present residue
+  std::size_t place_ = 0;  // index of the current residue's group
 };
 
-// Small numbers come first.
+// The order of groups: small numbers first.
 int rank(const ResidueGroup& group) {
   if (is_guess(group.file_why)) return -1;
   constexpr AtomKind kOrder[] = {AtomKind::ligand, AtomKind::ion, AtomKind::dummy, AtomKind::water,

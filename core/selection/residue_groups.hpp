@@ -1,5 +1,5 @@
-// What the residues of a molecule were taken for, one line for each name and decision, and by hand
-// otherwise: the table from which people choose. Treatments name atoms, groups say what to name.
+// The table of a molecule's residues by name and decision, from which people choose what to set by
+// hand. Treatments name atoms; a group knows how its residues can be named.
 #pragma once
 
 #include <cstddef>
@@ -12,53 +12,53 @@
 
 namespace alphascope {
 
-// Residues of one name that the file's evidence made the same for the same reason, and that are
-// the same now.
+// Residues of one name with the same kind and reason, both in the file and now.
 struct ResidueGroup {
-  std::string name;  // empty where the file gives none
+  std::string name;  // empty: the file gives none
   AtomKind kind = AtomKind::polymer;
-  ResidueReason why = ResidueReason::none;  // `by_hand` where a treatment said so
+  ResidueReason why = ResidueReason::none;  // `by_hand` if a treatment decided
   AtomKind file_kind = AtomKind::polymer;   // without treatments
   ResidueReason file_why = ResidueReason::none;
   std::size_t residues = 0, atoms = 0;
-  std::size_t nth = 1;  // of the groups of this name, in the order of the list
-  // What treatments call them: their name, or where others have the name as well the address of
-  // each, or an expression that leaves out the others. Empty where they cannot be named: more than
-  // kMostAddresses on both sides, points without matter, atoms of which the file gives nothing but
-  // a chain.
+  std::size_t nth = 1;  // number among the groups of this name, in the order of the list
+  // The texts by which treatments name these residues. If no other group has their name, it is the
+  // name. Otherwise it is the address of each, or an expression that excludes the others. Empty if
+  // they cannot be named. These are more than kMostAddresses on both sides, points without matter,
+  // and atoms with nothing but a chain.
   std::vector<std::string> called;
-  std::vector<std::string> treated;  // the treatments in force that name any of them
+  std::vector<std::string> treated;  // active treatments that name any of them
   friend bool operator==(const ResidueGroup&, const ResidueGroup&) = default;
 };
 
 struct ResidueGroups {
-  // Guesses of the file's reader first, then ligands, ions, dummies, waters, polymers, each by
-  // name; treatments move no line.
+  // First the guesses of the file's reader, then ligands, ions, dummies, waters and polymers, each
+  // by name. Treatments do not change the order.
   std::vector<ResidueGroup> of;
-  KindCounts kinds{};       // residues; points without matter are none
-  std::size_t guessed = 0;  // of them, still a guess
+  KindCounts kinds{};       // numbers of residues; points without matter do not count
+  std::size_t guessed = 0;  // residues that are still a guess
   std::size_t by_hand = 0;
 };
 
 inline constexpr std::size_t kMostAddresses = 50;
 
-// Of the atoms [begin, end) of `molecule`, which was made of `deposited`: its assembly, treated.
-// `treatments` are those that made `treated`. No groups where the format knows no residues.
+// Groups the atoms [begin, end) of `molecule`. It was made from `deposited` by assembly and
+// treatments. `treated` belongs to `treatments`. Returns no groups if the format has no residues.
 ResidueGroups residue_groups(const Molecule& deposited, const Molecule& molecule, std::size_t begin,
                              std::size_t end, const std::vector<std::string>& treatments,
                              const TreatedAtoms& treated);
 
-// "2 guessed, 1 set by hand", or where there are none "polymer 46 · water 58".
+// A summary: "2 guessed, 1 set by hand"; if there are none, "polymer 46 · water 58".
 std::string decisions_text(const ResidueGroups& groups);
 
-// "a polymer in the entity table"; for residues set by hand "set by hand; otherwise ligand (HETATM,
-// and no part of a chain)".
+// The reason for people: "a polymer in the entity table". For residues set by hand: "set by hand;
+// otherwise ligand (HETATM, and no part of a chain)".
 std::string why_text(const ResidueGroup& group);
 
-// An expression or addresses that select them; empty where `called` is.
+// An expression or addresses that select the residues; empty if `called` is.
 std::string selection_text(const ResidueGroup& group);
 
-// Say of them what they are, and take back every treatment that names any of them.
+// treat_group() sets the kind of the residues. take_back() removes every treatment that names any
+// of them.
 void treat_group(std::vector<std::string>& treatments, const ResidueGroup& group, AtomKind kind);
 void take_back(std::vector<std::string>& treatments, const ResidueGroup& group);
 

@@ -1,4 +1,4 @@
-// See the header.
+// Lists residues for people, alone or in groups.
 #include "core/selection/residue_list.hpp"
 
 #include <map>
@@ -9,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-// So many residues of one name and reason in a chain are told one by one.
+// The largest number of residues of one name and reason in a chain that are listed one by one.
 constexpr std::size_t kToldOneByOne = 12;
 
 std::string number_text(const Atom& atom) {
@@ -38,7 +38,7 @@ std::vector<Run> runs_of(const Molecule& molecule, std::size_t begin, std::size_
 
 using Key = std::tuple<NameId, AtomKind, ResidueReason, NameId>;
 
-// Polymers and waters of a chain go together whatever their names.
+// Polymers, and waters, of a chain share one entry whatever their names.
 Key key_of(const Atom& atom) {
   const bool together = atom.kind == AtomKind::polymer || atom.kind == AtomKind::water;
   return {atom.chain, atom.kind, atom.why, together && !is_guess(atom.why) ? 0 : atom.residue_name};
@@ -59,7 +59,7 @@ std::vector<ListedResidues> list_residues(const Molecule& molecule, std::size_t 
     return (body && !is_guess(atom.why)) || counts[key_of(atom)] > kToldOneByOne;
   };
   std::vector<ListedResidues> list;
-  std::vector<std::size_t> last;  // an atom of the last residue of each
+  std::vector<std::size_t> last;  // for each entry an atom of its last residue
   std::map<Key, std::size_t> places;
   for (const Run& run : runs) {
     const Atom& atom = molecule.atoms[run.first];

@@ -1,4 +1,4 @@
-// What the residues of a molecule are and why, for lists that people read.
+// Lists of a molecule's residues with their kinds and reasons, for people.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,20 @@
 namespace alphascope {
 
 enum class ResidueListing : unsigned char {
-  grouped,  // the polymer of a chain is one line, so are its waters, and many of one name
+  grouped,  // one line for a chain's polymer, one for its waters, one for many residues of one name
   each      // one line for each residue
 };
 
 struct ListedResidues {
-  std::string chain, name, number;  // "16-223"; no name where there are several
+  std::string chain, name, number;  // "16-223"; `name` is empty if there are several
   AtomKind kind = AtomKind::polymer;
   ResidueReason why = ResidueReason::none;
   std::size_t residues = 0, atoms = 0;
-  std::size_t first_atom = 0;  // of the first of them
+  std::size_t first_atom = 0;  // first atom of the first residue
 };
 
-// Of the atoms [begin, end), in order of appearance. A residue whose atoms differ in what they are
-// (an ion, a site without matter) stands there with each.
+// Lists the residues of the atoms [begin, end) in order of appearance. A residue whose atoms differ
+// in kind or reason (an ion, a site without matter) has one entry for each.
 std::vector<ListedResidues> list_residues(const Molecule& molecule, std::size_t begin,
                                           std::size_t end, ResidueListing listing);
 

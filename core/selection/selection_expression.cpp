@@ -1,5 +1,5 @@
-// Running the program of an expression over the atoms of one molecule. Words that look at more than
-// one atom (zones, whole residues, kinds of polymers) are worked out for all atoms beforehand.
+// Runs the program of a selection expression over a molecule's atoms. Words that depend on more
+// than one atom (zones, whole residues, kinds of polymers) are computed for all atoms beforehand.
 #include "core/selection/selection_expression.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Test = SelectionTest;
 
-// * matches any characters, ? matches one.
+// In patterns * matches any characters and ? matches one.
 bool glob(std::string_view pattern, std::string_view text) {
   std::size_t p = 0, t = 0, star = std::string_view::npos, from = 0;
   while (t < text.size()) {
@@ -55,7 +55,7 @@ bool in_ranges(const std::vector<SelectionNode::Range>& ranges, std::int64_t num
   });
 }
 
-// Words of a picture; the first of them, or null.
+// The first word of a program that needs a picture, or null.
 const SelectionNode* picture_word(const SelectionProgram& program) {
   for (const SelectionNode& node : program) {
     if (node.test == Test::selected || node.test == Test::hidden) return &node;
@@ -77,12 +77,12 @@ struct SelectionExpression::Bound::Node {
   SelectionNode of;
   std::vector<bool> names = {};     // by NameId
   std::vector<bool> elements = {};  // by Element
-  std::vector<bool> atoms = {};     // of tests that are worked out beforehand
+  std::vector<bool> atoms = {};     // for tests that are computed beforehand
 
-  bool holds(const Molecule& molecule, const Atom& atom) const;  // of a test
+  bool holds(const Molecule& molecule, const Atom& atom) const;  // evaluates a test
 };
 
-// Recursive as deep as the parser was.
+// Binds a program to a molecule. The recursion is as deep as that of the parser.
 struct SelectionExpression::Binder {
   const Molecule& molecule;
   const PictureAtoms& picture;

@@ -1,4 +1,4 @@
-// See the header.
+// Computes the words of selections that depend on several atoms.
 #include "core/selection/selection_masks.hpp"
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace alphascope {
 namespace {
 
-// Calls `use(begin, end)` for the atoms of each residue: neighbours in the file, in one model.
+// Calls `use(begin, end)` for the atoms of each residue. They are consecutive in the file and in
+// one model.
 template <class Use>
 void for_each_residue(const Molecule& molecule, const Use& use) {
   for (const ModelRange& model : molecule.models) {
@@ -57,7 +58,8 @@ bool is_backbone(Polymer polymer, std::string_view name) {
   return sugar || std::any_of(std::begin(kPhosphate), std::end(kPhosphate), is);
 }
 
-// The largest square of a distance in units of the lattice that is at most so many µÅ squared.
+// The largest square distance in square lattice units that is at most the square of `microangstrom`
+// (10^-6 Å).
 std::uint64_t most_square_units(std::int64_t microangstrom, const Lattice& lattice) {
   UInt128 square = static_cast<UInt128>(microangstrom) * static_cast<UInt128>(microangstrom);
   for (int digits = lattice.digits; digits < kMaxLatticeDigits; ++digits) square /= 100;
@@ -65,7 +67,7 @@ std::uint64_t most_square_units(std::int64_t microangstrom, const Lattice& latti
   return square > kMost ? kMost : static_cast<std::uint64_t>(square);
 }
 
-// Differences of coordinates fit 31 bits, so their squares' sum fits 63.
+// Differences of coordinates fit into 31 bits, so the sum of their squares fits into 63.
 std::uint64_t square_distance(const LatticePoint& p, std::int32_t x, std::int32_t y,
                               std::int32_t z) {
   const auto square = [](std::int32_t a, std::int32_t b) {
@@ -75,7 +77,7 @@ std::uint64_t square_distance(const LatticePoint& p, std::int32_t x, std::int32_
   return square(p.x, x) + square(p.y, y) + square(p.z, z);
 }
 
-// Whether a point is near the centre of some ball.
+// Tests whether a point is near the centre of any ball.
 class NearSome {
  public:
   NearSome(const BallSet& around, std::uint64_t most_square)
@@ -109,7 +111,7 @@ class NearSome {
  private:
   UniformGrid grid_;
   std::uint64_t most_;
-  double reach_;  // cells; mostly one
+  double reach_;  // number of cells, mostly 1
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Recursive descent (or, and, not, primary) that writes the program; only parentheses and words
-// that stand before a selection are recursive.
+// A recursive descent parser (or, and, not, primary) that writes the program of a selection. Only
+// parentheses and words before a selection are recursive.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -14,9 +14,10 @@ namespace {
 
 using Test = SelectionTest;
 
-constexpr int kDeepestNesting = 200;   // each takes three frames of the parser, some 2 kB of stack
+// Each level takes three frames of the parser, about 2 kB of stack.
+constexpr int kDeepestNesting = 200;
 constexpr double kLargestZone = 1000;  // Å
-constexpr double kMicro = 1e6;         // of a length in Å: six decimals, as the finest lattice
+constexpr double kMicro = 1e6;         // units per Å: six decimals, as the finest lattice
 
 bool same_word(std::string_view a, std::string_view b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) {
@@ -105,7 +106,7 @@ class Tokens {
 struct Word {
   std::string_view word;
   Test test;
-  std::string_view operand = {};  // what must follow; empty = nothing
+  std::string_view operand = {};  // description of what must follow; empty: nothing
 };
 
 constexpr Word kWords[] = {{"all", Test::all},
@@ -170,7 +171,7 @@ class SelectionParser {
     return text;
   }
 
-  // A chain of one operator: each side but the last is followed by a jump to the end.
+  // Parses a chain of one operator. Each side but the last is followed by a jump to the end.
   void parse_chain(Token::Kind op, Test jump, void (SelectionParser::*side)()) {
     std::vector<std::size_t> jumps;
     (this->*side)();
@@ -249,7 +250,7 @@ class SelectionParser {
     return std::make_shared<const SelectionProgram>(std::exchange(nodes_, std::move(outer)));
   }
 
-  // "5 of", in millionths of an Å.
+  // Parses "5 of"; returns the distance in 10^-6 Å.
   std::int64_t parse_zone(const Token& word) {
     const Token token = next();
     double angstrom = 0;
@@ -334,7 +335,7 @@ class SelectionParser {
     node.ranges.push_back(range);
   }
 
-  // "7", "-3", "10-20", "-5--1", "12A".
+  // Parses "7", "-3", "10-20", "-5--1" or "12A".
   static std::optional<SelectionNode::Range> range_in(std::string_view text) {
     const char* p = text.data();
     const char* const end = p + text.size();

@@ -1,5 +1,5 @@
-// A selection expression as it is carried out: the parser writes it, SelectionExpression runs it.
-// For these two only.
+// The program of a selection expression. The parser writes it and SelectionExpression runs it. No
+// other code needs it.
 #pragma once
 
 #include <cstddef>
@@ -40,30 +40,31 @@ enum class SelectionTest : std::uint8_t {
   within,
   by_residue,
   by_chain,
-  negation,       // of the value so far
-  jump_if_false,  // behind the left side of "and": to the end of the chain
-  jump_if_true    // behind the left side of "or"
+  negation,       // negates the value so far
+  jump_if_false,  // after the left side of "and": jumps to the end of the chain
+  jump_if_true    // after the left side of "or"
 };
 
 enum class NumberTest : std::uint8_t { less, at_most, equal, at_least, greater };
 
-// A program with one value, run from the first node to the last: tests set it, negation turns it,
-// jumps skip what cannot change it any more. So no expression, however long, needs a deep stack.
+// A program with one value, run from the first node to the last. Tests set the value, negation
+// inverts it, and jumps skip nodes that cannot change it any more. So even a very long expression
+// needs no deep stack.
 struct SelectionNode {
   struct Range {
     std::int32_t first, last;
-    char insertion_code;  // ' ' = any
+    char insertion_code;  // ' ': any
   };
   SelectionTest test = SelectionTest::all;
-  std::size_t column = 1;  // of its word, from 1
+  std::size_t column = 1;  // column of its word, from 1
   std::vector<std::string> names = {};
   std::vector<Range> ranges = {};
   std::vector<Element> elements = {};
   NumberTest comparison = NumberTest::equal;
-  float number = 0;  // b_factor (Å²), occupancy; as files are read, in one precision
-  std::int64_t microangstrom = 0;                                // within
-  std::shared_ptr<const std::vector<SelectionNode>> inner = {};  // of within, by_residue, by_chain
-  std::size_t target = 0;  // of a jump: the node to go on with
+  float number = 0;                // for b_factor (Å²) and occupancy; float, as read from files
+  std::int64_t microangstrom = 0;  // for within
+  std::shared_ptr<const std::vector<SelectionNode>> inner = {};  // for within, by_residue, by_chain
+  std::size_t target = 0;                                        // for a jump: the next node
 };
 
 using SelectionProgram = std::vector<SelectionNode>;

@@ -1,4 +1,4 @@
-// The one line that tells what was used of a molecule.
+// The one-line summary of what was used of a molecule.
 #include <cstdio>
 
 #include "core/selection/prepare_balls.hpp"
@@ -7,7 +7,8 @@
 
 namespace alphascope {
 std::vector<CountedReason> drop_reasons(const SelectionReport& report) {
-  // A water of a crystal is one atom; with hydrogens, atoms are counted and said to be.
+  // A water without hydrogens is one atom and counted as a water. Otherwise water atoms are
+  // counted.
   const bool one_atom_each = report.dropped_water_hydrogens == 0;
   const struct {
     DropReason reason;

@@ -1,4 +1,4 @@
-// See the header.
+// Applies treatments, which set kinds of residues by hand.
 #include "core/selection/treatments.hpp"
 
 #include <algorithm>
@@ -23,13 +23,15 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-// A word that is no expression ("PU8") is the name of residues, which another file may have.
+// Returns whether the text is no expression but may be a residue name ("PU8"). Another file may
+// have such residues.
 bool is_only_a_name(std::string_view text) {
   constexpr std::string_view kNoName = " \t:#,()\"'";
   return text.find_first_of(kNoName) == text.npos && fault_of_selection(text).has_value();
 }
 
-// By the name of residues, where the molecule has such; else as everywhere.
+// If the molecule has residues of this name, finds them by it. Otherwise reads an address or
+// expression.
 std::function<bool(std::size_t)> residues_named(const Molecule& molecule, const std::string& text) {
   const NameId name = molecule.names.find(text);
   const auto has_name = [&](const Atom& atom) { return atom.residue_name == name; };
@@ -42,7 +44,7 @@ std::function<bool(std::size_t)> residues_named(const Molecule& molecule, const 
 
 using Reasons = std::set<ResidueReason>;
 
-// A note on guesses goes when nothing of it is a guess any more.
+// Removes a note on guesses if none of its residues is a guess any more, or else marks it.
 void settle_notes(Molecule& molecule, const Reasons& treated_guesses) {
   for (const ResidueReason guess : treated_guesses) {
     const bool is_left = std::any_of(molecule.atoms.begin(), molecule.atoms.end(),
@@ -59,7 +61,7 @@ void settle_notes(Molecule& molecule, const Reasons& treated_guesses) {
   }
 }
 
-// Adds to `guesses` those that are none any more.
+// Applies one treatment. Adds the reasons of treated guesses to `guesses`.
 std::vector<bool> treat(Molecule& molecule, const Treatment& treatment, Reasons& guesses) {
   const auto named = residues_named(molecule, treatment.residues);
   std::vector<bool> atoms(molecule.atoms.size());
@@ -70,7 +72,7 @@ std::vector<bool> treat(Molecule& molecule, const Treatment& treatment, Reasons&
     if (!atoms[i]) continue;
     found = true;
     Atom& atom = molecule.atoms[i];
-    // A point without matter stays one beside its residue's atoms.
+    // A point without matter keeps its kind beside its residue's atoms.
     if (atom.why == ResidueReason::virtual_site) continue;
     if (is_guess(atom.why)) guesses.insert(atom.why);
     atom.kind = treatment.kind;

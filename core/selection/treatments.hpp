@@ -1,4 +1,4 @@
-// What a user says that residues are, whatever the file and its evidence say.
+// Kinds of residues that a user sets, whatever the file and its evidence say.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace alphascope {
 
-// "A:PU8 301=ligand": an address (core/selection/atom_address.hpp), an expression or the name of
-// residues, and what they are.
+// A treatment such as "A:PU8 301=ligand": an address (core/selection/atom_address.hpp), an
+// expression or a residue name, and the kind.
 struct Treatment {
   std::string residues;
   AtomKind kind = AtomKind::ligand;
@@ -19,20 +19,20 @@ struct Treatment {
 // "polymer", "water", "ligand", "ion", "dummy".
 const char* kind_name(AtomKind kind);
 
-// Throws std::invalid_argument for a text that is none, and for an address or expression that
-// cannot be understood; the residues are not looked for.
+// Throws std::invalid_argument if the text is no treatment, or if its address or expression cannot
+// be understood. Does not look for the residues.
 Treatment parse_treatment(std::string_view text);
 std::string treatment_text(const Treatment& treatment);
 
-// For each treatment, which atoms it named.
+// For each treatment the atoms that it named, one value for each atom.
 using TreatedAtoms = std::vector<std::vector<bool>>;
 
-// Gives all atoms of these residues their kind, in this order, with ResidueReason::by_hand. A note
-// says which treatment found nothing; notes on guesses that are none any more go. Throws as
-// parse_treatment().
+// Sets the kind of all atoms of these residues in the order of the list, with
+// ResidueReason::by_hand. Adds a note on each treatment that found nothing. Removes notes on
+// guesses of which none is left. Throws as parse_treatment().
 TreatedAtoms treat(Molecule& molecule, const std::vector<std::string>& treatments);
 
-// Takes what was said of these residues out of a list, and adds what is said now, if anything.
+// Both remove the list's treatment of these residues. set_treatment() then adds the new one.
 void set_treatment(std::vector<std::string>& treatments, const Treatment& treatment);
 void reset_treatment(std::vector<std::string>& treatments, std::string_view residues);
 

@@ -1,4 +1,4 @@
-// See the header.
+// Writes scripts that show a complex in other programs.
 #include "core/write/complex_script.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ std::string scale_text() {
   return text;
 }
 
-// What is a name in all of these languages without quotes.
+// Returns whether the text is a name without quotes in all of these languages.
 bool is_word(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
@@ -38,10 +38,10 @@ std::string chimerax_complex_script(const ComplexScript& script) {
 }
 
 std::string pymol_complex_script(const ComplexScript& script) {
-  // Python's comments end with the line, whatever PyMOL's language thinks of a semicolon.
+  // Inside "python" a comment reaches to the end of its line, even with a semicolon in it.
   std::string text = "python\n" + script_comments(script.header) +
                      "import os\nfrom pymol import cgo, cmd\n" + pymol_load(script.balls, "balls") +
-                     // PyMOL keeps the radii of a PQR file as those of electrostatics.
+                     // PyMOL reads the radii of a PQR file as electrostatic radii.
                      "cmd.alter('balls', 'vdw=elec_radius')\ncmd.rebuild()\n"
                      "cmd.hide('everything', 'balls')\ncmd.show('spheres', 'balls')\n"
                      "cmd.set('sphere_scale', " +

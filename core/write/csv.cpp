@@ -1,3 +1,4 @@
+// Writes tables as CSV and protects cells from spreadsheets.
 #include "core/write/csv.hpp"
 
 #include <charconv>
@@ -21,14 +22,14 @@ bool is_number(std::string_view text) {
   return stopped == end && error != std::errc::invalid_argument;
 }
 
-// Behind any apostrophes.
+// Returns whether the text, after any apostrophes, begins like a formula.
 bool begins_formula(const std::string& text) {
   const std::size_t first = text.find_first_not_of('\'');
   return first != text.npos && kBeginFormulas.find(text[first]) != kBeginFormulas.npos &&
          !(first == 0 && is_number(text));
 }
 
-// Quoted where a reader would take it for more than one field; some part fields at semicolons.
+// Quotes a value that a reader would split into several fields. Some readers split at semicolons.
 std::string field(const std::string& value) {
   const std::string text = safe_cell(value);
   if (text.find_first_of(",;\t\"\r\n") == std::string::npos) return text;
@@ -81,7 +82,7 @@ std::string csv_comments(const std::vector<std::string>& comments) {
   std::string text;
   for (const std::string& comment : comments) {
     text += "# ";
-    bool begins = false;  // a spreadsheet begins a cell here
+    bool begins = false;  // whether a spreadsheet would begin a cell here
     for (const char c : comment) {
       if (begins && kBeginFormulas.find(c) != kBeginFormulas.npos) text += '\'';
       begins = c == ',' || c == ';' || c == '\t' || (begins && c == ' ');

@@ -11,33 +11,34 @@ namespace alphascope {
 // A row as column names and values; all rows of a table have the same names.
 using CsvRow = std::vector<std::pair<std::string, std::string>>;
 
-// All that a double has, for tables that programs read.
+// A number with all digits of a double, for tables that programs read.
 std::string all_digits(double number);
-// The same; empty for what is no number (NaN, infinite).
+// The same; empty for NaN and infinity.
 std::string finite_digits(double number);
 
-// "15.8843": to a tenth of a microsecond; empty for what is no number.
+// Milliseconds to a tenth of a microsecond: "15.8843". Empty for NaN and infinity.
 std::string csv_milliseconds(double milliseconds);
 
-// Spreadsheets compute a cell that begins with =, +, -, @, a tab or a CR and is no number: a name
-// in a file could call programs. Such a text gets an apostrophe in front, as do those that begin
-// with apostrophes before one of these; plain_cell() takes it off, so that texts that differ stay
-// so.
+// Spreadsheets compute a cell that begins with =, +, -, @, a tab or a CR and is no number. So a
+// name in a file could call programs. safe_cell() puts an apostrophe before such a text. It also
+// does so if the text has apostrophes before one of these characters. plain_cell() removes the
+// apostrophe. So different texts stay different.
 std::string safe_cell(const std::string& text);
 std::string plain_cell(const std::string& cell);
 
-// The line with a row's names, and that with its values, each a safe_cell(); ended.
+// A line with a row's names, and a line with its values, each a safe_cell(). Both end with a
+// newline.
 std::string csv_names(const CsvRow& row);
 std::string csv_values(const CsvRow& row);
 
-// What stands above a table: each in a line of its own, "# " before it. Behind a comma, a semicolon
-// or a tab, where a spreadsheet begins a cell, an apostrophe keeps a formula a text.
+// Comments above a table: one line each, after "# ". Spreadsheets begin a cell after a comma,
+// semicolon or tab. An apostrophe there keeps a formula a text.
 std::string csv_comments(const std::vector<std::string>& comments);
 
-// A line with the names, then one line a row.
+// A line of names, then one line for each row.
 std::string csv_text(const std::vector<CsvRow>& rows);
 
-// Written whole or not at all. Throws WriteError.
+// Writes the whole file or nothing. Throws WriteError.
 void write_csv(const std::vector<CsvRow>& rows, const std::filesystem::path& path);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// See the header. ffmpeg writes to the temporary file of an AtomicFile, since an MP4 file is not
-// written from front to back.
+// Sends frames to ffmpeg. An MP4 file is not written from front to back. So ffmpeg writes to the
+// temporary file of an AtomicFile.
 #include "core/write/movie_file.hpp"
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace alphascope {
 namespace {
 
 struct Codec {
-  const char* format;  // ffmpeg's name
+  const char* format;  // ffmpeg's name for it
   const char* name;
   std::vector<std::string> options;
 };
@@ -53,13 +53,14 @@ std::vector<std::string> arguments(const MovieOptions& o) {
   for (const auto& [keyword, text] : o.texts) {
     words.insert(words.end(), {"-metadata", keyword + "=" + text});
   }
-  // The file that is open here. By its name ffmpeg would make it again after it was removed.
+  // The file that is already open here. With its name, ffmpeg could create it again after its
+  // removal.
   words.insert(words.end(),
                {"-f", codec.format, "file:/proc/self/fd/" + std::to_string(kChildFile)});
   return words;
 }
 
-// The last line, which says what it failed of.
+// The last line, which has the reason of a failure.
 std::string last_line(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
   return text.substr(text.find_last_of("\r\n") + 1);
@@ -109,12 +110,12 @@ void MovieFile::fail() const {
 
 void MovieFile::add(std::span<const std::uint8_t> rgba, const CancelToken& cancel) {
   if (parts_->program.write(rgba, cancel)) return;
-  parts_->program.finish(cancel);  // all that it has to say is there then
+  parts_->program.finish(cancel);  // all of its messages have arrived then
   fail();
 }
 
 void MovieFile::commit(const CancelToken& cancel) {
-  // ffmpeg 5.1 answers 0 although the disk was full; errors are all that it is to say.
+  // ffmpeg 5.1 exits with 0 even if the disk was full. It is started so that it prints errors only.
   const bool refused = parts_->program.finish(cancel) != 0;
   if (refused || !parts_->program.said().empty()) fail();
   cancel.throw_if_cancelled();

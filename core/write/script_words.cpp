@@ -1,4 +1,4 @@
-// See the header.
+// Writes file names, colours and comments in the languages of other programs.
 #include "core/write/script_words.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace alphascope {
 namespace {
 
-// Python's literal of these bytes.
+// A Python literal of these bytes.
 std::string bytes_literal(const std::string& bytes) {
   std::string text = "b'";
   for (const char c : bytes) {
@@ -33,7 +33,8 @@ std::string script_comments(const std::vector<std::pair<std::string, std::string
   std::string text;
   for (const auto& [key, value] : header) {
     text += "# " + key + " " + printable(value);
-    if (text.back() == '\\') text += ' ';  // which would join the next line to the comment
+    // A backslash at the end would join the next line to the comment.
+    if (text.back() == '\\') text += ' ';
     text += '\n';
   }
   return text;

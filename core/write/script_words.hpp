@@ -1,4 +1,4 @@
-// How file names, colours and comments are said in the languages of ChimeraX, PyMOL and VMD.
+// File names, colours and comments in the languages of ChimeraX, PyMOL and VMD.
 #pragma once
 
 #include <array>
@@ -10,23 +10,23 @@
 
 namespace alphascope {
 
-// A line "# key value" for each.
+// A line "# key value" for each entry.
 std::string script_comments(const std::vector<std::pair<std::string, std::string>>& header);
 
-// "#ff8000", with `before` in place of "#".
+// The colour as "#ff8000", with `before` in place of "#".
 std::string hex_colour(const std::array<std::uint8_t, 3>& colour, const char* before);
 
-// Quoted. Throws std::invalid_argument, with a sentence, for a name that ChimeraX's language cannot
-// say: one with a control character, a backslash, or both kinds of quotes.
+// The name in quotes. Throws std::invalid_argument, with a sentence, if ChimeraX's language cannot
+// express it. These are names with a control character, a backslash, or both kinds of quotes.
 std::string chimerax_name(const std::filesystem::path& path);
 
-// A Python expression that is this name; needs "import os".
+// A Python expression with this value; needs "import os".
 std::string python_name(const std::filesystem::path& path);
 
-// A Python statement; needs "from pymol import cmd" as well.
+// A Python statement; also needs "from pymol import cmd".
 std::string pymol_load(const std::filesystem::path& path, const char* object);
 
-// Quoted for Tcl.
+// The name in quotes for Tcl.
 std::string tcl_name(const std::filesystem::path& path);
 
 }  // namespace alphascope

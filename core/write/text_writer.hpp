@@ -1,4 +1,5 @@
-// Text and bytes for a file, handed on in large pieces: files of gigabytes take one of memory.
+// Text and bytes for a file, passed on in pieces of a megabyte. So files of gigabytes need little
+// memory.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +17,8 @@
 
 namespace alphascope {
 
-// All throw WriteError and, once in a megabyte, Cancelled. What is collected at the end needs a
-// flush().
+// All functions throw WriteError. A cancelled token is noticed once per megabyte and throws
+// Cancelled. The last piece needs a flush().
 class TextWriter {
  public:
   explicit TextWriter(AtomicFile& file, CancelToken cancel = {})
@@ -32,7 +33,7 @@ class TextWriter {
     text_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
     return *this;
   }
-  // Nine digits: alpha values are floats, which nine digits tell apart.
+  // Nine digits, which distinguish all floats; alpha values are floats.
   TextWriter& operator<<(double number) {
     char buffer[32];
     const auto end =
@@ -48,7 +49,7 @@ class TextWriter {
     text_.append(buffer, end.ptr);
     return *this;
   }
-  // A lattice number in Å, all its digits: no rounding.
+  // A lattice number in Å with all its digits, without rounding.
   TextWriter& lattice(std::int32_t units, int digits) {
     char buffer[32];
     const double unit = Lattice{digits}.units_per_angstrom();
@@ -57,7 +58,7 @@ class TextWriter {
     text_.append(buffer, end.ptr);
     return *this;
   }
-  // As it lies in memory; files are little-endian, and so are the machines.
+  // Bytes as in memory. Files are little-endian, as are the machines.
   template <class T>
   TextWriter& bytes(const T& value) {
     static_assert(std::endian::native == std::endian::little);

@@ -1,3 +1,4 @@
+// Writes scripts that show cavities or channels in ChimeraX and PyMOL.
 #include "core/write/viewer_script.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ bool is_copy(const ViewerScript& script, std::size_t atom) {
 
 // --- ChimeraX
 
-// What needs no quotes in ChimeraX's language.
+// Returns whether a name needs no quotes in ChimeraX's language.
 bool is_word(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
@@ -28,7 +29,7 @@ bool has_letter(const Atom& atom) {
   return std::isalnum(static_cast<unsigned char>(atom.insertion_code)) != 0;
 }
 
-// "#1/A:87@NE2,CD2/A:91@CB"; "" when no atom can be named.
+// An atom specification such as "#1/A:87@NE2,CD2/A:91@CB"; empty if no atom can be named.
 std::string chimerax_atoms(const ViewerScript& script, const std::vector<std::size_t>& atoms) {
   const Molecule& molecule = *script.molecule;
   std::string text;
@@ -55,7 +56,7 @@ std::string chimerax_atoms(const ViewerScript& script, const std::vector<std::si
 
 // --- PyMOL
 
-// Atoms by the serial numbers of the file, some in a line.
+// Selects atoms by their serial numbers in the file, up to 100 per line.
 std::string pymol_selection(const ViewerScript& script, const ScriptCavity& cavity) {
   const std::string name = script.what + "_" + std::to_string(cavity.number);
   std::vector<std::int32_t> serials;
@@ -89,7 +90,7 @@ std::string chimerax_script(const ViewerScript& script) {
             " stick\ncolor " + name + " " + hex_colour(cavity.colour, "#") + "\n";
   }
   if (!script.spheres.empty()) {
-    // Its format "pdb" is that of PQR files, too; there is no other of that name.
+    // ChimeraX reads PQR files with its format "pdb"; there is no format "pqr".
     text += "open " + chimerax_name(script.spheres) +
             " format pdb id 2\nstyle #2 sphere\nshow #2 atoms\ntransparency #2 50 target a\n";
     for (const ScriptCavity& cavity : script.cavities) {
@@ -102,14 +103,14 @@ std::string chimerax_script(const ViewerScript& script) {
 }
 
 std::string pymol_script(const ViewerScript& script) {
-  // Python's comments end with the line, whatever PyMOL's language thinks of a semicolon.
+  // Inside "python" a comment reaches to the end of its line, even with a semicolon in it.
   std::string text = "python\n" + script_comments(script.header) +
                      "import os\nfrom pymol import cmd\n" + pymol_load(script.file, "molecule") +
                      "cmd.hide('everything', 'molecule')\ncmd.show('cartoon', 'molecule')\n"
                      "cmd.color('gray80', 'molecule')\n";
   for (const ScriptCavity& cavity : script.cavities) text += pymol_selection(script, cavity);
   if (!script.spheres.empty()) {
-    // PyMOL keeps the radii of a PQR file as those of electrostatics.
+    // PyMOL reads the radii of a PQR file as electrostatic radii.
     text += pymol_load(script.spheres, "spheres") +
             "cmd.alter('spheres', 'vdw=elec_radius')\ncmd.rebuild()\n"
             "cmd.hide('everything', 'spheres')\ncmd.show('spheres', 'spheres')\n"

@@ -1,6 +1,6 @@
-// Scripts that show cavities or a channel in other programs: ChimeraX (.cxc) and PyMOL (.pml). They
-// open the molecule, colour the atoms that line each cavity, and open spheres and surfaces where
-// there are files of them.
+// Scripts that show cavities or a channel in ChimeraX (.cxc) and PyMOL (.pml). They open the
+// molecule and colour the atoms that line each cavity. They also open files of spheres and
+// surfaces, if there are any.
 #pragma once
 
 #include <array>
@@ -17,24 +17,25 @@ namespace alphascope {
 struct ScriptCavity {
   std::size_t number = 1;
   std::array<std::uint8_t, 3> colour{};  // sRGB
-  // Indices into Molecule::atoms; copies that an assembly makes are not in the file, and left out.
+  // Indices into Molecule::atoms. An assembly's copies are left out, because the file does not have
+  // them.
   std::vector<std::size_t> lining;
 };
 
 struct ViewerScript {
   const Molecule* molecule = nullptr;
-  std::filesystem::path file;              // of the molecule; absolute
-  std::filesystem::path spheres, surface;  // PQR and GLB; absolute, or empty for none
+  std::filesystem::path file;              // of the molecule; absolute path
+  std::filesystem::path spheres, surface;  // PQR and GLB; absolute paths; empty: none
   std::vector<ScriptCavity> cavities;      // or channels
-  std::vector<std::pair<std::string, std::string>> header;  // printable; becomes comments
-  std::string what = "cavity";                              // their name, before their number
+  std::vector<std::pair<std::string, std::string>> header;  // printable; written as comments
+  std::string what = "cavity";                              // their name, written before the number
 };
 
-// Throws std::invalid_argument, with a sentence, for a file name that ChimeraX's language cannot
-// say: one with a line end or other control character, a backslash, or both kinds of quotes.
+// Throws std::invalid_argument, with a sentence, if ChimeraX's language cannot express a file name.
+// These are names with a line end or other control character, a backslash, or both kinds of quotes.
 std::string chimerax_script(const ViewerScript& script);
 
-// Its commands are Python, which can say every name.
+// Its commands are Python, which can express every name.
 std::string pymol_script(const ViewerScript& script);
 
 }  // namespace alphascope

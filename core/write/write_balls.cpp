@@ -1,4 +1,4 @@
-// See the header.
+// Writes balls as XYZR and PQR files.
 #include "core/write/write_balls.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void for_balls(const BallSet& balls, const RunContext& context, const Write& wri
   }
 }
 
-// How many digits these lattice numbers need at least, of those that the lattice has.
+// The least number of digits that all given lattice numbers need, at most that of the lattice.
 class Digits {
  public:
   explicit Digits(int of_lattice) : most_(std::max(of_lattice, 0)), digits_(std::min(3, most_)) {}
@@ -42,7 +42,8 @@ class Digits {
   int most_, digits_;
 };
 
-// A field between blanks: whatever a reader could take for a blank or the end of a line is "_".
+// A field between blanks. Each character that a reader could take for a blank or line end becomes
+// "_".
 std::string one_field(std::string_view name, std::string_view otherwise = {}) {
   std::string text(name.empty() ? otherwise : name);
   std::replace_if(
@@ -80,7 +81,7 @@ class PqrWriter {
     const std::string number =
         std::to_string(atom.residue_number) + (insertion ? std::string(1, insertion) : "");
     const int digits = place_digits_;
-    // Names in mmCIF files are as long as they like.
+    // Names in mmCIF files have any length.
     std::string text(name.size() + residue.size() + chain.size() + 300, '\0');
     const int size =
         columns_
@@ -107,7 +108,7 @@ class PqrWriter {
   std::string residue_of(const Atom& atom) const {
     return one_field(molecule_.text(atom.residue_name), "UNK");
   }
-  // In its columns, with a blank before each number.
+  // Returns whether the line fits the columns of PDB files, with a blank before each number.
   bool fits(std::size_t i) const {
     const Atom& atom = atom_of(i);
     const LatticePoint& p = balls_.centres[i];

@@ -13,22 +13,23 @@
 
 namespace alphascope {
 
-// Where they come from: keys and values, all printable.
+// The provenance of the balls: keys and values, all printable.
 using BallHeader = std::vector<std::pair<std::string, std::string>>;
 
-// "x y z r" in Å, all digits, a line for each ball in the order of the set; the header as lines
-// that begin with #. Read again, it is the same set of balls.
+// Writes "x y z r" in Å with all digits, one line per ball, in the order of the set. The header is
+// in lines that begin with #. Reading the file gives the same set of balls.
 void write_xyzr(const BallSet& balls, const BallHeader& header, AtomicFile& file,
                 const RunContext& context = {});
 
-// Atoms with their names, all digits and the radii of `balls`; charges are 0, since none are known.
-// The header is in REMARK lines. `atom_of_ball` as in PreparedBalls. Lines have the columns of PDB
-// files as long as numbers and names fit in there with blanks between, and single blanks beyond. A
-// blank in a name is written as "_", since fields of PQR files stand between blanks.
+// Writes atoms with names, all digits, and the radii of `balls`. Charges are 0, because they are
+// unknown. The header is in REMARK lines. `atom_of_ball` as in PreparedBalls. Lines have the
+// columns of PDB files if all numbers and names fit with blanks between them. Otherwise fields have
+// single blanks between them. A blank in a name becomes "_", because blanks separate fields of PQR
+// files.
 void write_pqr(const BallSet& balls, const Molecule& molecule,
                const std::vector<std::uint32_t>& atom_of_ball, const BallHeader& header,
                AtomicFile& file, const RunContext& context = {});
 
-// None commits. They throw WriteError, and Cancelled.
+// Neither function commits the file. Both throw WriteError and Cancelled.
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Writes complexes in the layouts of Alphascope and ParallelAC.
 #include "core/write/write_complex.hpp"
 
 #include <cstdio>

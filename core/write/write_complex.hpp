@@ -1,5 +1,5 @@
-// An alpha complex as text with all its simplices (docs/output-files.md), in our layout and in
-// ParallelAC's. Other formats are written elsewhere.
+// An alpha complex as text with all its simplices (docs/output-files.md), in the layouts of
+// Alphascope and ParallelAC. Other formats are in other files.
 #pragma once
 
 #include <string>
@@ -12,18 +12,18 @@
 
 namespace alphascope {
 
-// Where the complex comes from: one line each, "key value", in this order.
+// The provenance of the complex: one line "key value" each, in this order.
 using ComplexHeader = std::vector<std::pair<std::string, std::string>>;
 
-// `balls` are those the complex was computed of (with the solvent radius). Does not commit. Throws
-// WriteError, and Cancelled.
+// `balls` are those of which the complex was computed, with the solvent radius. Does not commit the
+// file. Throws WriteError and Cancelled.
 void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
                         const ComplexHeader& header, AtomicFile& file, const RunContext& context);
 
-// The layout of ParallelAC's results: "V E F T", a line "x y z r" (Å, five digits) for each ball,
-// then the balls, from 0, of each edge, triangle and tetrahedron. V counts all balls, so that
-// indices are the same as everywhere; there are no comments in this layout, so no header. Otherwise
-// as above.
+// Writes the layout of ParallelAC's results. It has a line "V E F T", then a line "x y z r" (Å,
+// five digits) per ball. Then follow the balls, counted from 0, of each edge, triangle and
+// tetrahedron. V counts all balls, so that indices are the same as everywhere. The layout has no
+// comments, so there is no header. Commit and exceptions as above.
 void write_parallelac_text(const BallSet& balls, const AlphaComplex& complex, AtomicFile& file,
                            const RunContext& context);
 

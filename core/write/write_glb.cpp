@@ -1,5 +1,5 @@
-// Binary glTF 2.0: a head that describes all data, in JSON, and the data. The head is written from
-// sizes and bounds alone, so the data need not be in memory at once.
+// Writes binary glTF 2.0: a head in JSON that describes all data, then the data. The head follows
+// from sizes and bounds alone, so the data need not be in memory at once.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -30,12 +30,12 @@ std::string number(Number value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
-// glTF's colours are linear; 0 to 1.
+// An sRGB component as glTF's linear colour, 0 to 1.
 double linear(std::uint8_t srgb) {
   const double s = srgb / 255.0;
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
-// Eight bits would not tell dark ones apart.
+// 16 bits, because 8 bits would not distinguish dark linear colours.
 std::uint16_t linear_short(std::uint8_t srgb) {
   return static_cast<std::uint16_t>(std::lround(65535 * linear(srgb)));
 }
@@ -46,7 +46,7 @@ std::string list(const std::vector<std::string>& items) {
   return text + "]";
 }
 
-// The JSON chunk; grows as meshes come.
+// The JSON chunk. It grows by add().
 class Head {
  public:
   void add(const Mesh& mesh) {
@@ -74,7 +74,7 @@ class Head {
     std::string json =
         "{\"asset\":{\"version\":\"2.0\",\"generator\":\"alphascope\",\"extras\":{\"header\":" +
         list(extras) + "}},\"scene\":0,\"scenes\":[{";
-    // An empty list is no glTF.
+    // glTF does not allow empty lists.
     if (!nodes_.empty()) {
       json += "\"nodes\":" + list(indices) + "}],\"nodes\":" + list(nodes_) +
               ",\"meshes\":" + list(meshes_) + ",\"materials\":" + list(materials_) +
@@ -86,13 +86,14 @@ class Head {
     json.resize((json.size() + 3) / 4 * 4, ' ');
     return json;
   }
-  std::size_t bytes() const { return bytes_; }  // of the data
+  std::size_t bytes() const { return bytes_; }  // size of the data
 
  private:
   static constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedInt = 5125;
   static constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
-  // The next `bytes` of the data. The accessor is left open for what else belongs to it.
+  // Adds an accessor for the next `bytes` of the data. Its JSON object is left open for further
+  // members.
   std::string add_accessor(int component, std::size_t count, const char* type, int target,
                            std::size_t bytes) {
     accessors_.push_back("{\"bufferView\":" + std::to_string(views_.size()) +
@@ -124,7 +125,8 @@ class Head {
     return index;
   }
 
-  // Colours of vertices are a factor of the material's: all such meshes share a white one.
+  // glTF multiplies colours of vertices by the material's colour. So all meshes with such colours
+  // share a white material.
   std::string material_of(const Mesh& mesh) {
     const bool own = mesh.colours.empty();
     if (!own && !white_.empty()) return white_;
@@ -143,7 +145,7 @@ class Head {
   std::vector<std::string> nodes_, meshes_, materials_, accessors_, views_;
 };
 
-// As Head::add() has it.
+// Writes the data in the order of Head::add().
 void write_data(const Mesh& mesh, TextWriter& to) {
   for (const RealPoint& p : mesh.points) to.bytes(floats(p));
   for (const Mesh::Colour& c : mesh.colours) {

@@ -1,4 +1,4 @@
-// PLY, OBJ, OFF and STL. GLB is write_glb.cpp's.
+// Writes meshes as PLY, OBJ, OFF and STL. GLB is in write_glb.cpp.
 #include "core/write/write_mesh.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-// Meshes whose names stand in the head of a PLY file, which readers take in line by line.
+// The number of meshes named in the head of a PLY file, because readers read it line by line.
 constexpr std::size_t kMostNamed = 1000;
 
 std::size_t all_points(const std::vector<Mesh>& meshes) {
@@ -24,7 +24,7 @@ std::size_t all_triangles(const std::vector<Mesh>& meshes) {
   return triangles;
 }
 
-// Calls write(mesh, number of points in those before it, its place) for each.
+// Calls write(mesh, number of points before it, its index) for each mesh.
 template <class Write>
 void for_meshes(const std::vector<Mesh>& meshes, const RunContext& context, const Write& write) {
   std::size_t before = 0;
@@ -131,7 +131,7 @@ void write_off(const std::vector<Mesh>& meshes, const MeshHeader& header, Atomic
 
 void write_stl(const std::vector<Mesh>& meshes, const MeshHeader& header, AtomicFile& file,
                const RunContext& context) {
-  // Readers take lines of up to 255 characters.
+  // Only some entries are written, because readers take lines of up to 255 characters.
   std::string source;
   for (const char* key : {"sha256", "alpha_angstrom2", "solvent_radius_angstrom", "hash"}) {
     const auto found = std::find_if(header.begin(), header.end(),

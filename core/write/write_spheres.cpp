@@ -1,3 +1,4 @@
+// Writes filling spheres as a PQR file.
 #include "core/write/write_spheres.hpp"
 
 #include <algorithm>

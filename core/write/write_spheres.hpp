@@ -1,4 +1,4 @@
-// Spheres that fill cavities or channels as a PQR file, which programs for molecules open as atoms.
+// Spheres that fill cavities or channels as a PQR file. Programs for molecules open it as atoms.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@
 namespace alphascope {
 
 struct SphereGroup {
-  std::size_t number = 1;  // the residue number
+  std::size_t number = 1;  // residue number
   std::vector<FillingSphere> spheres;
-  const char* residue = "CAV";  // its name: three letters
+  const char* residue = "CAV";  // residue name: three letters
 };
 
-// Atoms SPH in chain C, a residue for each group; the header as REMARK lines. Coordinates have
-// `digits` digits, those of the lattice, so that they are exact; radii have as many and are rounded
-// down, so that no sphere cuts into an atom. Does not commit. Throws WriteError.
+// Writes atoms SPH in chain C, with a residue for each group. The header is in REMARK lines.
+// Coordinates have `digits` digits, those of the lattice, so they are exact. Radii have as many
+// digits and are rounded down, so that no sphere cuts into an atom. Does not commit the file.
+// Throws WriteError.
 void write_spheres_pqr(const std::vector<SphereGroup>& groups,
                        const std::vector<std::pair<std::string, std::string>>& header, int digits,
                        AtomicFile& file);

@@ -1,6 +1,6 @@
-// The XML names the arrays and where each begins; their bytes follow in one piece, "appended, raw".
-// VTK's own writers want the whole data set in memory once more, and core knows no VTK; tests read
-// the files with VTK's readers.
+// Writes VTK's XML files. The XML names the arrays and their offsets; their bytes follow in one
+// piece ("appended, raw"). VTK's own writers are not used. They want the whole data set in memory
+// once more, and core does not depend on VTK. Tests read the files with VTK's readers.
 #include "core/write/write_vtk.hpp"
 
 #include <functional>
@@ -13,7 +13,7 @@
 namespace alphascope {
 namespace {
 
-// Calls visit(list, dimension) for these dimensions, in order.
+// Calls visit(list, dimension) for the dimensions of the range, in order.
 template <class Visit>
 void visit_lists(const AlphaComplex& complex, int least_dimension, int most_dimension,
                  const Visit& visit) {
@@ -52,7 +52,7 @@ class VtkWriter {
   }
 
  private:
-  // Names that come several times, such as notes, are one array of several texts.
+  // Keys that occur several times, such as notes, become one array of several texts.
   void write_header() {
     std::map<std::string, std::vector<std::string_view>> values;
     for (const auto& [key, value] : source_.header) values[key].push_back(value);
@@ -66,7 +66,7 @@ class VtkWriter {
     text_ << "</FieldData>\n";
   }
 
-  // As VTK has it: the codes of the characters, and 0.
+  // A string in VTK's encoding: the codes of its characters, then 0.
   void write_string(std::string_view value) {
     for (const char c : value) text_ << std::size_t{static_cast<unsigned char>(c)} << " ";
     text_ << "0";
@@ -188,7 +188,7 @@ class VtkWriter {
     text_ << "</" << element << ">\n";
   }
 
-  // `fill` calls put(value) `count` times, when the bytes are written.
+  // Declares an array. `fill` calls put(value) `count` times later, when the bytes are written.
   template <class T, class Fill>
   void add(const std::string& attributes, std::uint64_t count, const Fill& fill) {
     text_ << "<DataArray type=\"" << type_name(T{}) << "\" " << attributes
@@ -226,7 +226,7 @@ class VtkWriter {
   const RunContext& context_;
   TextWriter text_;
   std::vector<Array> arrays_;
-  std::size_t offset_ = 0;  // of the next array
+  std::size_t offset_ = 0;  // of the next array, in bytes
 };
 
 }  // namespace

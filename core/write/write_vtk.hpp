@@ -1,5 +1,5 @@
-// A complex as VTK's XML files, for ParaView, PyVista and others: an unstructured grid of all
-// simplices (VTU), or vertices, edges and triangles as polygonal data (VTP).
+// A complex as VTK's XML files, for ParaView, PyVista and others. VTU is an unstructured grid of
+// all simplices. VTP has vertices, edges and triangles as polygonal data.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace alphascope {
 
-// All that is written. `balls` are those the complex was computed of.
+// The data to write. `balls` are those of which the complex was computed.
 struct VtkSource {
   const BallSet& balls;
   const AlphaComplex& complex;
@@ -24,15 +24,15 @@ struct VtkSource {
 };
 
 // Point i is the centre of ball i (Å, exact). Points have radius_angstrom, ball (their index),
-// element (atomic number, 0 unknown), serial, residue_number, atom_name, residue_name and chain;
-// cells have dimension and, unless there are only tetrahedra, alpha_angstrom2 and class (0
-// singular, 1 regular, 2 interior). The header is the field data.
+// element (atomic number, 0 unknown), serial, residue_number, atom_name, residue_name and chain.
+// Cells have a dimension. Unless there are only tetrahedra, they also have alpha_angstrom2 and
+// class (0 singular, 1 regular, 2 interior). The header is the field data.
 void write_vtu(const VtkSource& source, AtomicFile& file, const RunContext& context = {});
 
-// Throws std::invalid_argument for a complex of tetrahedra only, of which nothing would be left.
+// Throws std::invalid_argument for a complex of tetrahedra only, because nothing would be left.
 void write_vtp(const VtkSource& source, AtomicFile& file, const RunContext& context = {});
 
-// Both do not commit. They throw WriteError, also for more corners of cells than these files can
-// count (2^31), and Cancelled.
+// Neither function commits the file. Both throw Cancelled and WriteError, also if cells have more
+// corners than these files can count (2^31).
 
 }  // namespace alphascope

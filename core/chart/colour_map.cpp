@@ -1,4 +1,4 @@
-// See the header. The maps are straight lines between entries of published tables.
+// Colour maps as straight lines between entries of published tables.
 #include "core/chart/colour_map.hpp"
 
 #include <algorithm>
@@ -16,12 +16,13 @@ constexpr Rgb8 kViridis[] = {{68, 1, 84},    {71, 44, 122},  {59, 81, 139},
                              {44, 113, 142}, {33, 144, 141}, {39, 173, 129},
                              {92, 200, 99},  {170, 220, 50}, {253, 231, 37}};
 
-// Cividis (Nuñez, Anderton and Renslow, PLoS ONE 13, e0199239, 2018), every 32nd of 256 entries.
+// Cividis (Nuñez, Anderton and Renslow, PLoS ONE 13, e0199239, 2018), every 32nd of its 256
+// entries.
 constexpr Rgb8 kCividis[] = {{0, 34, 78},     {26, 56, 111},   {67, 78, 108},
                              {97, 101, 111},  {125, 124, 120}, {155, 148, 118},
                              {188, 174, 108}, {222, 201, 88},  {254, 232, 56}};
 
-// ColorBrewer's RdBu of eleven classes (Brewer, colorbrewer2.org), from its blue end.
+// ColorBrewer's RdBu of eleven classes (Brewer, colorbrewer2.org), reversed: from blue to red.
 constexpr Rgb8 kBlueWhiteRed[] = {{5, 48, 97},     {33, 102, 172},  {67, 147, 195},
                                   {146, 197, 222}, {209, 229, 240}, {247, 247, 247},
                                   {253, 219, 199}, {244, 165, 130}, {214, 96, 77},
@@ -93,7 +94,7 @@ Rgb8 category_colour(std::size_t n) {
   return {c.r, c.g, c.b};
 }
 
-// Found together with those of chains: see core/molecule/atom_colours.cpp.
+// These colours were found together with those of chains; see core/molecule/atom_colours.cpp.
 Rgb8 cavity_colour(std::size_t n) {
   constexpr std::array<Rgb8, kCavityColours> kColours{{{247, 198, 22},
                                                        {138, 113, 255},

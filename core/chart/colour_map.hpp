@@ -1,4 +1,4 @@
-// The colours of quantities and of categories: published maps that colour-blind eyes can follow.
+// Colours of quantities and of categories: published maps that colour-blind people can read.
 #pragma once
 
 #include <array>
@@ -24,14 +24,14 @@ const ColourMapInfo& colour_map_info(ColourMap map);
 std::optional<ColourMap> colour_map_named(std::string_view id);
 std::string colour_map_ids();  // "viridis|cividis|..."
 
-// 0 is the map's first colour, 1 its last; beyond, those.
+// The colour at a share of the map: 0 is its first colour, 1 its last. Shares beyond are clamped.
 Rgb8 mapped_colour(ColourMap map, double share);
 
-// Of the n-th category, after Okabe and Ito; repeats after eight (core/chart/chart.hpp).
+// The colour of the n-th category, after Okabe and Ito. Repeats after eight (core/chart/chart.hpp).
 Rgb8 category_colour(std::size_t n);
 
-// Of the n-th cavity, wherever one has a colour: stronger than those of chains, none of which is
-// like it. Repeats after kCavityColours.
+// The colour of the n-th cavity, used everywhere. Cavity colours are stronger than those of chains,
+// and none of these is similar. Repeats after kCavityColours.
 Rgb8 cavity_colour(std::size_t n);
 inline constexpr std::size_t kCavityColours = 8;
 

@@ -1,4 +1,4 @@
-// See the header.
+// Converts values to shares of a colour map and back, and makes round ranges.
 #include "core/chart/colour_scale.hpp"
 
 #include <algorithm>
@@ -10,7 +10,8 @@ namespace alphascope {
 namespace {
 
 constexpr int kStepsOfARange = 5;
-// A range that ends at a round number in decimal digits must not lose it to rounding.
+// Tolerance in steps, so that a range that ends at a round decimal number keeps it despite
+// rounding.
 constexpr double kSlack = 1e-9;
 
 }  // namespace

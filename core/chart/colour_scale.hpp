@@ -1,4 +1,4 @@
-// From the values of a quantity to colours, and to the numbers beside them.
+// The scale from values of a quantity to colours, and to the numbers beside them.
 #pragma once
 
 #include <vector>
@@ -15,17 +15,19 @@ struct ColourRange {
 struct ColourScale {
   ColourMap map = ColourMap::viridis;
   ColourRange range;
-  bool root = false;  // the square root spreads small values, which nearly all are
+  // Whether the scale takes square roots, which spread out the many small values.
+  bool root = false;
 
-  // 0 to 1, along the map; 0 or 1 for values beyond the range. The middle of an empty range.
+  // The share of a value along the map, 0 to 1. Values beyond the range give 0 or 1. An empty range
+  // gives 0.5.
   double share(double value) const;
   double value(double share) const;
   Rgb8 colour(double value) const { return mapped_colour(map, share(value)); }
   friend bool operator==(const ColourScale&, const ColourScale&) = default;
 };
 
-// The least range with round ends that holds all values from `low` to `high`, which may be equal:
-// then they are in its middle, or at its lower end where they are 0.
+// The smallest range with round ends that contains `low` and `high`. If these are equal, they are
+// in its middle; if both are 0, at its lower end.
 ColourRange round_range(double low, double high);
 
 // Multiples of `step` within the range, ascending.

@@ -1,3 +1,4 @@
+// Reads and writes colours as text.
 #include "core/chart/colour_words.hpp"
 
 #include <charconv>
@@ -13,7 +14,7 @@ std::string colour_text(const Rgb8& colour) {
 
 std::optional<Rgb8> read_colour(std::string_view text) {
   if (text.starts_with('#')) text.remove_prefix(1);
-  const std::size_t digits = text.size() / 3;  // of each component
+  const std::size_t digits = text.size() / 3;  // digits of each component
   if (text.size() != 3 && text.size() != 6) return std::nullopt;
   std::uint8_t parts[3];
   for (std::size_t k = 0; k < 3; ++k) {

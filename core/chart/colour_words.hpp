@@ -10,7 +10,7 @@
 namespace alphascope {
 
 std::string colour_text(const Rgb8& colour);  // "#5aa9e6"
-// "#5aa9e6", "5AA9E6" or "#5ae"; none: it is no such text.
+// Reads "#5aa9e6", "5AA9E6" or "#5ae". Returns nothing for any other text.
 std::optional<Rgb8> read_colour(std::string_view text);
 
 }  // namespace alphascope

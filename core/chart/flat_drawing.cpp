@@ -1,4 +1,4 @@
-// See the header.
+// Computes the shapes of a flat drawing: circles, power cells and simplices.
 #include "core/chart/flat_drawing.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ double weight_of(const BallSet& balls, BallIndex i) {
   return r * r;
 }
 
-// What is kept: points x with normal · x <= offset.
+// The points x with normal · x <= offset are kept.
 struct HalfPlane {
   FlatPoint normal{};
   double offset = 0;
@@ -99,7 +99,7 @@ class Drawing {
       const std::vector<BallIndex> of(t.begin(), t.end());
       shapes_.push_back({FlatKind::triangle, centres(of), 0, of});
     }
-    AlphaComplex in_the_plane = complex_;  // a drawing has two dimensions, also of a line
+    AlphaComplex in_the_plane = complex_;  // classes of a plane, even if the balls are on a line
     set_classes_in(2, in_the_plane);
     const SimplexList<2>& edges = in_the_plane.edges;
     for (std::size_t n = 0; n < edges.size(); ++n) {
@@ -153,7 +153,7 @@ FlatBox box_of(const BallSet& balls, double alpha_angstrom2) {
     }
   }
   if (balls.size() == 0) box = {{-5, -5}, {5, 5}};
-  constexpr double kMargin = 0.08;  // of the larger side, around
+  constexpr double kMargin = 0.08;  // margin on each side, as a share of the longer side
   const double margin = kMargin * std::max(box.width(), box.height());
   for (int d = 0; d < 2; ++d) {
     box.low[d] -= margin;
@@ -185,7 +185,7 @@ std::vector<FlatPoint> power_cell(const BallSet& balls, BallIndex ball, const Fl
       if (behind) cell.clear();
       continue;
     }
-    // Relative to the centre, so that far from the origin no digits are lost.
+    // Relative to the centre, so that no digits are lost far from the origin.
     const double squared = along[0] * along[0] + along[1] * along[1];
     const double offset = 0.5 * (squared + weight - other_weight);
     cell = cut(cell, {along, offset + along[0] * centre[0] + along[1] * centre[1]});
@@ -193,8 +193,9 @@ std::vector<FlatPoint> power_cell(const BallSet& balls, BallIndex ball, const Fl
   return cell;
 }
 
-// The centre c of least power to the first ball, of equal power to the others: (q - p) · (c - p) =
-// (|q - p|² + w(p) - w(q)) / 2 for each other ball q, c within the span of the centres.
+// The centre c has equal power to all balls, and the least such power. So, with c in
+// the span of the centres, each other ball q has
+// (q - p) · (c - p) = (|q - p|² + w(p) - w(q)) / 2.
 Orthocircle orthocircle(const BallSet& balls, const std::vector<BallIndex>& of) {
   if (of.empty() || of.size() > 3) return {};
   const FlatPoint p = centre_of(balls, of[0]);

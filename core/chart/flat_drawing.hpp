@@ -1,6 +1,6 @@
-// Balls whose centres are all in the plane z = 0, drawn in that plane: circles, power diagram and
-// the complex as shapes, for the window and for files. Only the picture is computed in doubles;
-// what is in the complex was decided before.
+// Drawings of balls whose centres are all in the plane z = 0. Circles, power diagram and complex
+// become shapes for the window and for files. Only the picture is computed in doubles; membership
+// in the complex is decided elsewhere.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace alphascope {
 
-using FlatPoint = std::array<double, 2>;  // Å; y upwards
+using FlatPoint = std::array<double, 2>;  // Å; y points upwards
 
 struct FlatBox {
   FlatPoint low{}, high{};
@@ -20,55 +20,57 @@ struct FlatBox {
   double height() const { return high[1] - low[1]; }
 };
 
-// What a shape is, from the lowest to the uppermost on paper.
+// The kinds of shapes, in drawing order: the last is on top.
 enum class FlatKind : std::uint8_t {
   grown_disc,     // radius sqrt(r² + α), filled
-  cell,           // of the power diagram: a convex polygon
-  triangle,       // of the complex
-  edge_inside,    // of two triangles of the complex
-  edge_boundary,  // of one triangle
-  edge_alone,     // of none
-  ball,           // the circle of radius r
-  empty_ball,     // r² + α < 0: the same circle of a ball that has no grown disc
-  vertex,         // centre of a ball in the complex
-  no_vertex,      // centre of one that is not: hidden by others, or not there at this alpha
-  orthocircle,    // of the chosen simplex
+  cell,           // cell of the power diagram, a convex polygon
+  triangle,       // triangle of the complex
+  edge_inside,    // edge of two triangles of the complex
+  edge_boundary,  // edge of one triangle
+  edge_alone,     // edge of no triangle
+  ball,           // circle of radius r
+  // The circle of radius r of a ball without grown disc: r² + α < 0.
+  empty_ball,
+  vertex,  // centre of a ball in the complex
+  // Centre of a ball that is not in the complex: hidden by others, or not yet at this alpha.
+  no_vertex,
+  orthocircle,  // of the chosen simplex
   orthocentre
 };
 
 struct FlatShape {
   FlatKind kind = FlatKind::vertex;
-  std::vector<FlatPoint> points;  // a polygon's corners, an edge's ends, a circle's centre
-  double radius = 0;              // Å, of circles
-  std::vector<BallIndex> balls;   // whose it is, ascending
+  std::vector<FlatPoint> points;  // corners of a polygon, ends of an edge, or centre of a circle
+  double radius = 0;              // Å; for circles
+  std::vector<BallIndex> balls;   // balls to which the shape belongs, ascending
 };
 
 struct FlatContent {
   bool discs = true, cells = true, complex = true;
-  std::vector<BallIndex> chosen = {};  // one to three balls, whose orthocircle is drawn; none
+  std::vector<BallIndex> chosen = {};  // one to three balls whose orthocircle is drawn; empty: none
 };
 
-// Every centre is in the plane z = 0. Of no balls: true.
+// Returns whether every centre is in the plane z = 0; true if there are no balls.
 bool is_flat(const BallSet& balls);
 
-// Of all grown discs, and of balls, with a margin; never empty.
+// A box around all balls and grown discs, with a margin; never empty.
 FlatBox box_of(const BallSet& balls, double alpha_angstrom2);
 
-// `complex` is of these balls. Cells are cut at the box. O(n²) for n balls. Throws
-// std::invalid_argument when the balls are not flat.
+// The shapes of a drawing. `complex` must be of these balls. Cells are cut off at the box. Takes
+// O(n²) for n balls. Throws std::invalid_argument if the balls are not flat.
 std::vector<FlatShape> flat_shapes(const BallSet& balls, const AlphaComplex& complex,
                                    const FlatBox& box, const FlatContent& content = {});
 
-// The points of the box whose power to this ball is the least, counter-clockwise; empty where it
-// has none. Of balls with one centre and radius the first has the cell.
+// The points of the box with the least power to this ball, as a polygon, counterclockwise. Empty if
+// the ball has no cell. Among balls with equal centre and radius only the first has a cell.
 std::vector<FlatPoint> power_cell(const BallSet& balls, BallIndex ball, const FlatBox& box);
 
-// The circle that is orthogonal to those of one to three balls, of all such the least. A negative
-// square of the radius: it is imaginary.
+// The smallest circle that is orthogonal to the circles of one to three balls. If its squared
+// radius is negative, it is imaginary.
 struct Orthocircle {
   FlatPoint centre{};
   double squared_radius = 0;  // Å²
-  bool any = false;           // else there is none: three centres in a line, two in a point
+  bool any = false;  // false: there is none, because two centres are equal or three are on a line
 };
 Orthocircle orthocircle(const BallSet& balls, const std::vector<BallIndex>& of);
 

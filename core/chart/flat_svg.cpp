@@ -1,4 +1,4 @@
-// See the header.
+// Writes a flat drawing as SVG, and defines the colours of its shapes.
 #include "core/chart/flat_svg.hpp"
 
 #include <cstdio>
@@ -58,12 +58,13 @@ class Writer {
   double y(const FlatPoint& p) const { return (page_.box.high[1] - p[1]) * scale_; }
 
   const FlatPage& page_;
-  double scale_;  // pixels an Å
+  double scale_;  // pixels per Å
 };
 
 }  // namespace
 
-// Blue for what alpha grows, green for the complex, as in the scene; grey for the power diagram.
+// As in the scene, blue is for shapes that grow with alpha and green for the complex. The power
+// diagram is grey.
 FlatStyle flat_style(FlatKind kind, bool dark) {
   const auto either = [dark](std::uint32_t on_dark, std::uint32_t on_white) {
     return dark ? on_dark : on_white;
@@ -113,7 +114,8 @@ std::string flat_svg(const std::vector<FlatShape>& shapes, const FlatPage& page)
   }
   if (!origin.empty()) svg += "<desc>" + origin + "</desc>\n";
   svg += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  // Cells reach the rim of the drawing, whose line is not theirs.
+  // Cells end at the border of the drawing, whose line does not belong to them. So the drawing is
+  // clipped.
   svg += format("<clipPath id=\"page\"><rect width=\"%.3f\" height=\"%.3f\"/></clipPath>\n",
                 page.width_pixels, writer.height());
   svg += "<g clip-path=\"url(#page)\" stroke-linejoin=\"round\">\n";

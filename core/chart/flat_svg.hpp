@@ -1,4 +1,4 @@
-// A flat drawing as SVG 1.1, and how its shapes are coloured there and in the window.
+// A flat drawing as SVG 1.1, and the colours of its shapes there and in the window.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +19,21 @@ struct FlatStyle {
   FlatInk fill, line;
   double line_width = 1;  // pixels
   bool dashed = false;
-  double dot_radius = 0;  // pixels, of centres
+  double dot_radius = 0;  // pixels; radius of centres
 };
 
-// On white or on dark paper.
+// The style on white or dark background.
 FlatStyle flat_style(FlatKind kind, bool dark = false);
 
 struct FlatPage {
-  FlatBox box;  // what is on it
+  FlatBox box;  // region that the page shows
   double width_pixels = 1000;
   std::vector<std::string> caption = {};  // lines below the drawing
-  // Where it comes from, as metadata: names and values.
+  // Provenance as metadata: names and values.
   std::vector<std::pair<std::string, std::string>> origin = {};
 };
 
-// A whole document on white.
+// A complete document on white.
 std::string flat_svg(const std::vector<FlatShape>& shapes, const FlatPage& page);
 
 }  // namespace alphascope

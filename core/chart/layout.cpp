@@ -1,3 +1,4 @@
+// Lays out charts: title, legend, axes, bars and curves.
 #include "core/chart/layout.hpp"
 
 #include <algorithm>
@@ -9,14 +10,15 @@
 namespace alphascope {
 namespace {
 
-// Beyond this the small ones of a set of ratios can no longer be read on a linear axis.
+// The axis is logarithmic from this ratio of values on. Small values would be unreadable on a
+// linear one.
 constexpr double kLogarithmicFrom = 30;
 
 struct Range {
   double low = 0, high = 1;
   bool logarithmic = false;
 
-  // 0 to 1
+  // position on the axis, 0 to 1
   double share(double value) const {
     if (!logarithmic) return (value - low) / (high - low);
     return std::log(value / low) / std::log(high / low);
@@ -170,7 +172,7 @@ class Layout {
     return left_ + static_cast<float>(range.share(value)) * (end_ - left_);
   }
 
-  // The axis of values on top of lying bars, with its lines down to `bottom`.
+  // Draws the axis of values above horizontal bars, with grid lines down to `bottom`.
   void value_axis(const Range& range, int most, float bottom) {
     text(left_, y_ + row_ / 2, chart_.value_label, ChartInk::muted);
     y_ += row_;
@@ -210,7 +212,7 @@ class Layout {
     y_ = bottom + type_.font * 0.5f + (chart_.reference ? row_ : 0);
   }
 
-  // Beside the longest bar.
+  // The width for labels next to the longest bar.
   float room_for_labels() const {
     float room = 5 * type_.font;
     for (const ChartSeries& s : chart_.series) {
@@ -334,7 +336,7 @@ class Layout {
     std::optional<ChartDot> last;
     for (std::size_t n = 0; n < series.x.size() && n < series.values.size(); ++n) {
       if (!series.values[n]) {
-        last.reset();  // a gap, not a guess
+        last.reset();  // a missing value leaves a gap
         continue;
       }
       ChartDot dot{value_x(x, series.x[n]), at(*series.values[n]), s,

@@ -1,4 +1,5 @@
-// From a chart to boxes, lines and texts at places, for whatever can draw these.
+// The layout of a chart: boxes, lines, dots and texts at positions, for any program that draws
+// them.
 #pragma once
 
 #include <functional>
@@ -9,16 +10,16 @@ namespace alphascope {
 
 enum class ChartInk { text, muted, grid, axis };
 
-// Pixels from the top left; y points down.
+// Positions are in pixels from the top left; y points down.
 struct ChartBox {
   float x, y, width, height;
   std::size_t series;
-  std::string tip;  // what it says: "4hhb, tuples-cpu: 3.2"
+  std::string tip;  // tooltip: "4hhb, tuples-cpu: 3.2"
 };
 struct ChartLine {
   float x0, y0, x1, y1;
   ChartInk ink = ChartInk::grid;
-  std::optional<std::size_t> series = {};  // then in its colour
+  std::optional<std::size_t> series = {};  // if set, the line has its colour
   bool dashed = false;
 };
 struct ChartDot {
@@ -28,7 +29,7 @@ struct ChartDot {
 };
 enum class ChartAnchor { start, middle, end };
 struct ChartText {
-  float x, y;  // y of the text's middle
+  float x, y;  // y is that of the text's middle
   std::string text;
   ChartInk ink = ChartInk::text;
   ChartAnchor anchor = ChartAnchor::start;
@@ -43,13 +44,13 @@ struct ChartDrawing {
   std::vector<ChartText> texts;
 };
 
-// `font` is the height of ordinary text in pixels, `text_width` measures it.
+// `font` is the height of ordinary text in pixels. `text_width` measures text in that font.
 struct ChartType {
   float font = 13;
   std::function<float(const std::string&)> text_width;
 };
 
-// The height follows from the chart.
+// Lays out a chart of this width (pixels). The height follows from the content.
 ChartDrawing lay_out(const Chart& chart, float width, const ChartType& type);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Round distances between the numbers of an axis or a legend.
+// Round distances between the numbers on an axis or a legend.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace alphascope {
 
-// 1, 2 or 5 times a power of ten, so that about `most` of them cover `span`.
+// The distance is 1, 2 or 5 times a power of ten. About `most` of them cover `span`.
 inline double nice_step(double span, int most) {
   const double rough = span / std::max(1, most);
   const double power = std::pow(10.0, std::floor(std::log10(std::max(rough, 1e-300))));

@@ -1,4 +1,4 @@
-// See the header.
+// Formats numbers for people.
 #include "core/chart/readable_number.hpp"
 
 #include <algorithm>

@@ -1,16 +1,16 @@
-// Numbers as people read them, of what printf() writes. Pure text.
+// Numbers in the form that people read, made from the output of printf().
 #pragma once
 
 #include <string>
 
 namespace alphascope {
 
-// A minus sign for the hyphen, and powers of ten: "−2.5", "10²⁴", "−1.2·10⁻⁵".
+// Has a minus sign instead of a hyphen, and powers of ten: "−2.5", "10²⁴", "−1.2·10⁻⁵".
 std::string readable_number(const std::string& printed);
 // The same with commas between thousands: "−12,345.6".
 std::string separated_number(const std::string& printed);
 
-// Three digits that count, or all before the point: "0.0457", "12.3", "5,568", "1.2·10⁻⁵".
+// Three significant digits, or all before the point: "0.0457", "12.3", "5,568", "1.2·10⁻⁵".
 std::string chart_number(double value);
 
 }  // namespace alphascope

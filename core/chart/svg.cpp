@@ -1,3 +1,4 @@
+// Writes charts as SVG files.
 #include "core/chart/svg.hpp"
 
 #include <cstdio>
@@ -10,7 +11,8 @@
 namespace alphascope {
 namespace {
 
-// What a sans-serif letter takes of its height, on the wide side; the reader's font is not known.
+// Width of a sans-serif letter as a share of its height, a high estimate. The reader's font is
+// unknown.
 constexpr float kLetterWidth = 0.56f, kFont = 13;
 
 float estimated_width(const std::string& text) {

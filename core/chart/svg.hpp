@@ -1,4 +1,4 @@
-// A chart as a picture of lines and text: SVG 1.1, readable in browsers and word processors.
+// A chart as SVG 1.1, readable in browsers and word processors.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace alphascope {
 
-// A whole document on white.
+// A complete document on white.
 std::string chart_svg(const Chart& chart, float width = 760);
 
-// Writes `folder`/<id>.svg for each, the folder too if need be; returns the paths. Throws
-// WriteError.
+// Writes `folder`/<id>.svg for each chart and returns the paths. Creates the folder if it does not
+// exist. Throws WriteError.
 std::vector<std::filesystem::path> write_charts(const std::vector<Chart>& charts,
                                                 const std::filesystem::path& folder);
 

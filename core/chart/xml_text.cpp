@@ -1,4 +1,4 @@
-// See the header.
+// Escapes text for XML.
 #include "core/chart/xml_text.hpp"
 
 namespace alphascope {
@@ -20,7 +20,7 @@ std::string xml_text(std::string_view text) {
         out += "&quot;";
         break;
       default:
-        // XML 1.0 has no other control characters.
+        // XML 1.0 has no other control characters in text.
         if (static_cast<unsigned char>(c) >= 0x20 || c == '\t') out += c;
     }
   }

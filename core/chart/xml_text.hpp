@@ -1,4 +1,4 @@
-// Text between the tags of an XML file.
+// Text for the content of an XML file.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace alphascope {
 
-// With what XML reserves replaced, and without the control characters that it has no form for.
+// Replaces XML's reserved characters, and drops control characters that XML cannot express.
 std::string xml_text(std::string_view text);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// The CUDA engine's face: finds and proves the device, and runs the pipeline as an executor of
+// Makes the CUDA engine: finds and tests the device, and runs the pipeline as an executor of
 // core/engines/short_of_memory.hpp.
 #include "gpu/gpu_engine.hpp"
 
@@ -24,7 +24,7 @@ std::string version_text(int version) {
   return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
 }
 
-// A healthy-looking driver can still fail at the first launch, so one is made.
+// Launches a test kernel, because a driver that looks healthy can still fail at the first launch.
 void run_probe() {
   gpu::DeviceBuffer<int> out;
   out.reserve(32);
@@ -77,7 +77,7 @@ GpuDevice probe_device() {
   return d;
 }
 
-// A result stays in the pinned memory that it arrived in.
+// Makes lists that refer to the pinned memory in which the result arrived.
 template <int N>
 void keep(const gpu::PipelineResult& result, const gpu::HostSimplices<N>& from,
           SimplexList<N>& to) {
@@ -148,7 +148,7 @@ class GpuExecutor : public Executor {
     }
   }
 
-  // Also what was needed for measures and the outside: the next engine may lack the memory.
+  // Frees also the memory for measures and the outside, because the next engine may need it.
   void rest() override {
     measurer_.reset();
     outside_.reset();
@@ -156,7 +156,7 @@ class GpuExecutor : public Executor {
   }
 
  private:
-  // The last result, if that is `complex`: of the same balls and alpha there is but one.
+  // The last result if it is `complex`. Balls and alpha determine a complex.
   std::optional<gpu::DeviceComplex> on_device(const AlphaComplex& complex) const {
     std::optional<gpu::DeviceComplex> there = pipeline_.on_device();
     const bool same =
@@ -166,7 +166,7 @@ class GpuExecutor : public Executor {
 
   std::shared_ptr<const BallSet> balls_;
   gpu::DualEdgePipeline pipeline_;
-  std::uint64_t last_hash_ = 0;  // of its last result
+  std::uint64_t last_hash_ = 0;  // hash of the pipeline's last result
   std::optional<gpu::UnionMeasurer> measurer_;
   std::optional<gpu::OutsideFinder> outside_;
 };

@@ -1,5 +1,5 @@
-// The dual-edge engine on a CUDA device. Plain C++: the program builds and runs without CUDA, and
-// then learns here why there is no device.
+// The dual-edge engine on a CUDA device. This header is plain C++. The program also builds and runs
+// without CUDA, and these functions then tell why there is no device.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,23 @@
 
 namespace alphascope {
 
-// Looks for a device and runs a small kernel on it; the answer is kept. Never throws.
+// Looks for a device and runs a small kernel on it. The answer is kept. Never throws.
 const GpuDevice& gpu_device();
 
-// Pinned memory of results of GPU engines that nobody will use any more: is there any? Quick, from
-// any thread.
+// Returns whether there is pinned memory of GPU results that are no longer used. Fast; callable
+// from any thread.
 bool is_gpu_memory_unused();
-// Frees it. Waits for the device: not for the thread that draws.
+// Frees that memory. Waits for the device, so it must not be called by the thread that draws.
 void free_unused_gpu_memory();
 
-// How the device's engine goes about it. Results do not depend on it.
+// Options of the device's engine. Results do not depend on them.
 struct GpuOptions {
-  // In how many chunks a run goes through the balls, 1 to 16; 0: as is quickest.
+  // Number of chunks of balls in a run, 1 to 16; 0: the fastest.
   int chunks = 0;
 };
 
-// Null when the device cannot be used: *why_not then says why. The engine falls back to the CPU's
-// for single requests that do not fit the device (its AlphaComplex says so in engine.route).
+// Returns null if the device cannot be used, and sets *why_not to the reason. Single requests that
+// do not fit the device are computed by the CPU engine. Their AlphaComplex says so in engine.route.
 std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,
                                         std::string* why_not, GpuOptions gpu_options = {});
 

@@ -1,4 +1,4 @@
-// Stands in for the CUDA engine in builds without a CUDA compiler.
+// Replaces the CUDA engine in builds without a CUDA compiler.
 #include "gpu/gpu_engine.hpp"
 
 namespace alphascope {

@@ -1,3 +1,4 @@
+// Packs balls for the copy to the device.
 #include "gpu/dual_edge/ball_wire.cuh"
 
 #include <algorithm>
@@ -8,16 +9,16 @@
 namespace alphascope::gpu {
 namespace {
 
-// Sets of radii have a few; a long table would cost the device more than it saves.
+// Sets of radii have a few values. A long table would cost the device more time than it saves.
 constexpr std::size_t kMostRadii = 4096;
 
-// After the last record: a field of no width may begin where it ends.
+// Words after the last record, because a field of width 0 may begin at its end.
 constexpr std::size_t kPaddingWords = 2;
 
 class BitWriter {
  public:
   explicit BitWriter(std::uint32_t* to) : to_(to) {}
-  // Up to 32 bits; the value has no others.
+  // Appends `width` bits, at most 32. The value must have no other bits.
   void put(std::uint32_t value, std::uint32_t width) {
     held_ |= std::uint64_t{value} << count_;
     count_ += width;
@@ -35,7 +36,7 @@ class BitWriter {
   }
   std::uint32_t* to_;
   std::uint64_t held_ = 0;
-  std::uint32_t count_ = 0;  // bits held, below 32 between calls
+  std::uint32_t count_ = 0;  // number of held bits, below 32 between calls
 };
 
 std::uint32_t width_of(std::uint32_t most) {
@@ -60,7 +61,7 @@ BallPacker::BallPacker(const ShownBalls& balls) : balls_(balls) {
 }
 
 bool BallPacker::pays() const {
-  // Where things begin are numbers of 32 bits.
+  // Offsets are 32-bit numbers, so the packed form must be that short.
   return layout_.words > 0 && layout_.words < 4 * balls_.set.size() && layout_.words >> 32 == 0;
 }
 
@@ -103,7 +104,7 @@ std::uint32_t BallPacker::group_end(std::uint32_t group) const {
       std::min(balls_.set.size(), (std::size_t{group} + 1) * kWireGroup));
 }
 
-// Lowest corner and widths; where the records begin is known later.
+// The head has lowest corner and widths. place_records() adds the offset of the records.
 uint4 BallPacker::head_of(std::uint32_t group) const {
   const std::uint32_t begin = group * kWireGroup;
   LatticePoint low = balls_.set.centres[begin], high = low;

@@ -1,18 +1,19 @@
-// Balls on their way to the device. The copy is bound by the bus, so they go packed, and nothing is
-// lost: 32 consecutive balls, close together in a molecule, are a group with its own lowest corner
-// and its own widths of x, y and z above it. Radii are numbers in a table of those that occur. In
-// one piece of memory, in words of 32 bits:
+// The packed form of balls for the copy to the device, without loss. The bus limits the copy, so a
+// smaller form is faster. A group is 32 consecutive balls, which are close together in a molecule.
+// It has its own lowest corner and its own widths of x, y and z above it. Radii are indices into a
+// table. All is in one piece of memory, in words of 32 bits:
 //
-//   heads   4 words a group: lowest x, y, z; the widths, 6 bits each, and in the upper 14 where its
-//           records begin, in words after the start of its 128 groups
+//   heads   4 words per group: lowest x, y, z; the widths, 6 bits each, and in the upper 14 the
+//           offset of its records, in words after the start of its 128 groups
 //   starts  1 word per 128 groups: where their records begin
 //   radii   in the order in which they first occur
 //   records of a group's balls one after the other, all of one width, x lowest, then y, z and the
-//           number of the radius; 32 of b bits are b words, so every group begins with a whole one
+//           index of the radius; 32 of b bits are b words, so every group begins with a whole one
 //   two words that are read but not used
 //
-// A ball of a molecule takes 5.8 to 6.1 bytes on a lattice of 10^-3 Å, half a byte of it the heads,
-// and 7.2 on one of 10^-4. Sets that would take 16 or more go as they are.
+// A ball of a molecule takes 5.8 to 6.1 bytes on a lattice of 10^-3 Å, of which the heads are half
+// a byte. On a lattice of 10^-4 Å it takes 7.2 bytes. Sets that would take 16 or more are sent
+// unpacked.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -26,14 +27,14 @@
 
 namespace alphascope::gpu {
 
-// Balls of a group, and of the groups that share a start.
+// Number of balls in a group, and in the groups that share a start.
 inline constexpr std::uint32_t kWireGroup = 32;
 inline constexpr std::uint32_t kWireStart = 128 * kWireGroup;
 
 // The last word of a group's head.
 struct GroupShape {
   std::uint32_t x, y, z;  // widths, bits
-  std::uint32_t begin;    // of its records, in words after the start of its 128 groups
+  std::uint32_t begin;    // offset of its records, in words after the start of its 128 groups
 
   static __host__ __device__ GroupShape of(std::uint32_t word) {
     return {word & 63, word >> 6 & 63, word >> 12 & 63, word >> 18};
@@ -42,14 +43,14 @@ struct GroupShape {
 };
 
 struct WireLayout {
-  std::uint32_t starts = 0, radii = 0;  // where they begin, in words; the heads come first
+  std::uint32_t starts = 0, radii = 0;  // offsets in words; the heads come first
   std::uint32_t radius_width = 0;       // bits
-  std::size_t words = 0;                // in all
+  std::size_t words = 0;                // total number
 };
 
-// Balls as they arrive.
+// Balls in packed form on the device.
 struct PackedBalls {
-  const std::uint32_t* data;  // aligned to 16 bytes; null: there are none
+  const std::uint32_t* data;  // aligned to 16 bytes; null: the balls came unpacked
   WireLayout layout;
 
   __host__ __device__ int4 operator[](std::uint32_t i) const {
@@ -66,7 +67,7 @@ struct PackedBalls {
   }
 
  private:
-  // Up to 32 bits, of two words that are always there.
+  // Reads up to 32 bits from two words, both of which always exist.
   __host__ __device__ std::uint32_t bits(std::uint32_t records, std::uint32_t at,
                                          std::uint32_t width) const {
     const std::uint32_t* word = data + (records + at / 32);
@@ -75,10 +76,10 @@ struct PackedBalls {
   }
 };
 
-// A set's balls as the device takes them: x, y, z, radius, and -1 as that of the hidden.
+// A set's balls as the device needs them: x, y, z and radius. A hidden ball has radius -1.
 struct ShownBalls {
   const BallSet& set;
-  const std::vector<bool>& hidden;  // or empty: none is
+  const std::vector<bool>& hidden;  // empty: no ball is hidden
 
   int4 operator[](BallIndex i) const {
     const LatticePoint& c = set.centres[i];
@@ -86,7 +87,7 @@ struct ShownBalls {
   }
 };
 
-// The radii that occur, in the order in which they first do.
+// The different radii of a set, in the order of their first occurrence.
 class RadiusTable {
  public:
   std::uint32_t number_of(std::int32_t radius);
@@ -95,21 +96,22 @@ class RadiusTable {
  private:
   struct Recent {
     std::int32_t radius;
-    std::uint32_t number_and_one;  // 0: none yet
+    std::uint32_t number_and_one;  // 0: unused
   };
-  std::array<Recent, 64> recent_{};  // by the radius' lowest bits: a molecule has a handful
+  // Cache by a radius' lowest bits, because a molecule has few radii.
+  std::array<Recent, 64> recent_{};
   std::unordered_map<std::int32_t, std::uint32_t> numbers_;
   std::vector<std::int32_t> radii_;
 };
 
-// Packs the balls of a set, which must outlive it.
+// Packs the balls of a set. The set must outlive it.
 class BallPacker {
  public:
   explicit BallPacker(const ShownBalls& balls);
-  // Is there a packed form, smaller than the balls as they are?
+  // Returns whether there is a packed form that is smaller than the unpacked balls.
   bool pays() const;
   const WireLayout& layout() const { return layout_; }
-  void pack(std::uint32_t* to) const;  // layout().words words; none if radii were too many
+  void pack(std::uint32_t* to) const;  // writes layout().words words, which must not be 0
 
  private:
   bool number_radii();

@@ -1,5 +1,5 @@
-// One block of the dual edge kernels: its problem and shared memory, the ordered lists of its
-// balls' neighbours, and the rows of bits that say which of them meet.
+// One block of the dual edge kernels: its problem, shared memory and ordered neighbour lists. Rows
+// of bits tell which neighbours meet.
 #pragma once
 
 #include <algorithm>
@@ -10,39 +10,40 @@
 
 namespace alphascope::gpu {
 
-// The edges that may be in K_alpha, of each ball to its later neighbours, ascending.
+// Edges from each ball to its later neighbours that may be in K_alpha, ascending.
 struct EdgeCandidates {
   std::uint32_t* end;  // the later ball
-  // ordered_bits of the least value of a coface in K_alpha, kNoValue for none.
+  // ordered_bits of the least value of a coface in K_alpha; kNoValue: none.
   std::uint32_t* least;
-  std::uint32_t* flags;  // kUnattached, and what those cofaces say
+  std::uint32_t* flags;  // kUnattached, and the coface_flags of those cofaces
   std::uint32_t capacity;
   std::uint32_t* cursor;
-  std::uint32_t *start, *count;  // per ball
-  std::uint32_t* missing;        // how often one was looked for in vain
+  std::uint32_t *start, *count;  // for each ball
+  std::uint32_t* missing;        // number of failed look-ups
 };
 
 // Tetrahedra of K_alpha in the order in which blocks finished.
 struct FoundTetrahedra {
   uint4* vertices;
   std::uint32_t capacity;
-  std::uint32_t* cursor;         // found (may pass capacity: then nothing counts)
-  std::uint32_t *start, *count;  // per ball, as lowest vertex
+  std::uint32_t* cursor;         // number found; if it exceeds capacity, the run is repeated
+  std::uint32_t *start, *count;  // for each ball as lowest vertex
 };
 
-// The same of triangles.
+// Triangles of K_alpha in the same order.
 struct FoundTriangles {
   std::uint32_t* vertices;  // 3 each
-  std::uint32_t* info;      // pack_info
-  std::uint32_t*
-      attached_to;  // the last vertex of the tetrahedron with its value; kNoBall: its own
+  std::uint32_t* info;      // as pack_info() makes it
+  // Last vertex of the tetrahedron that gives the triangle its value; kNoBall: its own value.
+  std::uint32_t* attached_to;
   std::uint32_t capacity;
   std::uint32_t* cursor;
-  std::uint32_t *start, *count;  // per ball
+  std::uint32_t *start, *count;  // for each ball as lowest vertex
 };
 inline constexpr std::uint32_t kNoBall = ~0u;
 
-// The places of edges ij and ik among the candidates of i, and the number of tetrahedra in K_alpha.
+// Packs the places of edges ij and ik among the candidates of i, and the number of cofaces in
+// K_alpha.
 __device__ inline std::uint32_t pack_info(int edge_j, int edge_k, int cofaces) {
   return static_cast<std::uint32_t>(edge_j) | static_cast<std::uint32_t>(edge_k) << 12 |
          static_cast<std::uint32_t>(cofaces) << 24;
@@ -50,37 +51,39 @@ __device__ inline std::uint32_t pack_info(int edge_j, int edge_k, int cofaces) {
 
 struct DualEdgeOutput {
   FoundTetrahedra tetrahedra;
-  // Of a whole complex only:
+  // Set only for a whole complex:
   FoundTriangles triangles;
   EdgeCandidates edges;
-  std::uint32_t* vertex_state;  // per ball: 0 absent, 1 attached, 2 unattached
+  std::uint32_t* vertex_state;  // for each ball: 0 absent, 1 attached, 2 unattached
 
   std::uint32_t *exact_list, *exact_count;
   BlockStatistics* statistics;
 };
 
-// What a kernel does: all simplices, or tetrahedra alone; kernel III, or kernel II; are neighbours
-// without a facet left out (of long lists it pays)?
+// Kinds of kernels. With kWhole they find all simplices, else tetrahedra alone. With kExact they
+// are kernel III, else kernel II. With kCull they leave out neighbours without a facet, which pays
+// off for long lists.
 template <bool kWhole_, bool kExact_, bool kCull_>
 struct KernelKind {
   static constexpr bool kWhole = kWhole_, kExact = kExact_, kCull = kCull_;
-  // Without, every edge of a ball to a later one counts as possible.
+  // false: every edge of a ball to a later neighbour counts as possible.
   static constexpr bool kEdges = kWhole || kCull;
 };
 
 struct DualEdgeProblem {
   Problem common;
-  std::uint32_t begin, end;  // the balls of this launch
+  std::uint32_t begin, end;  // range of balls of this launch
   BlockRoom capacity;
-  std::uint32_t
-      deferred_limit;   // beyond so many kernel III leaves the run to be repeated with more room
-  int words;            // of a row of bits: (capacity.list + 31) / 32
-  float radius_scale;   // scale²: square lattice units to scaled ones
-  bool small_lattice;   // Int128 suffices for exact predicates
-  bool cull;            // as KernelKind::kCull
-  bool narrow;          // 32 bits hold every c of neighbours
-  const int4* balls;    // in the order of the BallSet
-  struct BlockLayout {  // words from the start of a block's memory, see DualEdgeMemory
+  // If more balls are deferred, kernel III does nothing and the run is repeated with more room.
+  std::uint32_t deferred_limit;
+  int words;           // length of a row of bits: (capacity.list + 31) / 32
+  float radius_scale;  // scale²: factor from square lattice units to scaled ones
+  bool small_lattice;  // whether Int128 suffices for exact predicates
+  bool cull;           // as KernelKind::kCull
+  bool narrow;         // whether 32 bits hold every c of neighbours
+  const int4* balls;   // in the order of the BallSet
+  // Offsets in words from the start of a block's memory, for the arrays of DualEdgeMemory.
+  struct BlockLayout {
     std::uint32_t kept, index, found_bits, one_bits, two_bits, triangles_before, tetrahedra_before,
         possible, near, rows, triangles, half_warp, reach, listed, probed, row_ball;
     std::size_t bytes;
@@ -99,24 +102,25 @@ __device__ inline std::uint32_t pack_triangle(int row, int k, int ball) {
 }
 
 struct DualEdgeMemory {
-  float4* vectors;  // entries: scaled d and c, ascending by index
+  float4* vectors;  // for each entry scaled d and c; entries ascend by index
   std::uint32_t* index;
-  std::uint32_t* rows;  // words of bits for each later neighbour j: who meets j as well
-  uint2* kept;          // triangles found: their number, and pack_face()
-  // p.words of bits for each ball: which neighbours j can have edge ij in K_alpha, and whose planes
-  // are nearest (culled lists only).
+  std::uint32_t* rows;  // for each later neighbour j a row of bits: the balls that meet j as well
+  uint2* kept;          // for each found triangle its number and pack_face()
+  // A row of p.words words for each ball. `possible` marks neighbours j whose edge ij may be in
+  // K_alpha. `near` marks neighbours with the nearest planes (for culled lists only).
   std::uint32_t *possible, *near;
-  // One bit a triangle: found; with one tetrahedron to write or more; with two. Then, for each
-  // word, what is found in the words before.
+  // One bit for each triangle: it is found; it has at least one tetrahedron to write; it has two.
+  // The last two arrays hold for each word the number of simplices in the words before.
   std::uint32_t *found_bits, *one_bits, *two_bits, *triangles_before, *tetrahedra_before;
   std::uint32_t* triangles;
-  std::uint16_t* listed;  // triangles that are worth a look
-  std::uint16_t* probed;  // triangles that were not probed away
-  std::uint8_t* length;   // see sort_candidates(); in the place of kept and probed
-  // Whose row it is, and kUnattachedRow.
+  std::uint16_t* listed;  // triangles that are candidates
+  std::uint16_t* probed;  // triangles that probe_triangles() kept
+  std::uint8_t* length;   // see sort_candidates(); shares memory with kept and probed
+  // For each row its ball, and kUnattachedRow.
   std::uint8_t* row_ball;
-  // Before there are triangles, in their place. Of entries: how far they reach. Of half a warp:
-  // what it met, and of that, those whose planes are nearest.
+  // The arrays below share memory with `triangles` and are used before it. `reach` has for each
+  // entry how far its ball reaches. The others belong to a half warp: the balls found, and among
+  // them the coverers, whose planes are nearest.
   float* reach;
   float4* coverers;
   float* coverer_lengths;
@@ -126,19 +130,19 @@ struct DualEdgeMemory {
 constexpr int kRowBall = 63, kUnattachedRow = 64;
 static_assert(kMaxBallsPerBlock < kRowBall);
 
-// Balls that are tried as coverers of discs: those whose planes are nearest.
+// Number of balls tried as coverers of discs: those with the nearest planes.
 constexpr int kCoverers = 16;
 
 inline std::uint32_t half_warp_words(const DualEdgeProblem& p) {
-  // Capacities of a search are multiples of 4. Four more: see order_list().
+  // Capacities of searches are multiples of 4. order_list() needs four more words.
   return 2 * p.capacity.search + 4 + (p.cull ? 5 * kCoverers : 0);
 }
 inline std::uint32_t half_warps_words(const DualEdgeProblem& p) {
-  // Half warps take balls in pairs.
+  // Half warps process balls in pairs.
   const int halves = kBlockThreads / kSearchLanes, pairs = (p.common.balls_per_block + 1) / 2;
   return static_cast<std::uint32_t>(std::min(2 * pairs, halves)) * half_warp_words(p);
 }
-// Of what needs more bytes than 32 bits can count, only the number of bytes is right.
+// If the memory needs more bytes than 32 bits can count, only the number of bytes is right.
 inline void lay_out(DualEdgeProblem& p) {
   DualEdgeProblem::BlockLayout& at = p.layout;
   std::size_t words = 4 * std::size_t{p.capacity.entries};
@@ -193,46 +197,48 @@ __device__ inline DualEdgeMemory carve(unsigned char* shared, const DualEdgeProb
   m.length = reinterpret_cast<std::uint8_t*>(words + at.kept);
   m.found = m.triangles + threadIdx.x / kSearchLanes * at.half_warp;
   m.found_index = m.found + p.capacity.search;
-  // Only of culled lists.
+  // Only for culled lists.
   m.coverers = reinterpret_cast<float4*>(m.found_index + p.capacity.search + 4);
   m.coverer_lengths = reinterpret_cast<float*>(m.coverers + kCoverers);
   m.row_ball = reinterpret_cast<std::uint8_t*>(words + at.row_ball);
   return m;
 }
 
-// Per ball of the block.
+// Data for each ball of the block.
 constexpr int kLengths = 32;  // longer ones count as this long
 struct BlockBalls {
   int4 ball[kMaxBallsPerBlock];
   std::uint32_t index[kMaxBallsPerBlock];
   float radius_square[kMaxBallsPerBlock];  // w + alpha, scaled
-  int list[kMaxBallsPerBlock];             // neighbours; none when there is no room for them
-  int later[kMaxBallsPerBlock];            // of them, of higher index
-  int entry0[kMaxBallsPerBlock];           // where they begin
+  int list[kMaxBallsPerBlock];             // number of neighbours; 0 if they found no room
+  int later[kMaxBallsPerBlock];            // number of those of higher index
+  int entry0[kMaxBallsPerBlock];           // index of the first entry
   int row0[kMaxBallsPerBlock];
-  int exact[kMaxBallsPerBlock];  // 1 undecided, 2 no room: for kernel III
+  int exact[kMaxBallsPerBlock];  // 1: undecided, 2: no room; both go to kernel III
   int first_triangle[kMaxBallsPerBlock], end_triangle[kMaxBallsPerBlock];
-  // Where simplices go, less their number in the block: of triangles and tetrahedra, less the row
-  // for edges. Modulo 2^32.
+  // Offsets into the output, modulo 2^32. The place of a triangle or tetrahedron is the offset plus
+  // its number in the block. The place of an edge is the offset plus its row.
   std::uint32_t triangle_at[kMaxBallsPerBlock], tetrahedron_at[kMaxBallsPerBlock],
       edge_at[kMaxBallsPerBlock];
-  // 0: absent at any alpha; 1: the ball's centre lies outside its power cell (attached); 2: within.
+  // 0: absent at any alpha; 1: the ball's centre lies outside its power cell (attached); 2: within
+  // it.
   std::uint8_t state[kMaxBallsPerBlock];
   int scan[kBlockThreads / 32];
   Surroundings surroundings[kBlockThreads / kSearchLanes];
   Measured all_found, all_lists;  // as BlockStatistics' found and list
-  int lengths[kLengths];  // triangles of so many cuts, the longest first; then where they begin
+  // Number of triangles by number of cuts, most cuts first; later the offsets of these groups.
+  int lengths[kLengths];
   int entries, rows, triangles;
   int listed, next_listed, probed, next_work, kept;
 };
 
-// What a block works with, and the balls that are its own: [first, first + balls) of the BallSet.
+// The data of a block. Its own balls are [first, first + balls) of the BallSet.
 struct Block {
   const DualEdgeProblem& p;
   const DualEdgeOutput& out;
   const DualEdgeMemory& m;
   BlockBalls& s;
-  int words;  // of a row of bits: p.words, if possible known at compile time
+  int words;  // length of a row of bits: p.words, as a compile-time constant if possible
   std::uint32_t first;
   int balls;
 };
@@ -248,11 +254,11 @@ __device__ inline int warp_scan(int value) {
   return sum - value;
 }
 
-// Sum over the threads before this one, and over all. Every thread takes part.
+// Sum over the threads before this one; *total: over all. Every thread must call it.
 __device__ inline int block_scan(int value, int* scratch, int* total) {
   const int lane = threadIdx.x & 31, warp = threadIdx.x >> 5;
   const int before = warp_scan(value);
-  __syncthreads();  // an earlier scan's scratch has been read
+  __syncthreads();  // an earlier scan's scratch must have been read
   if (lane == 31) scratch[warp] = before + value;
   __syncthreads();
   int sum = 0, all = 0;
@@ -265,7 +271,7 @@ __device__ inline int block_scan(int value, int* scratch, int* total) {
   return sum + before;
 }
 
-// Few blocks meet a new maximum.
+// Reads first, because few blocks find a new maximum.
 __device__ inline void note_largest(std::uint32_t* largest, int value) {
   if (*static_cast<volatile std::uint32_t*>(largest) < static_cast<std::uint32_t>(value)) {
     atomicMax(largest, static_cast<std::uint32_t>(value));
@@ -274,7 +280,8 @@ __device__ inline void note_largest(std::uint32_t* largest, int value) {
 __device__ inline void add(std::uint64_t* sum, std::uint64_t value) {
   atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(value));
 }
-// In the block's memory by lanes of several warps, or for all blocks by one thread of each.
+// Adds a value. Lanes of several warps call it for the block's memory, and one thread of each block
+// for all blocks.
 __device__ inline void measure(Measured& of, int value) {
   add(&of.number, 1);
   add(&of.sum, value);
@@ -286,7 +293,7 @@ __device__ inline void add_measured(Measured& to, const Measured& of) {
   add(&to.squares, of.squares);
 }
 
-// A triangle's parts, unpacked.
+// A triangle of the block with its parts unpacked.
 struct Triangle : TriangleRows {
   int ball, entry0;
 
@@ -306,7 +313,7 @@ struct Triangle : TriangleRows {
   }
 };
 
-// Two ends of 12 bits + 1, and which of them the triangle is attached to.
+// Packs both ends (12 bits, plus 1 so that -1 is 0), and the end to which the triangle attaches.
 __device__ inline std::uint32_t pack_face(const TriangleFace& f) {
   return static_cast<std::uint32_t>(f.high + 1) | static_cast<std::uint32_t>(f.low + 1) << 12 |
          static_cast<std::uint32_t>(f.attached) << 24;
@@ -326,7 +333,7 @@ struct ScaledNeighbours {
   }
 };
 
-// The neighbours of a ball for the exact templates, straight from the balls.
+// The neighbours of a ball for the exact templates, read from the balls themselves.
 struct ExactNeighbours {
   const std::uint32_t* indices;
   const int4* balls;

@@ -1,8 +1,8 @@
-// The CUDA executor of the dual-edge engine: one block takes a run of balls through neighbours
-// (kernel I: lists, which neighbours meet, triangles ijk worth a look) and dual edges in single
-// precision with certified errors (kernel II), and writes the simplices whose lowest vertex is one
-// of its balls. A ball with an undecided simplex goes, whole, to the same kernel with double
-// precision and exact integers (kernel III). The bodies per triangle and edge are
+// The CUDA executor of the dual-edge engine. A block takes a run of balls through kernel I: lists,
+// neighbours that meet, candidate triangles ijk. Then kernel II clips dual edges in single
+// precision with certified errors. The block writes the simplices whose lowest vertex is one of its
+// balls. A ball with an undecided simplex goes as a whole to kernel III. That is the same code with
+// double precision and exact integers. The bodies for triangles and edges are
 // core/dual_edge/triangle_faces.hpp and facet_disc.hpp.
 #pragma once
 
@@ -14,7 +14,8 @@
 
 namespace alphascope::gpu {
 
-// Kernel III of one triangle: double precision, then integers. Not inlined: it is rare and large.
+// Kernel III of one triangle: double precision, then integers. Not inlined, because it is rare and
+// large.
 __device__ __noinline__ TriangleFace decided_face(const DualEdgeProblem& p,
                                                   const ExactNeighbours& neighbours,
                                                   const TriangleRows& t) {
@@ -27,8 +28,9 @@ __device__ __noinline__ TriangleFace decided_face(const DualEdgeProblem& p,
                          : exact_face<WideInt<4>>(in, t, p.words);
 }
 
-// The list of triangles of three balls that meet, whose edges ij and ik are possible: of each ball,
-// in lexicographic order. Balls without room for theirs are marked. Returns the length of the list.
+// Lists the triangles of three balls that meet and whose edges ij and ik are possible. The
+// triangles of each ball are in lexicographic order. Balls without room for theirs are marked.
+// Returns the length of the list.
 template <class Kind>
 __device__ inline int list_triangles(const Block& block) {
   const DualEdgeProblem& p = block.p;
@@ -76,8 +78,8 @@ __device__ inline int list_triangles(const Block& block) {
   return all;
 }
 
-// Is the triangle worth a look: can its line be within alpha and, for tetrahedra alone, is there a
-// fourth ball?
+// Returns whether the triangle's line can be within alpha. For tetrahedra alone there must also be
+// a fourth ball.
 template <class Kind>
 __device__ inline bool is_candidate(const Block& block, const Triangle& triangle) {
   const ScaledNeighbours vector{block.m.vectors + triangle.entry0};
@@ -86,12 +88,12 @@ __device__ inline bool is_candidate(const Block& block, const Triangle& triangle
                                              block.s.radius_square[triangle.ball]);
 }
 
-// A list of triangles by number, and how many it has room for.
+// A list of triangle numbers, and the number for which it has room.
 struct TriangleList {
   std::uint16_t* numbers;
   std::uint32_t room;
 };
-// Puts triangle t, of ball b, on a list; the ball goes to kernel III where that has no room.
+// Puts triangle t of ball b on a list. If that has no room, the ball goes to kernel III.
 __device__ inline void enlist(const TriangleList& list, BlockBalls& s, int place, int t, int b) {
   if (place < static_cast<int>(list.room)) {
     list.numbers[place] = static_cast<std::uint16_t>(t);
@@ -100,7 +102,7 @@ __device__ inline void enlist(const TriangleList& list, BlockBalls& s, int place
   }
 }
 
-// The candidates, in any order. Every thread takes part; returns how many are listed.
+// Lists the candidates, in any order. Every thread must call it. Returns the length of the list.
 template <class Kind>
 __device__ inline int list_candidates(const Block& block, int triangles) {
   const BlockRoom& room = block.p.capacity;
@@ -126,8 +128,8 @@ __device__ inline int list_candidates(const Block& block, int triangles) {
   return min(s.listed, static_cast<int>(room.listed));
 }
 
-// The same, in the order of how many cuts they have (a counting sort), the longest first, so that
-// the lanes of a warp take about as long.
+// Lists the candidates by falling number of cuts (a counting sort). So the lanes of a warp take
+// about equally long.
 template <class Kind>
 __device__ inline int sort_candidates(const Block& block, int triangles) {
   const BlockRoom& room = block.p.capacity;
@@ -135,7 +137,7 @@ __device__ inline int sort_candidates(const Block& block, int triangles) {
   BlockBalls& s = block.s;
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     const Triangle triangle(block, t);
-    int length = kLengths;  // none
+    int length = kLengths;  // no candidate
     if (is_candidate<Kind>(block, triangle)) {
       int cuts = 0;
       for (int w = 0; w < block.words; ++w) cuts += __popc(triangle.common(w));
@@ -160,7 +162,7 @@ __device__ inline int sort_candidates(const Block& block, int triangles) {
   return min(s.listed, static_cast<int>(room.listed));
 }
 
-// A warp's next 32 numbers below `end`, or false.
+// Takes the next 32 numbers below `end` for a warp. Returns false if there are none.
 __device__ inline bool take(int* counter, int end, int& mine) {
   int t = 0;
   if ((threadIdx.x & 31) == 0) t = atomicAdd(counter, 32);
@@ -168,7 +170,7 @@ __device__ inline bool take(int* counter, int end, int& mine) {
   return __any_sync(~0u, mine < end);
 }
 
-// Keeps a triangle of K_alpha; of tetrahedra alone, one with tetrahedra to write.
+// Keeps a triangle of K_alpha. For tetrahedra alone, it must have tetrahedra to write.
 __device__ inline void keep(const Block& block, int b, int t, int tetrahedra,
                             const TriangleFace& face) {
   const DualEdgeMemory& m = block.m;
@@ -184,7 +186,7 @@ __device__ inline void keep(const Block& block, int b, int t, int tetrahedra,
   if (tetrahedra > 1) atomicOr(&m.two_bits[t >> 5], bit);
 }
 
-// The rows to clip a triangle's dual edge by.
+// The rows of balls that clip a triangle's dual edge.
 template <class Kind>
 __device__ inline auto rows_of(const Block& block, const Triangle& t) {
   if constexpr (Kind::kCull) {
@@ -221,11 +223,11 @@ __device__ inline TriangleFace found_face(const Block& block, const Triangle& t)
   }
 }
 
-// Do the cuts by these neighbours certainly leave nothing?
+// Returns whether the cuts by these neighbours certainly leave nothing.
 template <class Cutters>
 __device__ inline bool probed_away(const DualEdge<float>& edge, int words, const Cutters& cutters,
                                    const ScaledNeighbours& vector) {
-  // Of balls that meet: |d| is at most 1 and a few roundings, and so is c less a quarter.
+  // For balls that meet, |d| and c - 1/4 are at most 1 plus a few roundings.
   DualEdgeProbe<float> probe(edge, 1.75f, 2);
   for (int w = 0; w < words; ++w) {
     for (std::uint32_t bits = cutters(w); bits != 0; bits &= bits - 1) {
@@ -235,9 +237,9 @@ __device__ inline bool probed_away(const DualEdge<float>& edge, int words, const
   return false;
 }
 
-// Most triangles have no dual edge. Of culled lists, those are told apart first of which the
-// likeliest cuts alone, without their ends, certainly leave nothing: that takes about as long for
-// all lanes of a warp, and those that are left fill other warps. Returns how many are left.
+// Most triangles have no dual edge. For culled lists, the likeliest cuts alone are tried first,
+// without ends. They often leave nothing, certainly. This takes about equally long for all lanes of
+// a warp, and the remaining triangles fill other warps. Returns the number of remaining triangles.
 __device__ inline int probe_triangles(const Block& block, int listed) {
   const DualEdgeMemory& m = block.m;
   BlockBalls& s = block.s;
@@ -289,8 +291,8 @@ __device__ inline void find_faces(const Block& block, int triangles) {
   }
 }
 
-// Kernel III of the block's triangles: single precision once more, which spares most of them, and
-// the rest for certain.
+// Kernel III of the block's triangles. Single precision is tried once more and decides most of
+// them. The rest is decided exactly.
 template <class Kind>
 __device__ inline void find_faces_exactly(const Block& block, int triangles) {
   __syncthreads();
@@ -305,7 +307,7 @@ __device__ inline void find_faces_exactly(const Block& block, int triangles) {
   __syncthreads();
 }
 
-// Per ball: is it a vertex of K_alpha?
+// Writes for each ball whether it is a vertex of K_alpha.
 __device__ inline void write_vertex_states(const Block& block) {
   const BlockBalls& s = block.s;
   const int b = static_cast<int>(threadIdx.x);
@@ -315,7 +317,7 @@ __device__ inline void write_vertex_states(const Block& block) {
   block.out.vertex_state[s.index[b]] = block.p.common.alpha.plus(weight) < 0 ? 0 : s.state[b];
 }
 
-// The block's balls. Every thread of it calls it.
+// Processes the block's balls. Every thread of the block must call it.
 template <class Kind>
 __device__ void process_balls(const Block& block, const SortedBalls& sorted) {
   find_lists<Kind>(block, sorted);
@@ -330,7 +332,7 @@ __device__ void process_balls(const Block& block, const SortedBalls& sorted) {
   write_simplices<Kind>(block, triangles);
 }
 
-// kWords: words of a row, or 0 for any number.
+// kWords: length of a row, or 0 for any length.
 template <bool kWhole, bool kCull, int kWords>
 __global__ void __launch_bounds__(kBlockThreads)
     dual_edges_filtered(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
@@ -344,14 +346,15 @@ __global__ void __launch_bounds__(kBlockThreads)
       {p, out, m, s, kAny ? p.words : kWords, first, balls}, sorted);
 }
 
-// One ball at a time; p.common.balls_per_block is 1.
+// Processes one ball at a time; p.common.balls_per_block must be 1.
 template <bool kWhole>
 __global__ void __launch_bounds__(kBlockThreads)
     dual_edges_exact(DualEdgeProblem p, SortedBalls sorted, DualEdgeOutput out) {
   __shared__ BlockBalls s;
   const DualEdgeMemory m = carve(dynamic_shared_memory(), p);
   const std::uint32_t count = *out.exact_count;
-  // Kernel II of the next chunk may add to them: the block's threads have to agree.
+  // Kernel II of the next chunk may still add to `deferred`, so the block's threads have to agree
+  // on it.
   if (__syncthreads_or(out.statistics->deferred > p.deferred_limit)) return;
   for (std::uint32_t n = blockIdx.x; n < count; n += gridDim.x) {
     process_balls<KernelKind<kWhole, true, true>>({p, out, m, s, p.words, out.exact_list[n], 1},

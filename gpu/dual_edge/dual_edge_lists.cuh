@@ -1,5 +1,5 @@
-// Kernel I: the ordered lists of a block's balls' neighbours. From long lists, the neighbours are
-// left out that have no facet (facet_disc.hpp says which and why).
+// Kernel I: makes the ordered neighbour lists of a block's balls. Neighbours without a facet are
+// left out of long lists (facet_disc.hpp explains which and why).
 #pragma once
 
 #include <cfloat>
@@ -9,10 +9,10 @@
 
 namespace alphascope::gpu {
 
-// Balls in a list that kernel III does not cull: it takes longer than it saves.
+// Kernel III does not cull lists up to this length, because culling would cost more than it saves.
 constexpr int kShortList = 32;
 
-// Marks of an index in a list that is being made.
+// Marks in the upper bits of an index in an unfinished list.
 constexpr std::uint32_t kNearBit = 1u << 31, kDeadBit = 1u << 30, kIndexBits = kDeadBit - 1;
 
 template <class Kind>
@@ -32,8 +32,9 @@ __device__ inline std::int64_t square(int a) {
   return static_cast<std::int64_t>(a) * a;
 }
 
-// The scaled vector of ball q seen from `centre`. `*inside`: the centre has less power to its own
-// ball. Differences of neighbours have 25 bits at most, so do floats; c is rounded once.
+// The scaled vector of ball q as seen from `centre`. `*inside`: the centre has less power to its
+// own ball than to q. Differences of neighbours have at most 25 bits with the sign, as floats have,
+// so they are exact; c is rounded once.
 __device__ inline LiftedVector<float> scaled_vector(const DualEdgeProblem& p, const int4& centre,
                                                     const int4& q, bool* inside) {
   const auto difference = [](int a, int b) {
@@ -56,8 +57,8 @@ __device__ inline LiftedVector<float> scaled_vector(const DualEdgeProblem& p, co
           static_cast<float>(z) * scale, c * p.radius_scale};
 }
 
-// Leaves out of the `n` balls that half a warp found those without a facet. Both halves of a warp
-// call it, each for its ball.
+// Leaves out those of the `n` balls found by a half warp that have no facet. Both halves of a warp
+// must call it, each for its ball.
 class Culler {
  public:
   __device__ Culler(const DualEdgeProblem& p, const DualEdgeMemory& m, const int4& centre,
@@ -67,11 +68,11 @@ class Culler {
         centre_(centre),
         radius_square_(radius_square),
         n_(n),
-        // As many rounds as the longer list of the two takes.
+        // number of rounds: that of the longer list of both halves
         end_(max(n, __shfl_xor_sync(~0u, n, kSearchLanes))) {}
 
-  // Returns how many are left; marks those whose planes are nearest, and those that are dead but
-  // still needed.
+  // Returns the number of remaining balls. Marks those with the nearest planes, and those without
+  // facet that are still needed.
   __device__ int cull() {
     const bool attached = measure();
     const float nearest = threshold();
@@ -85,7 +86,8 @@ class Culler {
   }
   __device__ float& key(int a) const { return reinterpret_cast<float*>(m_.found_index)[a]; }
 
-  // Keys: twice the distances of the planes. True when the ball's centre is not within its cell.
+  // Sets the keys: twice the distances of the planes. Returns whether the ball's centre is outside
+  // its cell.
   __device__ bool measure() const {
     bool all_inside = true;
     for (int a = lane_of_half(); a < n_; a += kSearchLanes) {
@@ -98,8 +100,8 @@ class Culler {
     return half_ballot(!all_inside) != 0;
   }
 
-  // A key that at most kCoverers keys do not exceed, and if it can be found in a few halvings, not
-  // many fewer. Any would do.
+  // A threshold with at most kCoverers keys at or below it. A few halvings try to bring the number
+  // near kCoverers. Any threshold is correct: fewer coverers only leave more balls in the list.
   __device__ float threshold() const {
     float enough = n_ <= kCoverers ? FLT_MAX : -FLT_MAX, low = 0,
           high = 2 * rough_square_root(fmaxf(radius_square_, 1e-30f));
@@ -146,7 +148,7 @@ class Culler {
     return false;
   }
 
-  // In place: what a round writes has been read.
+  // Works in place: each round writes only where all lanes have read.
   __device__ int leave_out(int coverers, bool attached) const {
     int left = 0;
     for (int a = lane_of_half(); a - lane_of_half() < end_; a += kSearchLanes) {
@@ -174,14 +176,15 @@ class Culler {
   const int n_, end_;
 };
 
-// The list of ball b, `n` balls from entry0 on.
+// The list of ball b: `n` balls from entry0 on.
 struct BallList {
   int b, n, entry0;
   const int4& centre;
 };
 
-// Writes a list ordered by index, relative to its ball; after the indices found, there are three
-// above all. Half a warp; true where a lane met a ball whose power at the centre is no larger.
+// Writes a list ordered by index, with vectors relative to its ball. Three values ~0u must follow
+// the indices in found_index, because four are read at once. Called by half a warp. Returns true in
+// a lane that met a ball whose power at the centre is not larger.
 template <class Kind>
 __device__ inline bool order_list(const Block& block, const SortedBalls& sorted,
                                   const BallList& list) {
@@ -210,12 +213,12 @@ __device__ inline bool order_list(const Block& block, const SortedBalls& sorted,
   return attached;
 }
 
-// How many balls were found for one, are left in its list, and are of those of higher index.
+// Numbers of balls: found, left in the list, and of higher index among these.
 struct ListCounts {
   int found, left, later;
 };
 
-// What a ball met, for the room of the next run.
+// Notes the sizes of a ball's list, from which the next run's room follows.
 template <class Kind>
 __device__ inline void note_list(const Block& block, int found, int left) {
   const DualEdgeProblem& p = block.p;
@@ -229,7 +232,7 @@ __device__ inline void note_list(const Block& block, int found, int left) {
   measure(block.s.all_found, found);
   if (fits) measure(block.s.all_lists, left);
 }
-// And all of a sampled block. One thread.
+// Notes the sizes of a sampled block. Called by one thread.
 __device__ inline void note_lists(BlockStatistics& met, const BlockBalls& s) {
   add_measured(met.found, s.all_found);
   add_measured(met.list, s.all_lists);
@@ -237,13 +240,13 @@ __device__ inline void note_lists(BlockStatistics& met, const BlockBalls& s) {
   measure(met.rows, s.rows);
 }
 
-// Where the list of half a warp's ball goes.
+// The place of a half warp's list.
 struct ListPlace {
   int entry0, row0;
   bool room;
 };
 
-// Both halves of a warp call it.
+// Both halves of a warp must call it.
 __device__ inline ListPlace place_list(const DualEdgeProblem& p, BlockBalls& s, bool active,
                                        const ListCounts& counts) {
   const int half = threadIdx.x & kSearchLanes;
@@ -261,7 +264,7 @@ __device__ inline ListPlace place_list(const DualEdgeProblem& p, BlockBalls& s, 
               row0 + counts.later <= static_cast<int>(p.capacity.rows)};
 }
 
-// Whose rows they are. Those of a ball without room still count: they are nobody's.
+// Marks rows with their ball. Rows of a ball without room count too, but belong to no ball.
 __device__ inline void mark_rows(const DualEdgeProblem& p, const DualEdgeMemory& m,
                                  const ListPlace& place, int later, int b) {
   const int owner = place.room ? b : kMaxBallsPerBlock;
@@ -270,7 +273,7 @@ __device__ inline void mark_rows(const DualEdgeProblem& p, const DualEdgeMemory&
     m.row_ball[row] = static_cast<std::uint8_t>(owner);
 }
 
-// Copies the indices found to where they are ordered from; returns how many are above the ball's.
+// Copies the found indices to found_index. Returns how many are above the ball's.
 template <class Kind>
 __device__ inline int count_later(const DualEdgeMemory& m, int n, std::uint32_t index) {
   int later = 0;
@@ -279,12 +282,13 @@ __device__ inline int count_later(const DualEdgeMemory& m, int n, std::uint32_t 
     if (a < n) m.found_index[a] = other;
     later += __popc(half_ballot(other > index));
   }
-  if (lane_of_half() < 3) m.found_index[n + lane_of_half()] = ~0u;  // order_list takes four at once
-  __syncwarp();  // and reads what other lanes found
+  // Sentinels, because order_list() reads four at once.
+  if (lane_of_half() < 3) m.found_index[n + lane_of_half()] = ~0u;
+  __syncwarp();  // order_list() reads what other lanes wrote
   return later;
 }
 
-// What the block keeps of a ball whose list is made. One lane.
+// Stores the data of a ball whose list is made. Called by one lane.
 __device__ inline void keep_ball(BlockBalls& s, int b, const ListPlace& place,
                                  const ListCounts& counts) {
   s.list[b] = place.room ? counts.left : 0;
@@ -296,8 +300,8 @@ __device__ inline void keep_ball(BlockBalls& s, int b, const ListPlace& place,
   s.exact[b] = place.room ? 0 : 2;
 }
 
-// The list of ball b of the block, half a warp's; not `active`: it has none. Both halves of a warp
-// call it.
+// Makes the list of ball b of the block by half a warp. Not `active`: there is no ball. Both halves
+// of a warp must call it.
 template <class Kind>
 __device__ inline void find_list(const Block& block, const SortedBalls& sorted, int b,
                                  bool active) {
@@ -335,8 +339,8 @@ __device__ inline void find_list(const Block& block, const SortedBalls& sorted, 
   __syncwarp();
 }
 
-// Kernel I of the block's balls, half a warp each: their ordered lists. Balls without room are
-// marked.
+// Kernel I of the block's balls, one half warp for each: makes their ordered lists. Balls without
+// room are marked.
 template <class Kind>
 __device__ inline void find_lists(const Block& block, const SortedBalls& sorted) {
   const DualEdgeProblem& p = block.p;
@@ -352,7 +356,7 @@ __device__ inline void find_lists(const Block& block, const SortedBalls& sorted)
   __syncthreads();
   const int half = (threadIdx.x & kSearchLanes) != 0 ? 1 : 0;
   for (int pair = threadIdx.x >> 5; 2 * pair < block.balls; pair += kBlockThreads / 32) {
-    // Of an odd last pair, the second half repeats the first's reads in vain.
+    // For an odd last pair, the second half repeats the first's reads without use.
     const bool active = 2 * pair + half < block.balls;
     const int b = 2 * pair + (active ? half : 0);
     find_list<Kind>(block, sorted, b, active);

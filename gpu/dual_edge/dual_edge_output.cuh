@@ -1,4 +1,4 @@
-// From the triangles that a block found to the simplices it writes: order and places.
+// The order and places of the simplices that a block writes, from the triangles that it found.
 #pragma once
 
 #include <climits>
@@ -9,7 +9,7 @@
 
 namespace alphascope::gpu {
 
-// Found triangles and tetrahedra before triangle t of the block.
+// Number of found triangles, and of tetrahedra, before triangle t of the block.
 __device__ inline std::uint32_t triangles_before(const DualEdgeMemory& m, int t) {
   const std::uint32_t below = (1u << (t & 31)) - 1;
   return m.triangles_before[t >> 5] + __popc(m.found_bits[t >> 5] & below);
@@ -20,7 +20,7 @@ __device__ inline std::uint32_t tetrahedra_before(const DualEdgeMemory& m, int t
          __popc(m.two_bits[t >> 5] & below);
 }
 
-// Sums `bits(w)` over the words before each of those of `triangles`. One warp.
+// Sets for each word of `triangles` the sum of `bits(w)` over the words before. Called by one warp.
 template <class Bits>
 __device__ inline void sum_before(int triangles, std::uint32_t* before, const Bits& bits) {
   const int words = (triangles >> 5) + 1;
@@ -33,8 +33,8 @@ __device__ inline void sum_before(int triangles, std::uint32_t* before, const Bi
   }
 }
 
-// Room for so many simplices of each lane's ball: where they begin. One warp; `lane`: which one
-// asks for all, so that several requests are on their way at once.
+// Reserves room for the simplices of each lane's ball. Called by one warp. `lane` makes the request
+// for all; different lanes allow several requests to run at once.
 class Claim {
  public:
   __device__ Claim(int own, std::uint32_t* cursor, int lane)
@@ -49,7 +49,8 @@ class Claim {
   std::uint32_t base_;
 };
 
-// Where the simplices of each ball go; balls for kernel III are listed instead. One warp.
+// Reserves places for the simplices of each ball. Balls for kernel III are listed instead. Called
+// by one warp.
 template <class Kind>
 __device__ inline void claim_places(const Block& block) {
   const DualEdgeOutput& out = block.out;
@@ -85,7 +86,7 @@ __device__ inline void claim_places(const Block& block) {
     out.tetrahedra.count[index] = tetrahedra;
     s.tetrahedron_at[b] = start - tetrahedron0;
   }
-  if (!Kind::kExact && b < block.balls && s.exact[b]) {  // all of this ball is done again
+  if (!Kind::kExact && b < block.balls && s.exact[b]) {  // kernel III does all of this ball again
     out.exact_list[atomicAdd(out.exact_count, 1u)] = block.first + b;
     if (s.exact[b] == 2) atomicAdd(&out.statistics->deferred, 1u);
   }
@@ -117,14 +118,15 @@ __device__ inline void write_triangle(const FoundTriangles& out, std::uint32_t t
   out.attached_to[to] = attached_to;
 }
 
-// The ball that ends the dual edge where the triangle is attached.
+// The ball that ends the dual edge on the side to which the triangle is attached.
 __device__ inline std::uint32_t attached_ball(const TriangleFace& f, const std::uint32_t* index) {
   using Attached = TriangleFace::Attached;
   return f.attached == Attached::no ? kNoBall
                                     : index[f.attached == Attached::high ? f.high : f.low];
 }
 
-// Writes the simplices of all balls but those for kernel III, and where each ball's are.
+// Writes the simplices of all balls but those for kernel III, and the places of each ball's
+// simplices.
 template <class Kind>
 __device__ inline void write_simplices(const Block& block, int triangles) {
   const DualEdgeOutput& out = block.out;

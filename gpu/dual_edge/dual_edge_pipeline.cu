@@ -1,4 +1,5 @@
-// Sets of balls on the device: the plan of a run, and its grid. The run itself is dual_edge_run.cu.
+// Puts sets of balls on the device: the plan of a run and its grid. The run itself is in
+// dual_edge_run.cu.
 #include "core/neighbours/coincident.hpp"
 #include "gpu/dual_edge/grid_kernels.cuh"
 #include "gpu/dual_edge/pipeline_state.cuh"
@@ -121,7 +122,8 @@ std::optional<Problem> DualEdgePipeline::State::plan(const LatticeAlpha& alpha, 
   p.ghost_reach = 4;
   while (static_cast<double>(p.ghost_reach) < std::sqrt(largest) + 2) p.ghost_reach *= 2;
   p.origin = make_int4(s.low.x, s.low.y, s.low.z, 0);
-  // Coordinates up to 2^24 from the origin are exact in single precision; both ends may round.
+  // Coordinates up to 2^24 from the origin are exact in single precision. Beyond, both ends may be
+  // rounded.
   const double extent =
       std::max({static_cast<double>(s.high.x) - s.low.x, static_cast<double>(s.high.y) - s.low.y,
                 static_cast<double>(s.high.z) - s.low.z});
@@ -135,13 +137,14 @@ std::optional<Problem> DualEdgePipeline::State::plan(const LatticeAlpha& alpha, 
     width = std::ceil(width * 1.25);
   }
   p.cell_width = static_cast<int>(std::min(width, 2147483647.0));
-  // Two parts more: parts of balls are rounded down, and sums of floats err a little.
+  // Two parts more, because parts of balls are rounded down and sums of floats have small errors.
   p.fraction = static_cast<float>(kCellParts / static_cast<double>(p.cell_width));
   p.reach_max = static_cast<float>((cutoff / 2 * (1 + 1e-4) + p.reach_slack) * p.fraction + 2);
   p.nx = static_cast<int>(cells(s.low.x, s.high.x));
   p.ny = static_cast<int>(cells(s.low.y, s.high.y));
   p.nz = static_cast<int>(cells(s.low.z, s.high.z));
-  const std::size_t cell_count = static_cast<std::size_t>(p.nx) * p.ny * p.nz + 1;  // and the dead
+  // One more cell is for dead balls.
+  const std::size_t cell_count = static_cast<std::size_t>(p.nx) * p.ny * p.nz + 1;
   s.zeroed.reserve(kCounterWords + cell_count + 1 + kZeroedArrays * s.n);
   s.cell_start.reserve(cell_count + 1);
   p.cell_count = static_cast<int>(cell_count);
@@ -156,8 +159,8 @@ int DualEdgePipeline::State::pieces() const {
   return static_cast<int>(std::min<std::size_t>(several ? kMaxPieces : 1, starts));
 }
 
-// Of whole starts of packed balls, see ball_wire.cuh. The last piece is the smaller one: nothing
-// hides its way into the cells.
+// Pieces consist of whole starts of packed balls (ball_wire.cuh). The last piece is the smaller
+// one, because nothing runs in parallel to its sorting.
 std::size_t DualEdgePipeline::State::piece_begin(int piece, int all) const {
   static_assert(kMaxPieces == 2);
   const std::size_t starts = (n + kWireStart - 1) / kWireStart;
@@ -193,10 +196,10 @@ void DualEdgePipeline::State::assign_piece(const Problem& p, int piece, int all,
 
 void DualEdgePipeline::State::receive_balls(const Problem& p, EventTimer& timer) {
   const int all = pieces(), last = all - 1;
-  // Of several, one is put into its cells while the next arrives.
+  // With several pieces, one is put into cells while the next arrives.
   const cudaStream_t before_last = all > 1 ? queues.other : queues.main;
-  // One fill: the counters, the cells' and the balls' counts.
-  // Prefix sums read, but do not use, the number after the last.
+  // One fill clears the counters and the counts of cells and balls. Prefix sums also read, but do
+  // not use, the number after the last.
   const std::size_t counts = p.whole ? kZeroedArrays * n : n + 1;
   check(cudaMemsetAsync(zeroed.get(), 0, (kCounterWords + p.cell_count + 1 + counts) * 4,
                         before_last),

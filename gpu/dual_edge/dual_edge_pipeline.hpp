@@ -1,5 +1,5 @@
-// Runs the clipping kernels for one set of balls, alpha after alpha, and leaves the simplices in
-// pinned host memory. The engine face, fallbacks and device probing are gpu_engine.cu's business.
+// Runs the clipping kernels for one set of balls and any alphas. Results arrive in pinned host
+// memory. gpu_engine.cu has the engine, fallbacks and the test of the device.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace alphascope::gpu {
 
-// What 32-bit numbers of the kernels reach: up to eight cells of the grid for each ball and some
-// more; of one run, simplices of each dimension, three words for each triangle.
+// Limits of the kernels' 32-bit numbers. For balls: up to eight grid cells for each ball and some
+// more. For the simplices of each dimension in a run: three words for each triangle.
 inline constexpr std::size_t kMaxBalls = (std::size_t{1} << 28) - 128;
 inline constexpr std::size_t kMaxSimplices = std::size_t{1} << 30;
 inline bool are_countable(std::span<const std::size_t> counts) {
@@ -25,7 +25,7 @@ inline bool are_countable(std::span<const std::size_t> counts) {
                      [](std::size_t count) { return count <= kMaxSimplices; });
 }
 
-// Lexicographic order; values and classes are empty for tetrahedra only.
+// In lexicographic order; values and classes are empty for tetrahedra only.
 template <int N>
 struct HostSimplices {
   std::span<std::array<BallIndex, N>> simplices;
@@ -34,35 +34,35 @@ struct HostSimplices {
 };
 
 struct PipelineResult {
-  std::shared_ptr<void> memory;  // of the simplices, which are there as long as this is
+  std::shared_ptr<void> memory;  // owner of the memory of all simplices
   HostSimplices<1> vertices;
   HostSimplices<2> edges;
   HostSimplices<3> triangles;
   HostSimplices<4> tetrahedra;
   HashSums hash;
-  std::uint32_t exact_balls = 0;  // balls that went through kernel III
-  int attempts = 1;               // until there was room for all that was found
-  bool fits = true;               // false: this request is beyond the kernels' limits
+  std::uint32_t exact_balls = 0;  // number of balls that went through kernel III
+  int attempts = 1;               // number of runs until there was room for all simplices
+  bool fits = true;               // false: the request is beyond the kernels' limits
 };
 
 class DualEdgePipeline {
  public:
-  // Copies the balls to pinned memory. `chunks`: in how many every run goes through the balls, at
-  // most kMaxChunks; 0: as is quickest. Throws std::bad_alloc, DeviceError.
+  // Copies the balls to pinned memory. `chunks`: number of chunks of every run, at most kMaxChunks;
+  // 0: the fastest. Throws std::bad_alloc and DeviceError.
   explicit DualEdgePipeline(const BallSet& balls, int chunks = 0);
   ~DualEdgePipeline();
 
-  // Stages are timed with CUDA events when `times` is given (a few microseconds each).
-  // Throws Cancelled, std::bad_alloc, DeviceError.
+  // Computes a result. Stages are timed with CUDA events if `times` is given (a few microseconds
+  // each). Throws Cancelled, std::bad_alloc and DeviceError.
   PipelineResult run(const LatticeAlpha& alpha_on_lattice, bool tetrahedra_only,
                      const CancelToken& cancel, StageTimes* times);
 
-  // The result of the last run, which was of the whole complex, as it still lies on the device:
-  // until the next run or until the pipeline goes. Nothing when there is none.
+  // The result of the last run on the device, if it was of the whole complex. Valid until the next
+  // run or the end of the pipeline. Empty: there is none.
   std::optional<DeviceComplex> on_device() const;
 
-  // Gives back the pinned memory that is kept for later results, until the next run. Waits for the
-  // device.
+  // Frees the pinned memory that is kept for later results; the next run reserves it again. Waits
+  // for the device.
   void rest();
 
   struct State;  // for the pipeline's own sources

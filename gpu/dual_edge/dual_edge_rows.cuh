@@ -1,5 +1,5 @@
-// The later neighbours j of a block's balls: which balls meet both (a row of bits), and whether
-// edge ij can be in K_alpha, attached or not.
+// Rows for the later neighbours j of a block's balls: the balls that meet both (a row of bits). It
+// also decides whether edge ij can be in K_alpha, attached or not.
 #pragma once
 
 #include "gpu/dual_edge/dual_edge_block.cuh"
@@ -7,8 +7,8 @@
 
 namespace alphascope::gpu {
 
-// Does ball m cut off the orthocentre of edge ij, where single precision leaves it open? Out of
-// line: it is rare, and its registers are not the loop's.
+// Decides whether ball m cuts off the orthocentre of edge ij, if single precision leaves it open.
+// Not inlined, because it is rare and would take registers from the loop.
 template <class Decider>
 __device__ __noinline__ Decision edge_attached_slowly(const DualEdgeProblem& p,
                                                       const ExactNeighbours& n, int j, int m) {
@@ -23,7 +23,7 @@ __device__ __noinline__ Decision edge_within_slowly(const DualEdgeProblem& p,
 template <class Kind>
 class RowMaker {
  public:
-  // All of one row's: of neighbour j of ball b.
+  // Makes the row of neighbour j of ball b.
   __device__ RowMaker(const Block& block, int row, int b)
       : block_(block),
         m_(block.m),
@@ -35,8 +35,8 @@ class RowMaker {
         entry0_(s_.entry0[b]),
         row_(m_.rows + row * words_) {}
 
-  // Fills the row; it stays empty when ij is not in K_alpha: then j is in no triangle of ball i,
-  // but still cuts those of others.
+  // Fills the row. It stays empty if ij is not in K_alpha. Then j is in no triangle of ball i, but
+  // still cuts other dual edges.
   __device__ void make() {
     std::uint32_t* possible = &m_.possible[b_ * words_ + (j_ >> 5)];
     const std::uint32_t bit = 1u << (j_ & 31);
@@ -52,7 +52,7 @@ class RowMaker {
  private:
   using Decider = std::conditional_t<Kind::kExact, ExactDecider, FilteredDecider>;
 
-  // Which neighbours meet j.
+  // Sets the bits of the neighbours that meet j.
   __device__ void meet() {
     const float4 vj = m_.vectors[entry0_ + j_];
     const float reach = m_.reach[entry0_ + j_];
@@ -61,7 +61,7 @@ class RowMaker {
       std::uint32_t bits = 0;
       const int end = min(n, w * 32 + 32);
       for (int k = w * 32; k < end; ++k) {
-        // Both are whole numbers of lattice units below 2^24, exact, and their differences rounded
+        // Both are whole numbers of lattice units below 2^24, so exact; their difference is rounded
         // once.
         const float4 v = m_.vectors[entry0_ + k];
         if (grown_balls_may_meet(v.x - vj.x, v.y - vj.y, v.z - vj.z, reach, m_.reach[entry0_ + k]))
@@ -72,7 +72,8 @@ class RowMaker {
     }
   }
 
-  // False when the edge is not in K_alpha. Of a whole complex: attached or not.
+  // Returns false if the edge is not in K_alpha. For a whole complex it also decides whether the
+  // edge is attached.
   __device__ bool look_at_edge() {
     const ScaledNeighbours vectors{m_.vectors + entry0_};
     const FacetDisc<float> disc(vectors(j_), s_.radius_square[b_]);
@@ -94,7 +95,7 @@ class RowMaker {
     return d == Decision::in;
   }
 
-  // Of an unattached edge; false when it is above alpha.
+  // Decides an unattached edge; returns false if it is above alpha.
   __device__ bool within_alone(Decision d) {
     if (d == Decision::unknown) {
       d = edge_within_slowly<Decider>(block_.p, exact_neighbours(block_, b_), j_);
@@ -112,7 +113,7 @@ class RowMaker {
   std::uint32_t* row_;
 };
 
-// The rows of all the block's balls. Every thread takes part.
+// Makes the rows of all the block's balls. Every thread must call it.
 template <class Kind>
 __device__ inline void make_rows(const Block& block) {
   for (int row = threadIdx.x; row < block.s.rows; row += kBlockThreads) {

@@ -1,5 +1,5 @@
-// A run of the dual-edge engine on the device: dual edges, then the result in lexicographic order.
-// A run that finds too little room is repeated with what it needed.
+// Runs the dual-edge engine on the device: dual edges, then the result in lexicographic order. A
+// run with too little room is repeated with the room that it needed.
 #include <string>
 
 #include "core/run/internal_error.hpp"
@@ -11,10 +11,11 @@
 namespace alphascope::gpu {
 namespace {
 
-// Does nothing, while a kernel of another queue that waits for the same begins.
+// An empty kernel. While it runs, a kernel of another queue that waits for the same event can
+// begin.
 __global__ void let_pass() {}
 
-// One request.
+// The computation of one request.
 class Run {
  public:
   Run(State& state, const Problem& plan, StageTimes* times)
@@ -24,7 +25,7 @@ class Run {
         whole_(plan.whole),
         result_(state, plan.whole),
         timer_(state.queues.main, times) {}
-  // Whatever happened, the next run finds the device idle and the buffers its own.
+  // After any end of a run, the next run finds the device idle and the buffers free.
   ~Run() {
     if (busy_) q_.wait(true);
   }
@@ -83,7 +84,7 @@ class Run {
   }
 
  private:
-  // Of kernel II, and of kernel III.
+  // The problems of kernel II and of kernel III.
   DualEdgeProblem block_problem(const Need& need) const {
     return make_problem(s_, plan_, need.block, need.balls_per_block, need.cull);
   }
@@ -99,7 +100,7 @@ class Run {
            need.block.triangles < kMaxTriangles && need.block.rows < kMaxRows;
   }
 
-  // Throws std::bad_alloc: in slabs, there are fewer simplices in a run.
+  // Throws std::bad_alloc if counts are too large. Slabs then have fewer simplices in a run.
   static void require_countable(const Need& need) {
     const std::size_t counts[] = {need.counts[0], need.counts[1], need.counts[2], need.counts[3],
                                   need.candidates};
@@ -128,7 +129,7 @@ class Run {
     }
     const std::size_t room = s_.result.capacity();
     s_.result.reserve(layout.bytes);
-    // What is copied may be more than is found.
+    // The copy may include bytes that no kernel writes, so new memory is cleared.
     if (s_.result.capacity() != room) s_.fill(s_.result.get(), 0, s_.result.capacity());
   }
 
@@ -151,15 +152,16 @@ class Run {
         &c->blocks};
   }
 
-  // Where a chunk begins: the same for all sizes of blocks, so that what an earlier run counted
-  // holds. Nothing hides the last chunk, so it is short, and of tetrahedra alone, the one before,
-  // which must be on its way by then. Of a whole complex in many, so is the first: it is bound by
-  // the way back, which should soon have something to carry.
+  // The first ball of a chunk. It does not depend on the size of blocks, so counts of an earlier
+  // run stay valid. Nothing runs in parallel to the copy of the last chunk, so it is short. For
+  // tetrahedra alone the one before is short too, because it must be on its way by then. A whole
+  // complex in many chunks also has a short first chunk. The copies limit its time and should begin
+  // soon.
   std::uint32_t chunk_begin(int number) const {
     const std::size_t balls = most_chunks() * quarters_before(number) / quarters_before(chunks_);
     return static_cast<std::uint32_t>(std::min(s_.n, balls * kMaxBallsPerBlock));
   }
-  // The length of the chunks before, full ones being 4. None of them may be empty.
+  // The length of all chunks before, in quarters of a full chunk. No chunk may be empty.
   std::size_t quarters_before(int number) const {
     const bool uneven = most_chunks() >= 4 * static_cast<std::size_t>(chunks_);
     const auto quarters = [&](int chunk) -> std::size_t {
@@ -206,8 +208,8 @@ class Run {
     p.end = part.chunk.end;
     const Blocks blocks{(p.end - p.begin + need.balls_per_block - 1) / need.balls_per_block,
                         stream};
-    // Two and three words at compile time are slower than any number at run time: unrolled, lanes
-    // in different words do not run together.
+    // Two and three words at compile time are slower than any number at run time. With unrolled
+    // loops, lanes in different words do not run together.
     if (p.cull) {
       start(dual_edges_filtered<kWhole, true, 0>, blocks, p, sorted, part.out);
     } else if (p.words == 1) {
@@ -217,7 +219,7 @@ class Run {
     }
   }
 
-  // Everything but the copies of simplices of which it is not yet known how many there are.
+  // Queues everything but the copies of simplices whose number is not yet known.
   void enqueue(const Need& need, const ResultLayout& layout) {
     const SortedBalls sorted = s_.sort_into_cells(plan_, timer_);
     const DualEdgeOutput out = output();
@@ -243,7 +245,7 @@ class Run {
     if (known && chunks_ == 1) send_all(layout);
   }
 
-  // Kernel III of a chunk, and its simplices into their order.
+  // Queues kernel III of a chunk, and the ordering of its simplices.
   void order(const Need& need, const SortedBalls& sorted, const Part& part,
              const ResultLayout& layout, int number) {
     const bool several = chunks_ > 1, last = number == chunks_ - 1;
@@ -266,9 +268,9 @@ class Run {
     if (last) timer_.mark(stage::kPrefixSum, stream);
   }
 
-  // How many simplices there are with a chunk; of the last one, all counts. Copies wait for others
-  // of their direction, so those of several chunks have a queue of their own: the order of the next
-  // chunk must not wait for the simplices of the one before.
+  // Copies the numbers of simplices after a chunk; after the last one, all counters. Copies wait
+  // for others in their direction, so those of several chunks have a queue of their own. Ordering
+  // the next chunk must not wait for the copy of the previous one.
   void fetch_counts(int number) {
     const bool several = chunks_ > 1;
     const cudaStream_t stream = several ? q_.counting : q_.main;
@@ -283,19 +285,19 @@ class Run {
     if (several) q_.counted[number].record(stream);
   }
 
-  // For the result on the host; the device may be at work meanwhile.
+  // Reserves host memory for the result. The device may be working meanwhile.
   void make_room(const ResultLayout& layout) {
     if (result_.make_room(layout))
       timer_.mark(stage::kMakingRoom, chunks_ > 1 ? q_.copying : q_.main);
   }
 
-  // Is it known how many simplices each chunk will find?
+  // Returns whether the number of simplices of each chunk is known.
   bool is_known(const Need& need) const {
     return need.counted && need.totals.size() == static_cast<std::size_t>(chunks_);
   }
 
-  // Sends what one of several chunks adds on its way, as soon as it is there. `after`: how many
-  // simplices there are with each chunk. False when there is no room: the run will be repeated.
+  // Sends the simplices that a chunk adds, as soon as they are ready. `after`: numbers of simplices
+  // after each chunk. Returns false if there is no room; the run is then repeated.
   bool send(const ResultLayout& layout, const Totals* after, int number) {
     const Totals none{}, &before = number == 0 ? none : after[number - 1];
     if (!ResultCopy::has_place(layout, before, after[number])) return false;
@@ -306,7 +308,7 @@ class Run {
     result_.added_edges_and_vertices(layout, before, after[number], q_.copying);
     return true;
   }
-  // Of a single chunk; its faces, while its edges are ordered.
+  // Sends the result of a single chunk. Its faces are sent while its edges are ordered.
   void send_all(const ResultLayout& layout) {
     const cudaStream_t stream = whole_ ? cudaStream_t{q_.copying} : q_.main;
     if (whole_) q_.faces_ordered[0].hold_up(stream);
@@ -316,7 +318,8 @@ class Run {
     result_.all_edges_and_vertices(layout, q_.main);
     q_.faces_sent.hold_up(q_.main);
   }
-  // The same of all chunks, as each is counted. False of a single one, when nothing is sent yet.
+  // Sends the simplices of all chunks, each when it is counted. Returns false for a single chunk:
+  // nothing is sent then.
   bool send_counted(const ResultLayout& layout, const CancelToken& cancel) {
     if (chunks_ == 1) return false;
     make_room(layout);
@@ -329,7 +332,7 @@ class Run {
     return true;
   }
 
-  // The next run's room: of this alpha, or of this very run once more.
+  // The room for the next run: with this alpha, or for the same run once more.
   Need next_need(const Need& need) const {
     const Counters& got = *s_.host_counters.get();
     const BlockStatistics& met = got.blocks;
@@ -342,8 +345,8 @@ class Run {
     // Edges and vertices were not counted if the rest did not fit.
     const Totals& all = next.totals.back();
     next.counts = {{all.of[0], all.of[1], got.triangles, got.tetrahedra}};
-    // A little more: which balls kernel III culls, though kernel II would not, varies from run to
-    // run.
+    // A little more, because kernel III may cull balls that kernel II would not. The balls in
+    // question vary from run to run.
     next.candidates = std::size_t{got.edges} + got.edges / 64;
     if (met.found.number == 0) return next;
     const Demand::Spread found = spread_of(met.found);
@@ -353,7 +356,7 @@ class Run {
       return next;
     }
     Demand demand = measured(met, need.balls_per_block, cull);
-    if (!few) {  // there was no room to see all
+    if (!few) {  // not everything was seen, for lack of room
       next.margin = 1.3 * need.margin;
       demand = larger(guessed(found, cull, whole_), demand);
     } else if (met.deferred - met.too_long > std::max<std::size_t>(32, s_.n / 2000)) {
@@ -372,7 +375,7 @@ class Run {
            (!whole_ || s_.host_counters.get()->edges <= need.candidates);
   }
 
-  // Of a run that had room for everything.
+  // Checks that a run with room for everything found all edges.
   void expect_all_edges() const {
     const std::uint32_t missing = s_.host_counters.get()->missing_edges;
     if (missing == 0) return;
@@ -380,7 +383,7 @@ class Run {
                         " triangles of the complex without one of their edges.");
   }
 
-  // Did each chunk find as much as was copied of it?
+  // Returns whether each chunk found as many simplices as were copied.
   bool copied_right(const Need& need, const Need& next) const {
     if (chunks_ == 1 || !is_known(need)) return true;
     return std::equal(need.totals.begin(), need.totals.end(), next.totals.begin(),
@@ -389,7 +392,7 @@ class Run {
                       });
   }
 
-  // What the next attempt gets.
+  // The room for the next attempt.
   Need grown(const Need& need, Need next) const {
     const BlockStatistics& met = s_.host_counters.get()->blocks;
     const auto more = [](auto value) { return value + value / 8; };

@@ -1,6 +1,6 @@
-// From what blocks wrote to the result in lexicographic order: tetrahedra and triangles move to
-// their places, edges learn from triangles, vertices from edges. The CPU's is
-// core/dual_edge/gather_faces.hpp.
+// Turns the output of blocks into the result in lexicographic order. Tetrahedra and triangles move
+// to their places. Edges get values and classes from triangles, and vertices from edges. The CPU's
+// version is core/dual_edge/gather_faces.hpp.
 #pragma once
 
 #include "core/complex/face_class.hpp"
@@ -11,12 +11,12 @@
 
 namespace alphascope::gpu {
 
-// One dimension of a result, in its order.
+// One dimension of a result, in order.
 struct OrderedSimplices {
   std::uint32_t* vertices;
   float* value;
   std::uint8_t* simplex_class;
-  std::uint64_t* hash;  // HashSums::sum, which each simplex is added to
+  std::uint64_t* hash;  // HashSums::sum, to which each simplex is added
   std::uint32_t capacity;
 };
 struct OrderedResult {
@@ -24,12 +24,13 @@ struct OrderedResult {
   const int4* ball;  // by index
 };
 
-// A chunk of which each block of threads takes groups of so many balls.
+// A chunk in which each block of threads takes groups of this many balls.
 struct GroupedChunk : Chunk {
   int group;
 };
 
-// Two numbers per ball that are summed at once; one more pair makes the last sum the total.
+// Two numbers of a ball in one word, so that both are summed at once. One more pair makes the last
+// sum the total.
 __device__ inline std::uint64_t pair_of(std::uint32_t low, std::uint32_t high) {
   return static_cast<std::uint64_t>(high) << 32 | low;
 }
@@ -40,7 +41,7 @@ __host__ __device__ inline std::uint32_t high_of(std::uint64_t pair) {
   return static_cast<std::uint32_t>(pair >> 32);
 }
 
-// Tetrahedra and triangles of a ball; 0 after the chunk's.
+// The numbers of tetrahedra and triangles of a ball; 0 after the chunk's last ball.
 struct FaceCounts {
   const std::uint32_t *tetrahedra, *triangles;
   std::uint32_t chunk_end;
@@ -50,15 +51,17 @@ struct FaceCounts {
   }
 };
 
-// The simplices of one dimension of a group of balls, laid end to end.
+// The simplices of one dimension of a group of balls, numbered consecutively.
 constexpr int kGroupBalls = 256;
 struct GroupItems {
-  std::uint32_t start[kGroupBalls];       // of each ball's, as blocks wrote them
-  std::uint32_t before[kGroupBalls + 1];  // those of balls before in the group
-  std::uint32_t place;                    // of the group's first one in the result
+  // For each ball the start of its simplices in the blocks' output.
+  std::uint32_t start[kGroupBalls];
+  // For each ball the number of simplices of the balls before it in the group
+  std::uint32_t before[kGroupBalls + 1];
+  std::uint32_t place;  // place of the group's first simplex in the result
 
-  // Every thread calls it. `places(i)`: simplices of the chunk's balls before i. Nobody may have
-  // said where those of a ball start that has none.
+  // Every thread must call it. `places(i)`: number of simplices of the chunk's balls before i.
+  // `starts` is unset for a ball without simplices, and is then not read.
   template <class Places>
   __device__ void load(std::uint32_t first, int balls, const std::uint32_t* starts,
                        const Places& places, std::uint32_t before_chunk) {
@@ -71,7 +74,7 @@ struct GroupItems {
     if (threadIdx.x == 0) place = before_chunk + at;
   }
   __device__ std::uint32_t count(int balls) const { return before[balls]; }
-  // Where the t-th was written.
+  // The place of the t-th simplex in the blocks' output.
   __device__ std::uint32_t source(std::uint32_t t, int balls) const {
     int low = 0, high = balls;
     while (low + 1 < high) {
@@ -84,9 +87,9 @@ struct GroupItems {
 
 constexpr std::uint32_t kNoEdge = ~0u;
 
-// Where edge jk of a triangle in K_alpha is among the candidates of j, which are in ascending
-// order. None, and it is counted as missing, if ball j found no room: then the run will be
-// repeated. Of one that is not, all are there.
+// The place of edge jk of a triangle in K_alpha among the candidates of j, which are ascending.
+// Returns kNoEdge and counts the edge as missing if it is not there. An edge is missing only if
+// ball j found no room; the run is then repeated.
 __device__ inline std::uint32_t find_edge(const EdgeCandidates& edges, std::uint32_t j,
                                           std::uint32_t k) {
   const std::uint32_t count = edges.count[j];
@@ -102,14 +105,14 @@ __device__ inline std::uint32_t find_edge(const EdgeCandidates& edges, std::uint
   return kNoEdge;
 }
 
-// An edge of a triangle. What it knows is read when it is found and not only when it is told more,
-// so that the reads of several are on their way at once.
+// An edge of a triangle. Its flags are read as soon as it is found, not only when they change. So
+// the reads of several edges overlap.
 struct ToldEdge {
   std::uint32_t edge, known;
 
   __device__ ToldEdge(const EdgeCandidates& edges, std::uint32_t e)
       : edge(e), known(e != kNoEdge ? edges.flags[e] : 0) {}
-  // The value and class of the triangle.
+  // Adds the value and class of the triangle.
   __device__ void tell(const EdgeCandidates& edges, std::uint32_t value,
                        std::uint32_t flags) const {
     if (edge == kNoEdge) return;
@@ -118,7 +121,7 @@ struct ToldEdge {
   }
 };
 
-// Adds up what all threads of a block have. Every thread calls it.
+// Adds the values of all threads of a block to `sum`. Every thread must call it.
 __device__ inline void add_of_block(std::uint64_t own, std::uint64_t* sum) {
   __shared__ std::uint64_t all;
   if (threadIdx.x == 0) all = 0;
@@ -130,19 +133,19 @@ __device__ inline void add_of_block(std::uint64_t own, std::uint64_t* sum) {
   __syncthreads();
 }
 
-// Triangles whose edge jk belongs to a ball of a later chunk, which learns of them in its turn:
-// their places in the result.
+// Triangles whose edge jk belongs to a ball of a later chunk: their places in the result. That
+// chunk adds their values to the edge.
 struct PendingTriangles {
   std::uint32_t* places;
   std::uint32_t* count;
 };
 
-// From where a simplex was written to its place in the result.
+// A move of a simplex from the blocks' output to its place in the result.
 struct Move {
   std::uint32_t from, to;
 };
 
-// A triangle: its value, which its edges learn, and its place; returns its hash.
+// Places a triangle, computes its value and adds it to its edges. Returns its hash.
 __device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, const Move& move,
                                                const Chunk& chunk, const PendingTriangles& pending,
                                                const OrderedResult& to) {
@@ -152,7 +155,7 @@ __device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, const
   const std::uint32_t i = v[0], j = v[1], k = v[2], info = from.triangles.info[t];
   const std::uint32_t l = from.triangles.attached_to[t];
   if (at >= out.capacity) return 0;
-  // It waits for memory most of the time: all that can be read is, before anything is done with it.
+  // The kernel mostly waits for memory, so all possible reads come before any work.
   const bool attached = l != kNoBall, pends = j >= chunk.end;
   const SimplexBalls balls = simplex_balls<4>(to.ball, make_uint4(i, j, k, attached ? l : j));
   const std::uint32_t own = from.edges.start[i];
@@ -180,19 +183,19 @@ __device__ inline std::uint64_t hash_of(const uint4& tetrahedron) {
   return simplex_hash<4>(v);
 }
 
-// Is there no room for all that was found? Then the run will be repeated with more.
+// Returns whether there is no room for all simplices found. The run is then repeated with more.
 __device__ inline bool seems_overfull(const DualEdgeOutput& from) {
   return *from.triangles.cursor > from.triangles.capacity ||
          *from.tetrahedra.cursor > from.tetrahedra.capacity ||
          *from.edges.cursor > from.edges.capacity;
 }
-// Kernel II of later chunks may be at work, so threads of a block could see different numbers:
-// every thread calls it, and they agree.
+// The same for a block. Kernel II of later chunks may be running, so threads could see different
+// numbers. Every thread must call it, and all get the same answer.
 __device__ inline bool is_overfull(const DualEdgeOutput& from) {
   return __syncthreads_or(seems_overfull(from)) != 0;
 }
 
-// Calls visit(first ball, balls) for groups of the chunk's balls, block after block.
+// Calls visit(first ball, number of balls) for groups of the chunk's balls, block after block.
 template <class Visit>
 __device__ inline void for_groups(const GroupedChunk& chunk, const Visit& visit) {
   const int group = chunk.group;
@@ -203,7 +206,7 @@ __device__ inline void for_groups(const GroupedChunk& chunk, const Visit& visit)
   }
 }
 
-// The chunk's triangles and tetrahedra; `places`: sums of FaceCounts.
+// Places the chunk's triangles and tetrahedra. `places`: sums of FaceCounts.
 __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
     place_faces(GroupedChunk chunk, DualEdgeOutput from, const std::uint64_t* places,
                 PendingTriangles pending, OrderedResult to) {
@@ -239,7 +242,7 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
   chunk.before[1].of[3] = before.of[3] + low_of(places[chunk.end]);
 }
 
-// The chunk's tetrahedra alone, without values.
+// Places the chunk's tetrahedra alone, without values.
 __global__ void place_tetrahedra(GroupedChunk chunk, FoundTetrahedra from,
                                  const std::uint32_t* places, OrderedSimplices to) {
   __shared__ GroupItems tetrahedra;
@@ -262,7 +265,7 @@ __global__ void place_tetrahedra(GroupedChunk chunk, FoundTetrahedra from,
   if (blockIdx.x == 0 && threadIdx.x == 0) chunk.before[1].of[3] = before + places[chunk.end];
 }
 
-// What the triangles of earlier chunks say about edges of this one.
+// Adds the triangles of earlier chunks to edges of this one.
 __global__ void tell_pending(Chunk chunk, DualEdgeOutput from, PendingTriangles pending,
                              OrderedSimplices triangles) {
   if (is_overfull(from)) return;
@@ -277,24 +280,25 @@ __global__ void tell_pending(Chunk chunk, DualEdgeOutput from, PendingTriangles 
   }
 }
 
-// What vertices learn from edges.
+// Data of vertices that edges contribute.
 struct VertexStates {
   std::uint32_t* state;     // as DualEdgeOutput::vertex_state
-  std::uint32_t* flags;     // of the edges in K_alpha
-  std::uint32_t* greatest;  // ~ordered_bits of their least value, so that 0 is none
+  std::uint32_t* flags;     // coface flags of the edges in K_alpha
+  std::uint32_t* greatest;  // ~ordered_bits of their least value, so that 0 means none
 };
 
-// As of an edge.
+// The flags of a vertex, as those of an edge.
 __device__ inline std::uint32_t vertex_flags(const VertexStates& v, std::uint32_t i) {
   return v.flags[i] | (v.state[i] == 2 ? kUnattached : 0);
 }
 
-// Lanes that look at one ball's edges.
+// Number of lanes that process one ball's edges.
 constexpr int kEdgeLanes = 8;
 
-// Calls visit(candidate, those before it that are in K_alpha) for the edges of one ball that are in
-// K_alpha, in turns of kEdgeLanes. Every lane of the warp calls it; returns how many there are.
-// Where those of a ball begin that found no room, in a run that will be repeated, nobody has said.
+// Calls visit(candidate, number of those before it in K_alpha) for the edges of one ball in
+// K_alpha. Takes kEdgeLanes at a time. Every lane of the warp must call it. Returns their number.
+// `edges.start` is unset for a ball that found no room, whose count is 0; it is then not read. Such
+// a run is repeated.
 template <class Visit>
 __device__ inline std::uint32_t for_edges(const EdgeCandidates& edges, std::uint32_t ball,
                                           bool active, const Visit& visit) {
@@ -311,7 +315,7 @@ __device__ inline std::uint32_t for_edges(const EdgeCandidates& edges, std::uint
   return found;
 }
 
-// Calls visit(ball, is there one?) for the chunk's balls, kEdgeLanes each.
+// Calls visit(ball, whether it exists) for the chunk's balls, with kEdgeLanes lanes for each.
 template <class Visit>
 __device__ inline void for_balls(const Chunk& chunk, const Visit& visit) {
   const std::uint32_t step = gridDim.x * blockDim.x / kEdgeLanes;
@@ -320,7 +324,7 @@ __device__ inline void for_balls(const Chunk& chunk, const Visit& visit) {
     visit(i, i < chunk.end);
 }
 
-// What edges of K_alpha tell a vertex: as VertexStates.
+// The contribution of edges in K_alpha to a vertex, as in VertexStates.
 struct EdgeNews {
   std::uint32_t flags = 0, greatest = 0;
 
@@ -328,21 +332,21 @@ struct EdgeNews {
     flags |= more.flags;
     greatest = max(greatest, more.greatest);
   }
-  // What all of a ball's lanes have. Every lane of the warp calls it.
+  // Adds the contributions of all lanes of a ball. Every lane of the warp must call it.
   __device__ void add_lanes() {
     for (int step = 1; step < kEdgeLanes; step *= 2)
       add({__shfl_xor_sync(~0u, flags, step), __shfl_xor_sync(~0u, greatest, step)});
   }
 };
 
-// A vertex; what it knows is read when it is met, as ToldEdge.
+// A vertex. Its data is read as soon as it is met, as in ToldEdge.
 struct ToldVertex {
   std::uint32_t vertex, known, state, greatest;
 
   __device__ ToldVertex(const VertexStates& vertices, const Chunk& chunk, std::uint32_t v)
       : vertex(v),
         known(vertices.flags[v]),
-        // Of a later chunk, the state is not known yet.
+        // In a later chunk the state is not known yet.
         state(v >= chunk.end ? 1 : vertices.state[v]),
         greatest(vertices.greatest[v]) {}
   __device__ void tell(const VertexStates& vertices, const EdgeNews& news) const {
@@ -356,8 +360,8 @@ struct ToldVertex {
 struct OwnEdge {
   std::uint32_t begin, candidate;
 };
-// An edge of K_alpha: its value, if it is not attached, which its end learns. Returns what its
-// beginning is to learn.
+// Computes the value of an unattached edge of K_alpha and adds the edge to its higher ball. Returns
+// the contribution to its lower ball.
 __device__ inline EdgeNews finish_edge(const int4* ball, const EdgeCandidates& edges,
                                        const VertexStates& vertices, const Chunk& chunk,
                                        const OwnEdge& edge) {
@@ -374,7 +378,7 @@ __device__ inline EdgeNews finish_edge(const int4* ball, const EdgeCandidates& e
   return news;
 }
 
-// The edges of the chunk's balls. `found`: how many each ball has in K_alpha.
+// Completes the edges of the chunk's balls. `found`: number of edges in K_alpha for each ball.
 __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
     finish_edges(Chunk chunk, DualEdgeOutput from, const int4* ball, VertexStates vertices,
                  std::uint32_t* found) {
@@ -392,12 +396,12 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
   });
 }
 
-// A ball's edges, and itself if it is a vertex; 0 after the chunk's. Nobody has counted them if
-// there is no room.
+// The number of a ball's edges, and whether it is a vertex; 0 after the chunk's last ball. If there
+// is no room, nothing was counted.
 struct EdgeAndVertexCounts {
   DualEdgeOutput from;
   VertexStates vertices;
-  const std::uint32_t* found;  // as finish_edges() writes it
+  const std::uint32_t* found;  // written by finish_edges()
   std::uint32_t chunk_end;
 
   __device__ std::uint64_t operator()(std::uint32_t i) const {
@@ -407,7 +411,7 @@ struct EdgeAndVertexCounts {
   }
 };
 
-// Writes vertex i; returns its hash.
+// Writes vertex i and returns its hash.
 __device__ inline std::uint64_t place_vertex(std::uint32_t i, const VertexStates& vertices,
                                              std::uint32_t at, const OrderedResult& to) {
   const OrderedSimplices& out = to.dimension[0];
@@ -422,7 +426,7 @@ __device__ inline std::uint64_t place_vertex(std::uint32_t i, const VertexStates
   return simplex_hash<1>(&i);
 }
 
-// Writes the chunk's edges and vertices; `places`: sums of EdgeAndVertexCounts.
+// Writes the chunk's edges and vertices. `places`: sums of EdgeAndVertexCounts.
 __global__ void place_edges_and_vertices(Chunk chunk, DualEdgeOutput from, VertexStates vertices,
                                          const std::uint64_t* places, OrderedResult to) {
   if (is_overfull(from)) return;

@@ -1,4 +1,4 @@
-// Counting sort of the balls into the cells of the grid.
+// Sorts the balls into the cells of the grid by counting.
 #pragma once
 
 #include "gpu/dual_edge/ball_wire.cuh"
@@ -6,8 +6,8 @@
 
 namespace alphascope::gpu {
 
-// Along one axis: the cell, and where in it, as BallHome::part, quick, since no more is needed than
-// what that promises.
+// The cell along one axis, and the part of its width as in BallHome::part. The part is computed
+// fast, with no more precision than BallHome promises.
 struct CellOfAxis {
   std::uint32_t cell, part;
 
@@ -21,15 +21,15 @@ struct CellOfAxis {
   }
 };
 
-// What assign_cells() writes: the balls unless they came as they are, how many there are in a cell,
-// and their homes, with their rank in the cell instead of their slot, which is not known yet.
+// Output of assign_cells(): unpacked balls, the number of balls in each cell, and the homes of
+// balls. A home has the ball's rank in its cell in place of its slot, which is not known yet.
 struct CellBuffers {
   int4* balls;
   std::uint32_t* count;
   BallHome* home;
 };
 
-// Balls [begin, end). They came packed, or as they are.
+// Assigns the balls [begin, end), which came packed or unpacked.
 __global__ void assign_cells(Problem p, std::uint32_t begin, std::uint32_t end, PackedBalls packed,
                              CellBuffers to) {
   const std::uint32_t i = begin + blockIdx.x * blockDim.x + threadIdx.x;
@@ -38,22 +38,23 @@ __global__ void assign_cells(Problem p, std::uint32_t begin, std::uint32_t end, 
   if (packed.data != nullptr) to.balls[i] = b;
   const double square = p.alpha.plus(static_cast<std::int64_t>(b.w) * b.w);
   const CellOfAxis x(p, b.x, p.origin.x), y(p, b.y, p.origin.y), z(p, b.z, p.origin.z);
-  // The dead: hidden (negative radius) or empty at alpha.
+  // Dead balls are hidden (negative radius) or empty at alpha.
   const bool dead = b.w <= 0 || square < 0;
   const std::uint32_t cell = dead ? p.cell_count - 1 : (x.cell * p.ny + y.cell) * p.nz + z.cell;
-  // grown_balls_may_meet() asks for a margin above ten roundings, here 2^-16 less three. Where
+  // grown_balls_may_meet() needs a margin above ten roundings; here it is 2^-16 less three. If
   // coordinates from the origin are not exact, both of a difference err by half of reach_slack in
-  // each coordinate, their distance by no more than sqrt(3) of it, and two reaches have two.
+  // each coordinate. Their distance then errs by at most sqrt(3) reach_slack, and two reaches
+  // contain 2 reach_slack.
   const float reach =
       sqrtf(fmaxf(static_cast<float>(square), 0.0f)) * (1.0f + 1.0f / 65536) + p.reach_slack;
   to.home[i] = {atomicAdd(&to.count[cell], 1u), cell, x.part | y.part << 10 | z.part << 20, reach};
 }
 
-// What sort_into_cells() writes; as SortedBalls.
+// Output of sort_into_cells(); as SortedBalls.
 struct SortedBuffers {
   std::uint32_t* index;
   float4* near;
-  BallHome* home;  // as assign_cells() left it
+  BallHome* home;  // from assign_cells()
 };
 
 __global__ void sort_into_cells(Problem p, const int4* balls, const std::uint32_t* cell_start,

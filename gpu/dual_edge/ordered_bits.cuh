@@ -1,4 +1,4 @@
-// Floats as unsigned numbers of the same order, for atomicMin.
+// Floats as unsigned numbers in the same order, for atomicMin.
 #pragma once
 
 #include <cuda_runtime.h>

@@ -1,4 +1,4 @@
-// Starts what brings the simplices of a chunk of balls into their order (gather_kernels.cuh).
+// Launches the kernels that order the simplices of a chunk of balls (gather_kernels.cuh).
 #pragma once
 
 #include <thrust/iterator/counting_iterator.h>
@@ -9,7 +9,7 @@
 
 namespace alphascope::gpu {
 
-// What runs for one chunk: its balls, and lists of its own.
+// A chunk of balls with its own output lists.
 struct Part {
   Chunk chunk;
   DualEdgeOutput out;
@@ -21,12 +21,13 @@ class Ordering {
            cudaStream_t stream)
       : s_(state), plan_(plan), stream_(stream), ordered_(ordered(layout)) {}
 
-  // Tetrahedra, and triangles of a whole complex.
+  // Orders tetrahedra, and triangles of a whole complex.
   void order_faces(const Part& part) {
     plan_.whole ? place_all_faces(part) : place_tetrahedra_alone(part);
     check(cudaGetLastError(), "ordering the simplices");
   }
-  // Then the edges and vertices of a whole complex, which learn from them.
+  // Orders the edges and vertices of a whole complex. Must come after order_faces(), whose values
+  // they need.
   void order_edges_and_vertices(const Part& part) {
     const Chunk& chunk = part.chunk;
     const DualEdgeOutput& out = part.out;
@@ -58,8 +59,8 @@ class Ordering {
     return ordered;
   }
 
-  // For kernels that take groups of balls: how many balls, so that small chunks keep the device
-  // busy.
+  // The number of balls in a group, for kernels that take groups. Small chunks get small groups, so
+  // that they keep the device busy.
   int group(const Chunk& chunk) const {
     const std::size_t share =
         (chunk.end - chunk.begin) / (8 * static_cast<std::size_t>(s_.multiprocessors));
@@ -71,7 +72,7 @@ class Ordering {
     return {std::clamp((balls + each - 1) / each, 1u, most * s_.multiprocessors), kValueThreads,
             stream_};
   }
-  // For kernels that take every ball with kEdgeLanes threads: not more blocks than are at work at
+  // The launch for kernels with kEdgeLanes threads per ball. It has no more blocks than run at
   // once.
   LaunchShape lanes(const Chunk& chunk, unsigned threads, unsigned most) const {
     const std::size_t all = std::size_t{chunk.end - chunk.begin} * kEdgeLanes;
@@ -96,7 +97,7 @@ class Ordering {
   }
   PendingTriangles pending() const { return {s_.pending.get(), &s_.counters()->pending}; }
 
-  // For each of the chunk's balls, and after them: the sum of the pairs of those before.
+  // Sets for each of the chunk's balls, and after them, the sum of the pairs of the balls before.
   template <class Pairs>
   void sum(const Chunk& chunk, const Pairs& pairs) {
     s_.scan(thrust::make_transform_iterator(thrust::make_counting_iterator(chunk.begin), pairs),

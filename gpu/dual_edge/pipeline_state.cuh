@@ -1,5 +1,5 @@
-// What the runs for one set of balls share: device buffers, the plan of the grid, event timing.
-// Included by the pipeline's sources only.
+// Data shared by the runs for one set of balls: device buffers, the plan of the grid, event timing.
+// Only the pipeline's sources include it.
 #pragma once
 
 #include <algorithm>
@@ -26,27 +26,27 @@ inline unsigned blocks_for(std::size_t items) {
   return static_cast<unsigned>((items + kThreads - 1) / kThreads);
 }
 
-// Below 2^24, by what the margins of the neighbour search may add: differences of neighbours stay
+// Below 2^24 by the margins that the neighbour search may add. So differences of neighbours stay
 // exact in single precision and within the double brackets.
 inline constexpr double kMaxCutoff = 16.7e6;
 
 inline constexpr int kMaxList = 4095;  // 12 bits of a packed triangle
 static_assert(kMaxBalls < std::size_t{1} << 30, "two bits of a slot are marks");
 
-// Counters of one run, together so that one copy brings them back.
+// The counters of one run, together so that one copy brings them back.
 struct Counters {
   std::uint64_t hash[4];  // HashSums::sum
   BlockStatistics blocks;
-  std::uint32_t edges, triangles, tetrahedra;  // found; edges: candidates
-  std::uint32_t pending;                       // PendingTriangles
-  std::uint32_t missing_edges;                 // EdgeCandidates::missing
-  std::uint32_t exact_count[kMaxChunks];       // balls for kernel III
-  Totals totals[kMaxChunks + 1];               // before each chunk, and of all
+  std::uint32_t edges, triangles, tetrahedra;  // numbers found; edges: candidates
+  std::uint32_t pending;                       // as PendingTriangles::count
+  std::uint32_t missing_edges;                 // as EdgeCandidates::missing
+  std::uint32_t exact_count[kMaxChunks];       // numbers of balls for kernel III
+  Totals totals[kMaxChunks + 1];               // numbers of simplices before each chunk, and of all
 };
 
 inline constexpr std::size_t kCounterWords = sizeof(Counters) / 4;
 
-// How many simplices there are of each dimension.
+// Numbers of simplices by dimension.
 struct SimplexCounts {
   std::size_t of[4] = {0, 0, 0, 0};
   std::size_t& operator[](int dimension) { return of[dimension]; }
@@ -59,9 +59,9 @@ struct SimplexCounts {
   }
 };
 
-// Where the arrays of a result lie in one piece of memory, the same on the device and on the host,
-// so that one copy brings all. Tetrahedra of K_alpha are interior: the device needn't say so, and
-// only the host has room for that, at the end.
+// Offsets of a result's arrays in one piece of memory. They are equal on device and host, so one
+// copy brings all. Tetrahedra of K_alpha are interior, so the device writes no classes for them.
+// Only the host has room for these, at the end.
 struct ResultLayout {
   struct Section {
     std::size_t vertices, value, simplex_class;  // bytes from the start
@@ -94,13 +94,13 @@ class EventTimer {
     for (Event& e : events_) e.create(cudaEventDefault);
     events_[0].record(stream_);
   }
-  // What a stage takes beyond the end of the one before.
+  // Ends a stage. Its time is what it takes beyond the end of the previous stage.
   void mark(std::string_view label, cudaStream_t stream) {
     if (times_ == nullptr) return;
     labels_.push_back(label);
     events_[labels_.size()].record(stream);
   }
-  // After the stream has finished.
+  // Must be called after the stream has finished.
   void report() {
     if (times_ == nullptr) return;
     constexpr double kWorthSaying = 0.1;
@@ -116,7 +116,7 @@ class EventTimer {
         times_->stages.push_back({std::string(labels_[s]), beyond, false});
     }
   }
-  // What was before made room.
+  // Starts the clock of the stages. The time before is reported as making room.
   void restart() {
     labels_.clear();
     if (times_ == nullptr) return;
@@ -134,69 +134,72 @@ class EventTimer {
   std::vector<std::string_view> labels_;
 };
 
-// In which large sets of balls arrive.
+// The number of pieces in which large sets of balls arrive.
 inline constexpr int kMaxPieces = 2;
 
-// Where the work of a run is queued. Those after the first, and the events, are for runs in several
-// chunks, but where it says so.
+// The queues of a run. Unless stated otherwise, those after the first and the events are only for
+// runs in several chunks.
 struct Queues {
-  Stream main;   // balls in, the grid, kernel II of every other chunk
-  Stream other;  // kernel II of the chunks between; before, pieces that arrived
-  // Kernel III and the order of simplices, which go before what is left of kernel II.
+  Stream main;   // balls to the device, the grid, kernel II of every other chunk
+  Stream other;  // kernel II of the chunks between; before that, pieces of balls
+  // Kernel III and the ordering of simplices; both have priority over kernel II.
   Stream deciding, ordering;
-  Stream counting;  // how many simplices there are
-  Stream copying;   // the simplices out; of a run in one chunk, triangles and tetrahedra
+  Stream counting;  // copies of counts
+  Stream copying;   // simplices to the host; for a run in one chunk, triangles and tetrahedra
   Event arrived[kMaxPieces], assigned, sorted, faces_sent;
   Event filtered[kMaxChunks], decided[kMaxChunks], faces_ordered[kMaxChunks], ordered[kMaxChunks],
       counted[kMaxChunks];
 
   void create();
-  // Kernel II of a chunk.
+  // The queue for kernel II of a chunk.
   cudaStream_t filtering(int chunk) const { return chunk % 2 == 0 ? main : other; }
-  cudaError_t wait(bool all) const;  // until what is queued is done: in `main`, or in all
+  // Waits until all queued work is done, in `main` or in all queues.
+  cudaError_t wait(bool all) const;
 };
 
-// The buffers of one set of balls, kept from run to run, and what earlier runs needed.
+// The buffers of one set of balls, kept from run to run, and the needs of earlier runs.
 struct DualEdgePipeline::State {
   Queues queues;
   Lattice lattice;
   std::size_t n = 0;
-  int chunks = 0;  // as DualEdgePipeline's constructor was told
+  int chunks = 0;  // as given to DualEdgePipeline's constructor
   LatticePoint low, high;
   std::int32_t max_radius = 0;
-  // What earlier runs needed, by alpha.
+  // The room that a run needed, by alpha.
   struct Need {
     LatticeAlpha alpha;
     bool whole;
     int balls_per_block;
     BlockRoom block, ball;       // of kernel II's blocks, and of kernel III's, which take one ball
-    BlockRoom longest;           // what kernel III would have needed room for, where it is known
+    BlockRoom longest;           // room that kernel III would have needed, where it is known
     SimplexCounts counts;        // of the result
-    std::size_t candidates;      // edges
+    std::size_t candidates;      // number of edge candidates
     bool cull;                   // KernelKind::kCull of kernel II
-    double margin;               // of room_for()
-    bool counted;                // by a run of this very alpha
-    std::vector<Totals> totals;  // then, after each of its chunks
+    double margin;               // as in room_for()
+    bool counted;                // whether a run of exactly this alpha counted
+    std::vector<Totals> totals;  // if so, the totals after each of its chunks
   };
   std::vector<Need> needs;
-  // Of the device: shared memory of a block and of a multiprocessor, bytes.
+  // Properties of the device: shared memory of a block and of a multiprocessor, bytes; number of
+  // these.
   int shared_limit = 0, shared_per_multiprocessor = 0, multiprocessors = 1;
 
-  // The balls as they are sent: packed where that is smaller, else as they are.
+  // The balls as they are sent: packed if that is smaller, else unpacked.
   PinnedBuffer<int4> host_balls;
   PinnedBuffer<std::uint32_t> host_packed;
   DeviceBuffer<std::uint32_t> packed;
   std::optional<WireLayout> packing;
   PinnedBuffer<Counters> host_counters;
   DeviceBuffer<int4> balls;
-  // Cleared at once at the start of a run: Counters, then the cells' counts, the balls' of
-  // tetrahedra, triangles and edge candidates, and what is known of vertices (VertexStates).
+  // Memory cleared at once at the start of a run. It holds the Counters, the counts of cells, and
+  // six arrays for balls. These are numbers of tetrahedra, triangles and edge candidates, and data
+  // of vertices (VertexStates).
   DeviceBuffer<std::uint32_t> zeroed;
   DeviceBuffer<std::uint32_t> index, cell_start, exact_list;
   DeviceBuffer<float4> near;
   DeviceBuffer<BallHome> home;
   DeviceBuffer<unsigned char> scratch;
-  // As blocks write them (dual_edge_block.cuh).
+  // Output of the blocks (dual_edge_block.cuh).
   struct {
     DeviceBuffer<uint4> vertices;
     DeviceBuffer<std::uint32_t> start;
@@ -210,29 +213,29 @@ struct DualEdgePipeline::State {
   DeviceBuffer<std::uint32_t> offset, pending, edges_found;
   DeviceBuffer<std::uint64_t> places;
   DeviceBuffer<unsigned char> result;
-  // Of the last run, and of which alpha, when it was of the whole complex and came to its end.
+  // The result of the last run, if it was of the whole complex and was completed.
   std::optional<DeviceComplex> on_device;
   std::shared_ptr<ResultMemory> results = std::make_shared<ResultMemory>();
 
   Counters* counters() { return reinterpret_cast<Counters*>(zeroed.get()); }
 
-  // The grid for this alpha, with its buffers; nothing when differences would not be exact.
+  // The grid for this alpha; its buffers are reserved. Empty if differences would not be exact.
   std::optional<Problem> plan(const LatticeAlpha& alpha, bool whole);
   SortedBalls sort_into_cells(const Problem& p, EventTimer& timer);
   void load(const BallSet& balls);
-  // Balls come in one piece or several, and are put into their cells.
+  // Receive balls in one piece or several, and put them into their cells.
   int pieces() const;
-  std::size_t piece_begin(int piece, int all) const;  // in kWireStart balls
+  std::size_t piece_begin(int piece, int all) const;  // in units of kWireStart balls
   void send_piece(int piece, int all);
   void assign_piece(const Problem& p, int piece, int all, cudaStream_t stream);
   void receive_balls(const Problem& p, EventTimer& timer);
-  // Words of `zeroed` that come after the counters and the cells: arrays of n.
+  // Number of arrays of n words in `zeroed`, after the counters and the cells.
   static constexpr int kZeroedArrays = 6;
   std::uint32_t* zeroed_array(const Problem& p, int number) {
     return zeroed.get() + kCounterWords + p.cell_count + 1 + static_cast<std::size_t>(number) * n;
   }
 
-  // Sums of the numbers before each.
+  // Sets for each number the sum of the numbers before it.
   template <class Numbers, class Number>
   void scan(Numbers in, Number* out, std::size_t count, cudaStream_t stream) {
     prefix_sum(in, out, count, scratch, stream);

@@ -1,5 +1,5 @@
-// What all kernels of one request share: the problem, the balls in cell order, the neighbour
-// search.
+// Data and code that all kernels of a request share: the problem, the balls in cell order, the
+// neighbour search.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -15,29 +15,29 @@ inline constexpr int kBlockThreads = 128;
 
 inline constexpr int kMaxBallsPerBlock = 32;
 
-// What all kernels know about the request; passed by value.
+// The request as all kernels need it; passed by value.
 struct Problem {
   int ball_count;
-  int4 origin;                 // of the grid (w unused), lattice units
-  int cell_width, nx, ny, nz;  // cells, with a border of empty ones
-  int cell_count;              // with one more for the dead
-  float reach_slack;  // lattice units: what rounding the coordinates can take from a distance
-  float fraction;     // lattice units to kCellParts-ths of a cell
-  float reach_max;    // no BallHome's ball reaches farther, in those parts
+  int4 origin;                 // origin of the grid (w unused), lattice units
+  int cell_width, nx, ny, nz;  // cells, including a border of empty ones
+  int cell_count;              // including one for dead balls
+  float reach_slack;           // lattice units: largest error of a distance by rounded coordinates
+  float fraction;              // factor from lattice units to kCellParts-ths of a cell
+  float reach_max;             // largest reach of a ball, in those parts
   LatticeAlpha alpha;
-  bool whole;                // all simplices with values, not tetrahedra alone
+  bool whole;                // true: all simplices with values; false: tetrahedra alone
   float scale;               // power of two: scaled = lattice * scale
   std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
   int balls_per_block;
-  int sampled;          // every so many blocks count for BlockStatistics
-  int search_capacity;  // balls that a search may find: they fit the block's memory
+  int sampled;          // one of this many blocks counts for BlockStatistics
+  int search_capacity;  // balls that a search may find, limited by the block's memory
 };
 
-// A request goes through its balls in chunks, so that the simplices of one are on their way to the
-// host while the next is worked on. For how many there is memory.
+// The largest number of chunks of balls in a request; counters and events are reserved for these.
+// The simplices of a chunk go to the host while the next chunk is computed.
 inline constexpr int kMaxChunks = 16;
 
-// Simplices of each dimension.
+// Numbers of simplices by dimension.
 struct Totals {
   std::uint32_t of[4];
 };
@@ -45,44 +45,45 @@ struct Totals {
 // Balls [begin, end) of the BallSet.
 struct Chunk {
   std::uint32_t begin, end;
-  Totals* before;  // of all balls before; those up to the end of the chunk come next
+  Totals* before;  // totals before the chunk; the next element has those after it
 };
 
-// What a block's shared memory has room for.
+// Numbers for which a block's shared memory has room.
 struct BlockRoom {
   std::uint32_t search;     // balls that meet one ball
   std::uint32_t list;       // of those, left in its list
   std::uint32_t entries;    // neighbours of all the block's balls
-  std::uint32_t rows;       // those of higher index than their ball
-  std::uint32_t triangles;  // of three balls that meet
-  std::uint32_t listed;     // of those, worth a look
-  std::uint32_t probed;     // of those, not probed away
-  std::uint32_t kept;       // of those, in K_alpha; of tetrahedra alone, with one in K_alpha
+  std::uint32_t rows;       // neighbours of higher index than their ball
+  std::uint32_t triangles;  // triangles of three balls that meet
+  std::uint32_t listed;     // of those, candidates
+  std::uint32_t probed;     // of those, kept by probing
+  std::uint32_t kept;       // of those, in K_alpha; for tetrahedra alone, those with one in K_alpha
 };
 
-// Of so many values: their sum, and that of their squares.
+// A number of values with their sum and sum of squares.
 struct Measured {
   std::uint64_t number, sum, squares;
 };
 
-// What a run of blocks met, from which the room of the next run follows.
+// Sizes that the blocks of a run met. The room of the next run follows from them.
 struct BlockStatistics {
-  // Of every so many blocks (Problem::sampled). Of a ball: balls that meet it, and those left in
-  // its list; of a block: what there should have been room for, see BlockRoom.
+  // Measured on sampled blocks (Problem::sampled). `found` and `list` are per ball: the balls that
+  // meet it, and those left in its list. The others: per block, the numbers of BlockRoom that it
+  // needed.
   Measured found, list, entries, rows, triangles, listed, probed, kept;
-  std::uint32_t most_found, longest_list;   // of one ball
-  std::uint32_t most_triangles, most_kept;  // of one ball that kernel III looked at
-  std::uint32_t deferred;                   // balls that found no room and went to kernel III
-  std::uint32_t too_long;                   // of those, by their list alone
+  std::uint32_t most_found, longest_list;   // largest values for one ball
+  std::uint32_t most_triangles, most_kept;  // largest values for one ball in kernel III
+  std::uint32_t deferred;  // number of balls that found no room and went to kernel III
+  std::uint32_t too_long;  // number of those with too long a list
 };
 
-// Where in the grid a ball is: its slot in cell order and its cell. And where in the cell: in
-// kCellParts-ths of its width, 10 bits each of x, y and z, rounded down (by a hundredth part at
-// most wrong).
+// The place of a ball in the grid: its slot in cell order, its cell, and its part there. The part
+// is in kCellParts-ths of the cell's width, 10 bits each for x, y and z. It is rounded down, with
+// an error of at most a hundredth part.
 inline constexpr int kCellParts = 1024;
 struct alignas(16) BallHome {
-  std::uint32_t slot, cell, part;  // dead: some cell
-  float reach;                     // as SortedBalls::near's; below 0: dead
+  std::uint32_t slot, cell, part;  // for dead balls: any cell
+  float reach;                     // as in SortedBalls::near; below 0: dead
   __host__ __device__ int part_of(int axis) const {
     return static_cast<int>(part >> (10 * axis)) & (kCellParts - 1);
   }
@@ -91,28 +92,28 @@ struct alignas(16) BallHome {
 // Balls in cell order, the dead ones last.
 struct SortedBalls {
   const std::uint32_t* index;  // in the BallSet
-  // x, y, z from the grid's origin (nearest floats) and how far the ball reaches, from above by
-  // more than grown_balls.hpp asks for: see assign_cells(). Lattice units.
+  // x, y, z from the grid's origin (nearest floats) and how far the ball reaches, in lattice units.
+  // The reach is rounded up by more than grown_balls.hpp needs: see assign_cells().
   const float4* near;
   const std::uint32_t* cell_start;
   const BallHome* home;  // in the order of the BallSet
 };
 
-// Lanes that look for the neighbours of one ball.
+// Number of lanes that search the neighbours of one ball.
 inline constexpr int kSearchLanes = 16;
 
-// The balls of the cells around a ball that it can reach, numbered 0, 1, ...: nine rows of up to
-// three cells, each a run of slots. For half a warp, which keeps it in shared memory of its own.
+// The balls in the cells that a ball can reach, numbered 0, 1, ... They are in nine rows of up to
+// three cells, each a run of slots. A half warp keeps it in its own shared memory.
 struct Surroundings {
-  std::uint32_t end[9];   // the numbers before the end of each row
-  std::uint32_t base[9];  // slot less number, in each row
+  std::uint32_t end[9];   // for each row the number after its last ball
+  std::uint32_t base[9];  // for each row slot minus number
 
-  // All lanes of a warp call it; `reach`: of the ball, lattice units.
+  // All lanes of a warp must call it. `reach`: of the ball, lattice units.
   __device__ void load(const Problem& p, const SortedBalls& balls, const BallHome& home,
                        float reach) {
     const int lane = threadIdx.x & (kSearchLanes - 1), r = lane < 9 ? lane : 8;
     const int to_x = r / 3 - 1, to_y = r % 3 - 1, z = home.part_of(2);
-    // Parts between the ball and the row, and the cells before and after in it.
+    // Distances in parts from the ball to the row, and within it to the cells before and after.
     const int x = away(home.part_of(0), to_x), y = away(home.part_of(1), to_y);
     const int before = x * x + y * y, first = away(z, -1), last = away(z, 1);
     const float most = fmaf(reach, p.fraction, p.reach_max), square = most * most;
@@ -142,20 +143,21 @@ struct Surroundings {
   }
 
  private:
-  // How far at least the next cell in a direction is, for a ball in this part of its own.
+  // A lower bound of the distance to the next cell in a direction. `part` is the ball's part in its
+  // own cell.
   static __device__ int away(int part, int direction) {
     return direction == 0 ? 0 : direction < 0 ? part : kCellParts - 1 - part;
   }
 };
 
-// What a search writes: where it looks, and the indices of the balls that it finds, in no order.
+// Output of a search: the cells searched, and the indices of the balls found, in no order.
 struct SearchMemory {
   Surroundings& around;
   std::uint32_t* found;
 };
 
-// Kernel I for two balls of one warp, half a warp each: lists the balls that theirs meets. Returns
-// the number of all, also of those that do not fit; 0 when not `active`.
+// Kernel I for two balls of one warp, half a warp for each: lists the balls that theirs meets.
+// Returns the number of all, including those that do not fit; 0 if not `active`.
 __device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls,
                                         const BallHome& home, bool active, const SearchMemory& to) {
   const int lane = threadIdx.x & (kSearchLanes - 1), half = threadIdx.x & kSearchLanes;

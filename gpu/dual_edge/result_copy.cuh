@@ -1,4 +1,4 @@
-// The way of a result back to the host: where its arrays lie there, and what is copied when.
+// Copies a result to the host, whole or in parts, and lays out its arrays there.
 #pragma once
 
 #include <cstring>
@@ -11,7 +11,7 @@ class ResultCopy {
  public:
   ResultCopy(DualEdgePipeline::State& state, bool whole) : s_(state), whole_(whole) {}
 
-  // Memory on the host; whether the system was asked for it.
+  // Reserves memory on the host. Returns whether the system was asked for more.
   bool make_room(const ResultLayout& layout) {
     if (layout.host_bytes <= room_) return false;
     memory_.reset();
@@ -21,7 +21,8 @@ class ResultCopy {
     room_ = layout.host_bytes;
     return grew;
   }
-  // What needs no copy; meanwhile the others may be on their way.
+  // Writes the classes of tetrahedra, which need no copy. Other arrays may be on their way
+  // meanwhile.
   void say_interior(const ResultLayout& layout) {
     const std::size_t tetrahedra = layout.host_bytes - layout.bytes;
     if (tetrahedra == 0) return;
@@ -29,7 +30,7 @@ class ResultCopy {
                 static_cast<int>(SimplexClass::interior), tetrahedra);
   }
 
-  // The parts of the result's memory, where it was found by itself how much that is.
+  // Copy whole sections of the result's memory, for a run in a single chunk.
   void all_faces(const ResultLayout& layout, cudaStream_t stream) {
     const std::size_t begin = layout.dimension[2].vertices;
     bring(begin, begin, layout.bytes - begin, stream);
@@ -37,11 +38,11 @@ class ResultCopy {
   void all_edges_and_vertices(const ResultLayout& layout, cudaStream_t stream) {
     bring(0, 0, layout.dimension[2].vertices, stream);
   }
-  // Only what was found, to where it fits exactly, and for which there is room.
+  // Copies only the simplices found, to a layout that fits exactly and has been reserved.
   void found(const ResultLayout& from, const ResultLayout& to, cudaStream_t stream) {
     part(from, to, {{{0, 0, 0, 0}}, totals_of(to.room), 0, 4}, stream);
   }
-  // Does what a chunk adds have its place, as it was counted?
+  // Returns whether there is room for the simplices that a chunk adds.
   static bool has_place(const ResultLayout& layout, const Totals& before, const Totals& after) {
     for (int d = 0; d < 4; ++d) {
       const std::size_t room = layout.room[d];
@@ -126,7 +127,7 @@ class ResultCopy {
   DualEdgePipeline::State& s_;
   const bool whole_;
   std::shared_ptr<unsigned char> memory_;
-  std::size_t room_ = 0;  // bytes there
+  std::size_t room_ = 0;  // size of that memory, bytes
 };
 
 }  // namespace alphascope::gpu

@@ -1,5 +1,5 @@
-// How much shared memory the blocks of a run get for what, and the result for its simplices: from
-// what earlier runs of the same balls met.
+// Decides how blocks of a run use their shared memory, and how much memory the result gets. The
+// decision follows from earlier runs of the same balls.
 #pragma once
 
 #include "gpu/dual_edge/dual_edge_block.cuh"
@@ -14,13 +14,13 @@ inline std::uint32_t whole_words(double list) {
   return static_cast<std::uint32_t>(std::ceil(std::max(1.0, list) / 32)) * 32;
 }
 
-// Are covered discs looked for? From so many balls found for each on average; what was culled once
-// stays so near the limit.
+// Returns whether covered discs are culled: from a mean of 20 found balls on. A set that was culled
+// stays so down to 18. So runs near the limit do not alternate.
 inline bool is_culled(double mean_found, bool was_culled) {
   return mean_found >= (was_culled ? 18 : 20);
 }
 
-// What blocks of `balls` balls need room for, see BlockStatistics.
+// The needs of blocks of `balls` balls, see BlockStatistics.
 struct Demand {
   struct Spread {
     double mean, deviation;
@@ -48,8 +48,9 @@ inline Demand measured(const BlockStatistics& met, int balls, bool cull) {
           spread_of(met.probed),
           spread_of(met.kept)};
 }
-// From the balls found alone, where there was no room to see more. A fair start: culled lists of
-// molecules are 10 and a third of what was found; pairs in a list that meet, a quarter.
+// Guesses the demand from the number of balls found alone, if there was no room to see more. It is
+// a fair start. Culled lists of molecules have 10 balls plus a third of those found. A quarter of
+// the pairs in a list meet.
 inline Demand guessed(const Demand::Spread& found, bool cull, bool whole) {
   const double list = cull ? std::min(found.mean, 10 + 0.35 * found.mean) : found.mean;
   const int balls = kMaxBallsPerBlock;
@@ -86,9 +87,9 @@ inline Demand larger(Demand a, const Demand& b) {
   return a;
 }
 
-// Room for blocks of so many balls: `margin` times three standard deviations above the mean. Sums
-// of fewer balls vary by the root of how many, of more by all of it: neighbours have similar
-// surroundings. Balls that find no room go to kernel III.
+// Room for blocks of this many balls: `margin` times three standard deviations above the mean. Sums
+// over fewer balls vary by the root of their number. Sums over more vary in proportion, because
+// neighbours have similar surroundings. Balls that find no room go to kernel III.
 inline BlockRoom room_for(int balls, const Demand& demand, double margin) {
   const double ratio = static_cast<double>(balls) / demand.balls;
   const auto most = [&](const Demand::Spread& of, double deviations) {
@@ -122,12 +123,12 @@ inline std::size_t bytes_of(const BlockRoom& room, int balls, bool cull) {
   return p.layout.bytes;
 }
 
-// How well blocks of so many balls and bytes use the device: the more work in a block, the less its
-// barriers cost; the more warps, the less latencies; the more blocks, the less the last ones.
-// Fitted to times on an H200.
+// A score of how well blocks of this many balls and bytes use the device. More work per block
+// lowers the cost of its barriers. More warps hide latencies. More blocks lower the cost of the
+// last ones. Fitted to times on an H200.
 inline double use_of(const State& s, int balls, const Demand::Spread& found, std::size_t bytes) {
   constexpr double kEnough = 8, kBarriers = 65;
-  // CUDA keeps 1 KB a block for itself.
+  // CUDA reserves 1 KB per block.
   const double shared = static_cast<double>(bytes + sizeof(BlockBalls) + 1024),
                blocks = std::clamp(std::floor(s.shared_per_multiprocessor / shared), 1.0, kEnough),
                warps = blocks * kBlockThreads / 32;
@@ -136,7 +137,7 @@ inline double use_of(const State& s, int balls, const Demand::Spread& found, std
          (rounds + 0.5);
 }
 
-// Room of kernel III for a ball that has so many of each.
+// Room of kernel III for a ball with these numbers.
 inline BlockRoom enough_for(const BlockRoom& room, std::uint32_t found, std::uint32_t list,
                             std::uint32_t triangles, std::uint32_t kept) {
   const std::uint32_t words = std::max(room.list, whole_words(list));
@@ -144,12 +145,12 @@ inline BlockRoom enough_for(const BlockRoom& room, std::uint32_t found, std::uin
           std::max(room.triangles, triangles),       0,     0,     std::max(room.kept, kept)};
 }
 
-// Sets how many balls a block takes, and its room. What is hardly better is not worth a change.
+// Sets the number of balls per block, and its room. A small improvement is not worth a change.
 inline void choose_room(const State& s, Need& need, const Demand& demand) {
   need.cull = demand.cull;
   const int current = need.balls_per_block;
   double best = -1;
-  // Eight half warps search at once; fewer balls only where there is no room for eight.
+  // Eight half warps search at once. So fewer balls are used only if there is no room for eight.
   for (const int balls : {32, 24, 16, 8, 4, 2, 1}) {
     if (balls < 8 && best > 0) break;
     const BlockRoom room = room_for(balls, demand, need.margin);
@@ -166,8 +167,8 @@ inline void choose_room(const State& s, Need& need, const Demand& demand) {
   }
 }
 
-// Of the need of an alpha below, for one that is not much above: room for more simplices, and for
-// longer lists in kernel III.
+// Adds room to the need of a lower alpha, for an alpha not much above: more simplices here.
+// with_headroom() does so for longer lists in kernel III.
 inline void add_headroom(Need& need) {
   const auto more = [](std::size_t value) { return value + value / 4 + 64; };
   for (std::size_t& count : need.counts.of) count = more(count);
@@ -179,7 +180,7 @@ inline BlockRoom with_headroom(const BlockRoom& ball, const BlockRoom& longest) 
                     more(longest.kept));
 }
 
-// The need of this alpha, or of the nearest one above: less alpha never needs more.
+// The need of this alpha, or of the nearest one above. A lower alpha never needs more.
 inline Need first_need(const State& s, const LatticeAlpha& alpha, bool whole) {
   const Need* best = nullptr;
   const auto better = [&](const Need& n) {
@@ -196,7 +197,7 @@ inline Need first_need(const State& s, const LatticeAlpha& alpha, bool whole) {
     need.counted = best->alpha == alpha;
     return need;
   }
-  // A molecule at small alpha; the run says what it really needs.
+  // A guess for a molecule at small alpha. The run finds what it really needs.
   Need need{};
   need.alpha = alpha;
   need.whole = whole;
@@ -208,9 +209,9 @@ inline Need first_need(const State& s, const LatticeAlpha& alpha, bool whole) {
   return need;
 }
 
-// In how many chunks to go through the balls: each costs queueing and waiting, but all copies are
-// hidden behind work except the last one's. Fitted to times on an H200. The first run of a set
-// takes all at once: how many simplices there will be is a guess, too much memory to pin.
+// The number of chunks. Each costs queueing and waiting, but work hides all copies except the last
+// one's. Fitted to times on an H200. The first run of a set takes a single chunk. Its number of
+// simplices is only a guess, too much to pin memory for.
 inline int chunk_count(const State& s, const Need& need, std::size_t bytes) {
   if (s.chunks > 0) return std::min(s.chunks, kMaxChunks);
   if (need.totals.empty()) return 1;
@@ -232,7 +233,7 @@ inline void remember(State& s, const Need& need) {
   all.push_back(need);
 }
 
-// As DualEdgeProblem.
+// As DualEdgeProblem::deferred_limit.
 inline std::uint32_t deferred_limit(const State& s) {
   return static_cast<std::uint32_t>(std::max<std::size_t>(256, s.n / 100));
 }
@@ -245,14 +246,14 @@ inline DualEdgeProblem make_problem(const State& s, const Problem& plan, const B
   p.common.balls_per_block = balls_per_block;
   p.capacity = room;
   p.common.search_capacity = static_cast<int>(room.search);
-  // Some hundred blocks at least.
+  // At least some hundred blocks are sampled.
   p.common.sampled = std::clamp(static_cast<int>(s.n / balls_per_block / 128), 1, 64);
   p.words = static_cast<int>((room.list + 31) / 32);
   p.radius_scale = p.common.scale * p.common.scale;
   const double grown = std::sqrt(plan.alpha.plus(std::int64_t{s.max_radius} * s.max_radius));
   const double offset = 2 * (grown + plan.reach_slack) * 1.001 + 2;  // bounds every |d_x|
   p.small_lattice = offset < static_cast<double>(kSmallOffset) && s.max_radius < kSmallOffset;
-  p.narrow = offset < 32768 && s.max_radius < 32768;  // |d|² < 2^30, weights too
+  p.narrow = offset < 32768 && s.max_radius < 32768;  // |d|² < 2^30, and so are weights
   p.balls = s.balls.get();
   p.deferred_limit = deferred_limit(s);
   lay_out(p);

@@ -1,4 +1,4 @@
-// Ortho-radii of simplices, the nearest floats: alpha values of those that are not attached.
+// Ortho-radii of simplices as the nearest floats: the alpha values of unattached simplices.
 #pragma once
 
 #include "core/predicates/simplex_decisions.hpp"
@@ -6,12 +6,12 @@
 
 namespace alphascope::gpu {
 
-// Of kernels that find values. Double precision waits for its operands: more warps at once pay,
-// even at the price of registers that spill.
+// Launch bounds of kernels that compute values. Double precision waits for its operands, so more
+// warps at once pay off. This holds even if registers spill.
 constexpr int kValueThreads = 128, kValueBlocks = 6;
 
-// A simplex as the templates of simplex_decisions.hpp see it: lifted from its first ball, the
-// others in slots 0 to 2.
+// A simplex as the templates of simplex_decisions.hpp need it: lifted from its first ball. The
+// others are in slots 0 to 2.
 struct SimplexBalls {
   int4 centre, other[3];
 
@@ -29,7 +29,8 @@ __device__ inline Decision value_of(const SimplexBalls& balls, int vertices, flo
          : vertices == 3 ? decide_simplex<Decider>(in, value, 0, 1)
                          : decide_simplex<Decider>(in, value, 0, 1, 2);
 }
-// Where double precision does not tell which float is nearest: about one simplex in a million.
+// Used if double precision does not tell which float is nearest, for about one simplex in a
+// million.
 __device__ inline __noinline__ float exact_value(const SimplexBalls& balls, int vertices) {
   float value = 0;
   value_of<ExactDecider>(balls, vertices, &value);
@@ -39,7 +40,7 @@ template <int kVertices>
 __device__ inline SimplexBalls simplex_balls(const int4* ball, const uint4& v) {
   return {ball[v.x], {ball[v.y], ball[kVertices > 2 ? v.z : v.y], ball[kVertices > 3 ? v.w : v.y]}};
 }
-// The ortho-radius of a simplex of K_alpha, square lattice units, the nearest float.
+// The ortho-radius of a simplex of K_alpha in square lattice units, as the nearest float.
 template <int kVertices>
 __device__ inline float ortho_radius(const SimplexBalls& balls) {
   float value = 0;

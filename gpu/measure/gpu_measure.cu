@@ -1,4 +1,4 @@
-// Areas and volumes on the device: memory, copies and the order of kernels.
+// Measures areas and volumes on the device: memory, copies and the order of kernels.
 #include "gpu/measure/gpu_measure.hpp"
 
 #include <algorithm>
@@ -28,7 +28,8 @@ __global__ void join_balls(const LatticePoint* centres, const std::int32_t* radi
   if (i < count) to[i] = make_int4(centres[i].x, centres[i].y, centres[i].z, radii[i]);
 }
 
-// Until what is queued is done, whatever is thrown: it reads the caller's memory.
+// Waits in its destructor until queued work is done, even after an exception. That work reads the
+// caller's memory.
 class Finished {
  public:
   explicit Finished(const Stream& stream) : stream_(stream) {}
@@ -49,22 +50,23 @@ struct Lists {
 
 struct UnionMeasurer::State {
   Stream stream;
-  // after[0]: before the first kernel; then after each, in the order of GpuMeasureTimes::kernel.
+  // after[0]: before the first kernel; then after each kernel, in the order of
+  // GpuMeasureTimes::kernel.
   static constexpr int kKernels = 6;
   Event upload_begin, upload_end, after[kKernels + 1], downloaded;
   bool uploaded = false;  // since the last measurement
-  // Of what was uploaded.
+  // The uploaded complex.
   DeviceBuffer<LatticePoint> centres;
   DeviceBuffer<std::int32_t> radii;
   DeviceBuffer<int4> joined;
   Lists lists[4];
-  // Of a measurement.
+  // Buffers of a measurement.
   DeviceBuffer<GrownBall> grown;
   DeviceBuffer<AreaAndVolume> scales;
   DeviceBuffer<MeasureSums> sums;
   DeviceBuffer<EdgeRow> rows;
   DeviceBuffer<std::uint8_t> open;
-  DeviceBuffer<double> result;  // areas, volumes, sums of blocks
+  DeviceBuffer<double> result;  // areas, volumes, then sums of blocks
   PinnedBuffer<double> host;
 
   template <class T>
@@ -109,7 +111,7 @@ UnionMeasurer::UnionMeasurer() : state_(std::make_unique<State>()) {
   for (Event* e : {&s.upload_begin, &s.upload_end, &s.downloaded}) e->create(cudaEventDefault);
   for (Event& e : s.after) e.create(cudaEventDefault);
 }
-// What is queued reads and writes memory that is about to go.
+// Waits, because queued work uses memory that is about to be freed.
 UnionMeasurer::~UnionMeasurer() {
   cudaStreamSynchronize(state_->stream);
 }

@@ -1,5 +1,5 @@
-// Areas and volumes of unions of balls (core/measure/union_measures.hpp) on a CUDA device. Plain
-// C++: the program builds and runs without CUDA.
+// Areas and volumes of unions of balls (core/measure/union_measures.hpp) on a CUDA device. This
+// header is plain C++; the program also builds and runs without CUDA.
 #pragma once
 
 #include <memory>
@@ -9,26 +9,26 @@
 
 namespace alphascope {
 
-// What a measurement on the device took, milliseconds; the first four by the device's clock.
+// Times of a measurement on the device, milliseconds. The first four are by the device's clock.
 struct GpuMeasureTimes {
-  // Of the kernels: the balls, vertices, edges, triangles, tetrahedra and the result.
+  // Times of the kernels for balls, vertices, edges, triangles, tetrahedra and the result.
   double kernel[6] = {};
   double upload = 0, kernels = 0, download = 0, whole = 0;
 };
 
-// Keeps its device memory from one measurement to the next. For one thread at a time.
+// Keeps its device memory from one measurement to the next. May be used by one thread at a time.
 class GpuMeasurer {
  public:
   virtual ~GpuMeasurer() = default;
-  // The same as measure_union() but for rounding, and the same bits each time on one device;
-  // without derivatives. Fills `to`, whose arrays are used again. Throws what measure_union() does,
-  // and std::runtime_error when the device fails, std::bad_alloc when its memory is full; the
+  // Fills `to`, whose arrays are reused, with the result of measure_union() except for rounding,
+  // without derivatives. One device gives the same bits each time. Throws as measure_union(). Also
+  // throws std::runtime_error if the device fails, and std::bad_alloc if its memory is full. The
   // measurer stays usable.
   virtual void measure(const BallSet& balls, const AlphaComplex& complex, UnionMeasures& to,
                        const RunContext& context = {}, GpuMeasureTimes* times = nullptr) = 0;
 };
 
-// Null when the device cannot be used (see gpu_device()): *why_not then says why.
+// Returns null if the device cannot be used (see gpu_device()), and sets *why_not to the reason.
 std::unique_ptr<GpuMeasurer> make_gpu_measurer(std::string* why_not);
 
 }  // namespace alphascope

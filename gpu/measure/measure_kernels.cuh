@@ -1,5 +1,5 @@
-// Areas and volumes on the device: one pass over the simplices of each dimension, with the bodies
-// of core/measure. Balls' sums are integers, so that threads may add to them in any order and the
+// Kernels for areas and volumes: one pass over the simplices of each dimension, with the bodies of
+// core/measure. The sums of balls are integers. So threads may add to them in any order, and the
 // bits are the same each time.
 #pragma once
 
@@ -15,7 +15,7 @@
 namespace alphascope::gpu {
 
 inline constexpr int kMeasureThreads = 128;
-// Simplices of which a block does the like ones together.
+// Number of simplices of a block, which it sorts by kind.
 inline constexpr int kMeasurePart = 1024;
 inline constexpr unsigned kMeasureWarps = kMeasureThreads / 32;
 
@@ -23,14 +23,14 @@ struct alignas(16) AreaAndVolume {
   double area, volume;
 };
 struct alignas(16) MeasureSums {
-  unsigned long long area, volume;  // FixedSum
+  unsigned long long area, volume;  // as FixedSum
 };
-// Edges [begin, end) of a lower ball that has some; of others anything.
+// Edges [begin, end) of a lower ball that has any; undefined for other balls.
 struct alignas(8) EdgeRow {
   std::uint32_t begin, end;
 };
 
-// By balls.
+// Arrays with one element per ball.
 struct MeasureScene {
   GrownBall* balls;
   AreaAndVolume* scales;
@@ -45,7 +45,7 @@ class DeviceSink {
   __device__ explicit DeviceSink(const MeasureScene& scene) : scene_(scene) {}
 
   ALPHASCOPE_INLINE const GrownBall& ball(BallIndex i) const { return scene_.balls[i]; }
-  // Host and device as the terms are, but only ever called on the device.
+  // For host and device, as the terms are, but called only on the device.
   ALPHASCOPE_INLINE void area(BallIndex i, double x) {
     add(&scene_.sums[i].area, fixed_term(x, scene_.scales[i].area));
   }
@@ -62,7 +62,7 @@ class DeviceSink {
   const MeasureScene& scene_;
 };
 
-// Grown balls, and nothing summed yet.
+// Sets grown balls, and clears all sums.
 __global__ void prepare_balls(DeviceComplex complex, MeasureScene scene) {
   const std::size_t i = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
   if (i >= complex.ball_count) return;
@@ -83,7 +83,7 @@ __global__ void add_vertices(DeviceSimplices vertices, MeasureScene scene) {
   vertex_terms(i, sink);
 }
 
-// After the vertices. Says also where rows of edges begin and end.
+// Must run after the vertices. Also sets where rows of edges begin and end.
 __global__ void add_edges(DeviceSimplices edges, MeasureScene scene) {
   const std::size_t e = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
   if (e >= edges.count) return;
@@ -99,9 +99,9 @@ __global__ void add_edges(DeviceSimplices edges, MeasureScene scene) {
   edge_terms(i, ends, is_open(edges.classes[e]), sink);
 }
 
-// Numbers of the simplices in the block's part of a list, by kind(simplex): those of kind 0 from
-// the beginning, those of kind 1 from the end backwards, so that the threads of a warp do the same;
-// others are left out. found: how many of either.
+// Sorts the simplices in the block's part of a list by kind(simplex). Kind 0 is listed from the
+// beginning, kind 1 from the end backwards. So the threads of a warp do the same work. Other kinds
+// are left out. `found`: numbers of both kinds.
 template <class Kind>
 __device__ inline std::uint32_t* sort_part(std::size_t count, std::uint32_t (&found)[2],
                                            const Kind& kind) {
@@ -122,7 +122,7 @@ __device__ inline std::uint32_t* sort_part(std::size_t count, std::uint32_t (&fo
   return list;
 }
 
-// With an open side.
+// Adds triangles with an open side.
 __global__ void __launch_bounds__(kMeasureThreads)
     add_triangles(DeviceSimplices triangles, MeasureScene scene) {
   std::uint32_t found[2];
@@ -138,7 +138,7 @@ __global__ void __launch_bounds__(kMeasureThreads)
   }
 }
 
-// After the edges. First those without an open edge, which have no angle to measure.
+// Must run after the edges. Begins with tetrahedra without an open edge, which need no angles.
 __global__ void __launch_bounds__(kMeasureThreads)
     add_tetrahedra(DeviceSimplices tetrahedra, DeviceSimplices edges, MeasureScene scene) {
   const auto balls_of = [&](std::size_t t) {
@@ -172,7 +172,8 @@ __device__ inline double warp_sum(double value) {
   return value;
 }
 
-// Areas and volumes in Å² and Å³, and their sums over each block, whose order is always the same.
+// Areas and volumes in Å² and Å³, and their sums over each block. The order of summation is always
+// the same.
 struct MeasureOutput {
   double *area, *volume;    // of balls
   AreaAndVolume* of_block;  // sums

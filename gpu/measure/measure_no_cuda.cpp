@@ -1,4 +1,4 @@
-// Stands in for the measurer in builds without a CUDA compiler.
+// Replaces the measurer in builds without a CUDA compiler.
 #include "gpu/gpu_engine.hpp"
 #include "gpu/measure/gpu_measure.hpp"
 

@@ -1,5 +1,5 @@
-// Runs the kernels of core/measure for one complex after the other. Plain C++; the face is
-// gpu_measure.hpp.
+// Runs the kernels of core/measure for one complex after the other. This header is plain C++;
+// gpu_measure.hpp is the public interface.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace alphascope::gpu {
 
-// As UnionMeasures; arrays in pinned memory.
+// As UnionMeasures, with arrays in pinned memory.
 struct HostMeasures {
   double area_angstrom2 = 0, volume_angstrom3 = 0;
   std::span<const double> ball_area_angstrom2, ball_volume_angstrom3;
@@ -30,11 +30,11 @@ class UnionMeasurer {
   UnionMeasurer();  // throws DeviceError
   ~UnionMeasurer();
 
-  // Both throw Cancelled, std::bad_alloc, DeviceError.
-  // Copies a complex to the device, where it stays until the next one.
+  // Both functions throw Cancelled, std::bad_alloc and DeviceError. The first copies a complex to
+  // the device, where it stays until the next one.
   DeviceComplex upload(const BallSet& balls, const AlphaComplex& complex,
                        const CancelToken& cancel);
-  // Valid until the next one. `times`: of the last upload, too.
+  // The result is valid until the next measurement. `times` includes the last upload.
   HostMeasures measure(const DeviceComplex& complex, const CancelToken& cancel,
                        GpuMeasureTimes* times);
 

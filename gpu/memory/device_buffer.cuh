@@ -1,4 +1,4 @@
-// Device and pinned host memory that grows and is kept; errors as exceptions.
+// Device memory and pinned host memory that grows and is kept. Errors become exceptions.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -19,34 +19,34 @@ struct DeviceError : ExecutorFailed {
 
 inline void check(cudaError_t status, const char* what) {
   if (status == cudaSuccess) return;
-  cudaGetLastError();  // the error is reported here; do not report it again later
+  cudaGetLastError();  // clears the error, so that it is not reported again later
   if (status == cudaErrorMemoryAllocation) throw std::bad_alloc();
   throw DeviceError(std::string("the GPU failed while ") + what + ": " +
                     cudaGetErrorString(status));
 }
 
-// What buffers that grow once more take beyond what is asked for, bytes: as alpha goes up, nearly
-// every run needs a little more, and reserving takes longer than the run. As much again, but at
-// most 64 MB, and half of that where it is large: results of a million balls take up to 350 MB, and
-// there are two or three of them.
+// The spare bytes of a buffer that grows again. As alpha rises, nearly every run needs a little
+// more, and reserving takes longer than the run. The spare is as much again, but at most 64 MB, or
+// 32 MB for large buffers. Results of a million balls take up to 350 MB, and there are two or three
+// of them.
 inline std::size_t spare_bytes(std::size_t bytes) {
   constexpr std::size_t kMost = std::size_t{1} << 26, kLarge = std::size_t{1} << 28;
   return std::min(bytes, bytes < kLarge ? kMost : kMost / 2);
 }
 
-// Calls reserve(bytes) for that much and to spare, or for that much if there is not more, or at
-// the first time. Returns how much it was.
+// Calls reserve(bytes) with spare bytes added. Without spare if it is the first time, or if there
+// is not that much memory. Returns the reserved size.
 template <class Reserve>
 std::size_t reserve_to_spare(std::size_t bytes, bool first, const char* what,
                              const Reserve& reserve) {
   const std::size_t more = first ? bytes : bytes + spare_bytes(bytes);
   if (reserve(more) == cudaSuccess) return more;
-  cudaGetLastError();  // the second attempt tells
+  cudaGetLastError();  // the second attempt reports the error
   check(reserve(bytes), what);
   return bytes;
 }
 
-// Uninitialised device memory; growing loses the content.
+// Uninitialised device memory. Growing loses the content.
 template <class T>
 class DeviceBuffer {
  public:
@@ -72,7 +72,7 @@ class DeviceBuffer {
   std::size_t capacity_ = 0;
 };
 
-// Pinned host memory: copies to and from it run at full speed.
+// Pinned host memory. Copies to and from it run at full speed.
 template <class T>
 class PinnedBuffer {
  public:

@@ -1,4 +1,4 @@
-// An alpha complex and its balls as they lie on the device. Plain C++.
+// An alpha complex and its balls in device memory. Plain C++.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,19 @@
 
 namespace alphascope::gpu {
 
-// Device memory. Simplices of N vertices: N indices of balls each, sorted as in an AlphaComplex.
+// A list of simplices in device memory, sorted as in an AlphaComplex. It has N ball indices for
+// each simplex of N vertices.
 struct DeviceSimplices {
   const BallIndex* vertices = nullptr;
-  const SimplexClass* classes = nullptr;  // not of tetrahedra: these are interior
+  const SimplexClass* classes = nullptr;  // unset for tetrahedra, which are interior
   std::size_t count = 0;
 };
 
 struct DeviceComplex {
   Lattice lattice;
   LatticeAlpha alpha_on_lattice;
-  // x, y, z and radius of each on the lattice; those that are in no simplex may have any radius.
-  const std::int32_t* balls = nullptr;  // 16 bytes each, aligned to that
+  // x, y, z and radius of each ball on the lattice. Balls in no simplex may have any radius.
+  const std::int32_t* balls = nullptr;  // 16 bytes each, aligned to 16
   std::size_t ball_count = 0;
   DeviceSimplices vertices, edges, triangles, tetrahedra;
 };

@@ -1,4 +1,4 @@
-// Streams and events that are given back, whatever is thrown.
+// Owners of CUDA streams and events, which release them even after an exception.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -25,7 +25,7 @@ class Event {
   }
   operator cudaEvent_t() const { return event_; }
   void record(cudaStream_t stream) { check(cudaEventRecord(event_, stream), "recording an event"); }
-  // What is queued from now on waits for the event as last recorded.
+  // Makes later work in the stream wait for the event as last recorded.
   void hold_up(cudaStream_t stream) const {
     check(cudaStreamWaitEvent(stream, event_, 0), "waiting for an event");
   }

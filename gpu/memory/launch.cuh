@@ -1,5 +1,5 @@
-// The one place with CUDA's launch syntax. Everything else in the kernels and in what starts them
-// is plain C++ to a host compiler, so that tests run them without a device (tests/gpu/emulated).
+// The only code with CUDA's launch syntax. All other code in kernels and their callers is plain C++
+// for a host compiler. So tests run it without a device (tests/gpu/emulated).
 #pragma once
 
 #include <cuda_runtime.h>
@@ -14,7 +14,7 @@ struct LaunchShape {
   std::size_t shared_bytes = 0;  // dynamic
 };
 
-// The caller asks cudaGetLastError() whether it worked.
+// Launches a kernel. The caller must check cudaGetLastError().
 template <class... Parameters, class... Arguments>
 void launch(void (*kernel)(Parameters...), const LaunchShape& shape,
             const Arguments&... arguments) {

@@ -1,3 +1,4 @@
+// Allocates page-locked memory from large pages, and registers it with CUDA.
 #include "gpu/memory/page_locked.hpp"
 
 #include <sys/mman.h>
@@ -12,13 +13,14 @@ namespace {
 
 constexpr std::size_t kLargePage = std::size_t{1} << 21;
 
-// New pages, all of them there; null if there are no more.
+// New pages, all of them mapped; null if there is no memory.
 unsigned char* new_pages(std::size_t bytes, std::size_t page) {
   void* const memory =
       mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return nullptr;
-  madvise(memory, bytes, MADV_HUGEPAGE);  // a system without them says so, and has small ones
-  madvise(memory, bytes, MADV_DONTFORK);  // what is pinned would have to be copied
+  // A system without large pages refuses and uses small ones.
+  madvise(memory, bytes, MADV_HUGEPAGE);
+  madvise(memory, bytes, MADV_DONTFORK);  // fork() would have to copy pinned pages
   unsigned char* const pages = static_cast<unsigned char*>(memory);
   parallel_each(0, (bytes + kLargePage - 1) / kLargePage, [=](std::size_t piece) {
     const std::size_t end = std::min(bytes, (piece + 1) * kLargePage);
@@ -41,7 +43,7 @@ cudaError_t PageLocked::allocate(std::size_t bytes) {
       own_bytes_ = whole;
       return cudaSuccess;
     }
-    cudaGetLastError();  // not every system can
+    cudaGetLastError();  // not every system can register pages
     munmap(pages, whole);
   }
   return cudaMallocHost(&data_, bytes);

@@ -1,4 +1,4 @@
-// Page-locked (pinned) host memory, which copies to and from a device run at full speed with.
+// Page-locked (pinned) host memory, with which copies to and from a device run at full speed.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -7,10 +7,10 @@
 
 namespace alphascope::gpu {
 
-// One piece of it. Much of it is pages of our own where the system lets them be registered, large
-// ones if there are any and first written by all threads: cudaMallocHost() gets small ones, one by
-// one, and takes longer than most runs (docs/records/gpu-engine.md). What is less than a large page
-// comes from memory that CUDA has at hand.
+// One piece of such memory. Large pieces are pages of our own, registered with CUDA if the system
+// allows it. They are large pages if possible, and all threads write them first. By contrast,
+// cudaMallocHost() gets small pages one by one and takes longer than most runs
+// (docs/records/gpu-engine.md). Pieces below a large page come from CUDA's own memory.
 class PageLocked {
  public:
   PageLocked() = default;
@@ -18,15 +18,15 @@ class PageLocked {
   PageLocked& operator=(const PageLocked&) = delete;
   ~PageLocked() { free(); }
 
-  // Uninitialised, and instead of what there was.
+  // Allocates uninitialised memory in place of the previous piece.
   cudaError_t allocate(std::size_t bytes);
-  // As cudaFreeHost(), waits for all that the device has to do.
+  // Waits for all work of the device, as cudaFreeHost() does.
   void free();
   void* get() const { return data_; }
 
  private:
   void* data_ = nullptr;
-  std::size_t own_bytes_ = 0;  // of pages of our own; 0: cudaMallocHost()'s
+  std::size_t own_bytes_ = 0;  // size of pages of our own; 0: from cudaMallocHost()
 };
 
 }  // namespace alphascope::gpu

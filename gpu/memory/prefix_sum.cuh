@@ -1,4 +1,4 @@
-// Sums of the numbers before each.
+// Exclusive prefix sums on the device.
 #pragma once
 
 #include <cub/device/device_scan.cuh>
@@ -9,8 +9,8 @@
 
 namespace alphascope::gpu {
 
-// out[i] = in[0] + ... + in[i - 1]. `scratch` grows as needed, and is in use until the stream has
-// come so far.
+// out[i] = in[0] + ... + in[i - 1]. `scratch` grows as needed. It is in use until the stream has
+// finished the sum.
 template <class Numbers, class Number>
 void prefix_sum(Numbers in, Number* out, std::size_t count, DeviceBuffer<unsigned char>& scratch,
                 cudaStream_t stream) {

@@ -1,5 +1,5 @@
-// Pinned memory that results arrive in and stay in: to copy one into arrays of its own would take
-// about as long as its way back. When nothing is left of a result, a later one gets its memory.
+// Pinned memory in which results arrive and stay. Copying a result to other arrays would take about
+// as long as its way to the host. When a result is gone, a later one gets its memory.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 
 namespace alphascope::gpu {
 
-// Results may outlive the pipeline and be let go of by any thread. That thread, which may be the
-// one that draws, never frees memory: it waits for the device. What nobody will use is freed when
-// memory is next asked for, by whatever pipeline, or by free_unused().
+// Results may outlive the pipeline, and any thread may release them. A releasing thread, which may
+// be the one that draws, never frees memory, because freeing waits for the device. Unused memory is
+// freed by the next take() of any pipeline, or by free_unused().
 class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
  public:
   ResultMemory() { idle_.reserve(kMostIdle + 1); }
@@ -23,8 +23,8 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     std::shared_ptr<unsigned char> memory;
     bool grew;  // whether the system was asked for memory, which takes longer than most runs
   };
-  // At least so many bytes, the caller's until all copies of the pointer are gone. Throws
-  // std::bad_alloc, DeviceError.
+  // Returns at least this many bytes. They belong to the caller until all copies of the pointer are
+  // gone. Throws std::bad_alloc and DeviceError.
   Taken take(std::size_t bytes) {
     unused().free();
     std::unique_ptr<Buffer> buffer = idle(bytes);  // ends a rest
@@ -35,30 +35,30 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     };
     return {{lent->get(), back}, grew};
   }
-  // No more will be asked for.
+  // Must be called when no more memory will be taken.
   void close() {
     rest();
     const std::lock_guard lock(mutex_);
     closed_ = true;
   }
-  // No more will be asked for soon: nothing is kept until the next take(), neither what is idle nor
-  // what is given back meanwhile. Waits for the device.
+  // Keeps no memory until the next take(): neither idle memory nor memory returned meanwhile. Waits
+  // for the device.
   void rest() {
-    std::vector<std::unique_ptr<Buffer>> idle;  // freed after the lock
+    std::vector<std::unique_ptr<Buffer>> idle;  // freed after the lock is released
     const std::lock_guard lock(mutex_);
     resting_ = true;
     idle.swap(idle_);
     idle_.reserve(kMostIdle + 1);
   }
 
-  // Is there memory, of any pipeline, that nobody will use?
+  // Returns whether any pipeline has memory that will not be used.
   static bool is_any_unused() { return unused().any(); }
   // Frees it. Waits for the device.
   static void free_unused() { unused().free(); }
 
  private:
   using Buffer = PinnedBuffer<unsigned char>;
-  // Of all pipelines.
+  // Unused memory of all pipelines.
   class Unused {
    public:
     void add(std::unique_ptr<Buffer> buffer) {
@@ -67,11 +67,11 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
         buffers_.push_back(std::move(buffer));
         any_ = true;
       } catch (const std::bad_alloc&) {
-        buffer.reset();  // so it has to be now
+        buffer.reset();  // no room to note it, so it is freed now
       }
     }
     void free() {
-      std::vector<std::unique_ptr<Buffer>> buffers;  // as in close()
+      std::vector<std::unique_ptr<Buffer>> buffers;  // freed after the lock is released
       const std::lock_guard lock(mutex_);
       buffers.swap(buffers_);
       any_ = false;
@@ -87,13 +87,13 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     static Unused all;
     return all;
   }
-  // The result that is shown and the next one take turns. In a drag there are three: one is shown,
-  // one is being drawn and one computed. At rest two of these are idle. Where they are large, only
-  // one is kept, and the next drag asks the system for another: 20 to 60 ms, once.
+  // The shown result and the next one alternate. During a drag there are three: one shown, one
+  // being drawn and one being computed. At rest two of these are idle. If they are large, only one
+  // is kept. The next drag then asks the system for another, once: 20 to 60 ms.
   static constexpr std::size_t kMostIdle = 2;
   static constexpr std::size_t kMostIdleBytes = std::size_t{1} << 28;
 
-  // The smallest one that has room; else the largest, which is to grow; else a new one.
+  // The smallest idle buffer with enough room; else the largest, which then grows; else a new one.
   std::unique_ptr<Buffer> idle(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     resting_ = false;

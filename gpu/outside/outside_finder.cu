@@ -1,4 +1,4 @@
-// See the header.
+// Finds the outer faces of tetrahedra on the device: memory, copies and the order of kernels.
 #include "gpu/outside/outside_finder.hpp"
 
 #include <thrust/iterator/counting_iterator.h>
@@ -38,7 +38,7 @@ struct OutsideFinder::State {
     places.reserve(complex.triangles.count + 1);
     count.reserve(1);
   }
-  // Until `outside` and `count` are there.
+  // Queues all work for `outside` and `count`.
   void enqueue(const DeviceComplex& complex) {
     const DeviceSimplices &triangles = complex.triangles, &tetrahedra = complex.tetrahedra;
     check(cudaMemsetAsync(ranges.get(), 0, complex.ball_count * sizeof(TriangleRange), stream),
@@ -60,7 +60,7 @@ OutsideFinder::OutsideFinder() : state_(std::make_unique<State>()) {
   state_->stream.create();
 }
 
-// What is queued reads and writes memory that is about to go.
+// Waits, because queued work uses memory that is about to be freed.
 OutsideFinder::~OutsideFinder() {
   cudaStreamSynchronize(state_->stream);
   state_->results->close();

@@ -1,4 +1,4 @@
-// Finds on the device what core/triangulation/outer_faces.hpp finds on the CPU. Plain C++.
+// Finds on the device the same faces as core/triangulation/outer_faces.hpp on the CPU. Plain C++.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,9 @@ class OutsideFinder {
   OutsideFinder();  // throws DeviceError
   ~OutsideFinder();
 
-  // The faces of tetrahedra that no other tetrahedron has, in lexicographic order of their
-  // vertices, in pinned memory. Of a whole complex: its triangles and their classes are looked at.
-  // Nothing where there are more faces than codes. Throws std::bad_alloc, DeviceError.
+  // The faces that belong to only one tetrahedron, in lexicographic order of their vertices, in
+  // pinned memory. The complex must be whole, because its triangles and their classes are used.
+  // Empty if there are more faces than codes. Throws std::bad_alloc and DeviceError.
   std::optional<SharedFaces> find(const DeviceComplex& complex);
 
  private:

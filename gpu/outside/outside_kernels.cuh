@@ -1,5 +1,5 @@
-// The kernels of OutsideFinder: each face of each tetrahedron looks itself up among the triangles
-// of its first vertex, and tells a regular one whose face it is.
+// The kernels of OutsideFinder. Each face of each tetrahedron finds itself among the triangles of
+// its first vertex. If the triangle is regular, the face is stored as its owner.
 #pragma once
 
 #include "core/complex/face_code.hpp"
@@ -7,7 +7,7 @@
 
 namespace alphascope::gpu {
 
-// Of a ball: the triangles whose first vertex it is, which follow each other.
+// The consecutive triangles whose first vertex is a given ball.
 struct TriangleRange {
   std::uint32_t begin, end;
 };
@@ -16,7 +16,7 @@ __device__ inline std::size_t thread_number() {
   return std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
 }
 
-// `of_ball`: all zero before.
+// `of_ball` must be zero before.
 __global__ void find_ranges(DeviceSimplices triangles, TriangleRange* of_ball) {
   const std::size_t t = thread_number();
   if (t >= triangles.count) return;
@@ -27,7 +27,7 @@ __global__ void find_ranges(DeviceSimplices triangles, TriangleRange* of_ball) {
   if (last) of_ball[own].end = static_cast<std::uint32_t>(t + 1);
 }
 
-// `owner`: by triangle; only those of regular ones are written.
+// `owner`: by triangle; written only for regular ones.
 __global__ void find_owners(DeviceSimplices triangles, DeviceSimplices tetrahedra,
                             const TriangleRange* of_ball, FaceCode* owner) {
   const std::size_t n = thread_number();
@@ -50,7 +50,7 @@ __global__ void find_owners(DeviceSimplices triangles, DeviceSimplices tetrahedr
   }
 }
 
-// 1 for each regular triangle; 0 after the last.
+// 1 for each regular triangle, else 0; 0 after the last.
 struct IsRegular {
   const SimplexClass* classes;
   std::uint32_t count;

@@ -1,3 +1,4 @@
+// Makes the tuple engine on a CUDA device.
 #include "gpu/tuples/tuple_engine.hpp"
 
 #include "core/tuples/tuple_compute.hpp"

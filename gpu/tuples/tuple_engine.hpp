@@ -1,5 +1,5 @@
-// The tuple engine (core/tuples/tuple_engine.hpp) on a CUDA device. Plain C++: the program builds
-// and runs without CUDA.
+// The tuple engine (core/tuples/tuple_engine.hpp) on a CUDA device. This header is plain C++; the
+// program also builds and runs without CUDA.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@
 
 namespace alphascope {
 
-// Null when the device cannot be used (see gpu_device()): *why_not then says why. Never falls back
-// to the CPU: what it is for is the device. compute() throws std::runtime_error when that fails,
-// std::bad_alloc when its memory is full; the engine stays usable.
+// Returns null if the device cannot be used (see gpu_device()), and sets *why_not to the reason.
+// Never falls back to the CPU, because the engine is meant for the device. In compute() a failure
+// of the device throws std::runtime_error, and full memory std::bad_alloc. The engine stays usable.
 std::unique_ptr<Engine> make_gpu_tuple_engine(std::shared_ptr<const BallSet> balls,
                                               TupleOptions tuples, std::string* why_not);
 

@@ -24,7 +24,7 @@
 
 namespace alphascope::gpu {
 
-// Page-locked host memory, for the arrays of the grid.
+// Page-locked host memory for the arrays of the grid.
 class PinnedMemory : public std::pmr::memory_resource {
   void* do_allocate(std::size_t bytes, std::size_t) override {
     auto buffer = std::make_unique<PinnedBuffer<char>>();
@@ -66,7 +66,7 @@ class TextureObject {
   TextureObject(const TextureObject&) = delete;
   TextureObject& operator=(const TextureObject&) = delete;
   ~TextureObject() { release(); }
-  // Of `count` elements of linear device memory.
+  // Binds the texture to `count` elements of linear device memory.
   template <class T>
   cudaTextureObject_t bind(const T* data, std::size_t count) {
     release();
@@ -90,7 +90,7 @@ class TextureObject {
   cudaTextureObject_t object_ = 0;
 };
 
-// Reader_ is PlainReader or TextureReader. Not to be used from two threads at once.
+// Reader_ is PlainReader or TextureReader. Must not be used by two threads at once.
 template <class Reader_>
 class CudaTupleExecutor {
  public:
@@ -152,7 +152,7 @@ class CudaTupleExecutor {
   }
   template <class T>
   T read(int lane, const T* from) {
-    // Memory that outlives the copy, whatever is thrown here.
+    // Memory that outlives the copy even after an exception.
     T* value = static_cast<T*>(lanes_[static_cast<std::size_t>(lane)].value->reserve(sizeof(T)));
     check(cudaMemcpyAsync(value, from, sizeof(T), cudaMemcpyDeviceToHost, stream(lane)),
           "copying a count");
@@ -174,7 +174,7 @@ class CudaTupleExecutor {
   void reset();
   void begin(int lane, std::string_view stage);
   void end(int lane);
-  // Sums over all launches and copies; with several streams they overlap, and their sum exceeds the
+  // Sums over all launches and copies. Those of several streams overlap, so their sum exceeds the
   // wall time.
   StageTimes take_times();
 
@@ -196,7 +196,7 @@ class CudaTupleExecutor {
     return streams_[options_.streams > 1 ? static_cast<std::size_t>(lane) : 0];
   }
   void* scratch(int lane, std::size_t bytes) {
-    // CUB takes a null pointer for the question how much it needs.
+    // At least one byte, because CUB takes a null pointer as the question how much it needs.
     DeviceBuffer<unsigned char>& s = lanes_[static_cast<std::size_t>(lane)].scratch;
     s.reserve(std::max<std::size_t>(bytes, 1));
     return s.get();
@@ -214,7 +214,8 @@ class CudaTupleExecutor {
   void collect_intervals();
   void give_back_intervals();
 
-  // A batch of this many tuples fills the largest device, and takes about 100 MB for each stream.
+  // Number of tuples in a batch. It fills the largest device and takes about 100 MB for each
+  // stream.
   static constexpr std::uint64_t kTuplesPerBatch = std::uint64_t{1} << 21;
   static constexpr std::size_t kMostIntervals = 512;
 
@@ -249,7 +250,7 @@ CudaTupleExecutor<R>::CudaTupleExecutor(const TupleOptions& options)
   for (Lane& l : lanes_) l.value = std::make_unique<StagingBuffer>(options.pinned);
 }
 
-// In one piece a stream, so that with several streams the copies are under way side by side.
+// Copies one piece per stream, so that copies of several streams overlap.
 template <class R>
 template <class T>
 void CudaTupleExecutor<R>::copy_in(const std::pmr::vector<T>& from, DeviceBuffer<T>& to) {
@@ -272,13 +273,13 @@ void CudaTupleExecutor<R>::copy_all_in(const TupleGrid& grid) {
     copy_in(grid.ball, ball_);
     copy_in(grid.cell_start, cell_start_);
     for (const Stream& s : streams_) check(cudaStreamSynchronize(s), "copying the balls");
-  } catch (...) {  // the grid may be gone before the copies under way are done
+  } catch (...) {  // the grid may be destroyed before its copies are done
     for (const Stream& s : streams_) cudaStreamSynchronize(s);
     throw;
   }
 }
 
-// Timed by the host: the driver's staging of pageable memory happens there.
+// Timed by the host, because the driver stages pageable memory there.
 template <class R>
 TupleUpload<R> CudaTupleExecutor<R>::upload(const TupleGrid& grid) {
   const Clock::time_point start = Clock::now();
@@ -353,7 +354,7 @@ void CudaTupleExecutor<R>::add_time(std::string_view stage, double milliseconds)
   times_.stages.push_back({std::string(stage), milliseconds, false});
 }
 
-// Waits for every interval that has ended in stream order.
+// Waits for all intervals and adds up their times.
 template <class R>
 void CudaTupleExecutor<R>::collect_intervals() {
   for (const Interval& i : intervals_) {
@@ -377,7 +378,7 @@ void CudaTupleExecutor<R>::give_back_intervals() {
 template <class R>
 StageTimes CudaTupleExecutor<R>::take_times() {
   collect_intervals();
-  // device→host began while kernels still ran, but is the last of the stages.
+  // device→host began while kernels still ran, but is listed as the last stage.
   std::stable_partition(times_.stages.begin(), times_.stages.end(),
                         [](const StageTime& s) { return s.label != stage::kDeviceToHost; });
   return std::move(times_);

@@ -1,5 +1,5 @@
-// How the bodies of core/tuples/tuple_body.hpp become kernels, and how they read balls through
-// textures. Streams, memory and timing are tuple_executor.cuh's business.
+// Kernels from the bodies of core/tuples/tuple_body.hpp, and their reading of balls through
+// textures. Streams, memory and timing are in tuple_executor.cuh.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -10,7 +10,7 @@
 
 namespace alphascope::gpu {
 
-// On the device only: not where nvcc compiles for the host.
+// Works on the device only; returns 0 where nvcc compiles for the host.
 template <class T>
 ALPHASCOPE_INLINE T texel(cudaTextureObject_t texture, std::uint32_t at) {
 #if defined(__CUDACC__) && !defined(__CUDA_ARCH__)
@@ -22,7 +22,7 @@ ALPHASCOPE_INLINE T texel(cudaTextureObject_t texture, std::uint32_t at) {
 #endif
 }
 
-// Balls through texture objects over linear memory.
+// Reads balls through texture objects over linear memory.
 struct TextureReader {
   cudaTextureObject_t records, reaches;
 
@@ -33,7 +33,7 @@ struct TextureReader {
   ALPHASCOPE_INLINE float reach(std::uint32_t slot) const { return texel<float>(reaches, slot); }
 };
 
-// A power of two in which the 200 or so registers of kernel III fit any device.
+// A power of two. The 200 or so registers of kernel III then fit any device.
 constexpr int kTupleThreads = 128;
 
 template <class Body>
@@ -45,7 +45,7 @@ __global__ void __launch_bounds__(kTupleThreads) run_for_each(Body body, std::ui
   }
 }
 
-// The count is known on the device only.
+// For a count that is known on the device only.
 template <class Body>
 __global__ void __launch_bounds__(kTupleThreads)
     run_for_each_of(Body body, const std::uint64_t* count) {
@@ -55,7 +55,7 @@ __global__ void __launch_bounds__(kTupleThreads)
   }
 }
 
-// What a scan over count + 1 items adds up: the last item adds nothing, so that its sum is the
+// The values for a scan over count + 1 items. The last item adds nothing, so that its sum is the
 // total.
 template <class Value>
 struct PaddedValue {

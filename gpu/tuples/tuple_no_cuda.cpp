@@ -1,4 +1,4 @@
-// Stands in for the CUDA executor's tuple engine in builds without a CUDA compiler.
+// Replaces the CUDA tuple engine in builds without a CUDA compiler.
 #include "gpu/gpu_engine.hpp"
 #include "gpu/tuples/tuple_engine.hpp"
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/cli/text/terminal.hpp"
+#include "core/document/store/evaluator.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/text/printable.hpp"
 
@@ -54,6 +55,8 @@ Failure current_failure() {
     return {ExitCode::computing_failed, e.what(), false};
   } catch (const std::invalid_argument& e) {
     return {ExitCode::usage, e.what(), true};
+  } catch (const NoRoom& e) {
+    return {ExitCode::computing_failed, std::string(e.what()) + " " + memory_remedy, true};
   } catch (const std::bad_alloc&) {
     return {ExitCode::computing_failed, "Not enough memory. " + memory_remedy, true};
   } catch (const std::exception& e) {

@@ -2,13 +2,14 @@
 
 #include <memory>
 
+#include "app/cli/derived_results.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/session/rounding_note.hpp"
+#include "core/document/channels/network_results.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/text/grouped_number.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -19,50 +20,53 @@ bool is_wanted(const CavityAnswer& answer, const CavitiesOptions& options, std::
 }
 
 // Of those that are listed. A comparison of radii shows it by itself.
-void find_network_ends(CavityAnswer& answer, const CavitiesOptions& options, int threads,
-                       const RunContext& context) {
-  if (options.no_network_radius || options.compares()) return;
-  const CavityTable& table = answer.table();
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    if (!table.cavity(row).is_network() || !is_wanted(answer, options, row)) continue;
-    answer.network_ends[row] = find_network_end(*answer.input.prepared().balls, table,
-                                                table.order[row], {threads, options.ties}, context);
-  }
+bool wants_network_end(const CavityAnswer& answer, const CavitiesOptions& options,
+                       std::size_t row) {
+  return !options.no_network_radius && !options.compares() &&
+         answer.table().cavity(row).is_network() && is_wanted(answer, options, row);
+}
+
+Inputs inputs_of(const CavityAnswer& answer, const CavitiesOptions& options, int threads) {
+  const Request& request = answer.request;
+  Inputs inputs =
+      derived_inputs(answer.input, request.solvent_radius_angstrom, request.alpha_angstrom2);
+  inputs.atoms = answer.atoms;
+  inputs.split_networks = options.split_networks;
+  inputs.flow_ties = options.ties;
+  inputs.outside_rule = options.rule;
+  inputs.triangulation_threads = threads;
+  return inputs;
 }
 
 void fill(CavityAnswer& answer, const CavitiesOptions& options, int threads,
           const RunContext& context) {
   StageTimer timer(answer.times);
-  const Request& request = answer.request;
-  const auto balls = std::make_shared<const BallSet>(
-      with_solvent(*answer.input.prepared().balls, request.solvent_radius_angstrom));
-  const auto triangulation =
-      std::make_shared<const Triangulation>(make_triangulation(*balls, threads, context));
+  const Inputs inputs = inputs_of(answer, options, threads);
+  Evaluator evaluator = make_evaluator();
+  const auto made = [&](const auto& definition) {
+    return evaluator.evaluate(definition, inputs, context);
+  };
+  made(whole_triangulation());
   timer.lap(stage::kTriangulation, true);
-  const auto ground = std::make_shared<const CavityGround>(
-      make_cavity_ground(balls, triangulation, options.ties, context));
+  made(cavity_ground());
   timer.lap(stage::kFlow, true);
-  const auto table = std::make_shared<const CavityTable>(
-      make_cavity_table(ground,
-                        {request.alpha_angstrom2, request.solvent_radius_angstrom, options.rule,
-                         options.split_networks},
-                        context));
-  answer.all = table;
+  answer.all = made(cavity_table());
   timer.lap(stage::kCavities);
   if (!options.no_clipped) {
-    answer.exact = std::make_shared<const ExactVolumes>(ExactVolumes{clip_all(*table, context)});
+    answer.exact = made(cavity_volumes());
     timer.lap(stage::kExactVolumes);
-    answer.clipped_rank = ranks_by_clipped(*table, *answer.exact);
+    answer.clipped_rank = ranks_by_clipped(answer.table(), *answer.exact);
   }
-  answer.depths = std::make_shared<const CavityDepths>(make_cavity_depths(*table, context));
-  answer.lives =
-      std::make_shared<const CavityLives>(table->size() > 0 || !options.lives.empty()
-                                              ? cavity_lives(*ground, options.rule, context.cancel)
-                                              : CavityLives{});
-  answer.contents =
-      std::make_shared<const CavityContents>(find_contents(*answer.atoms, *table, context.cancel));
+  answer.depths = made(cavity_depths());
+  answer.lives = answer.table().size() > 0 || !options.lives.empty()
+                     ? made(whole_cavity_lives())
+                     : std::make_shared<const CavityLives>();
+  answer.contents = made(cavity_contents());
   timer.lap("depths, lives, contents");
-  find_network_ends(answer, options, threads, context);
+  for (std::size_t row = 0; row < answer.table().size(); ++row) {
+    if (!wants_network_end(answer, options, row)) continue;
+    answer.network_ends[row] = made(network_end(answer.table().sink(row)))->end;
+  }
   if (!answer.network_ends.empty()) timer.lap(kNetworkStage);
   timer.finish();
 }

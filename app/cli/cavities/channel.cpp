@@ -8,6 +8,7 @@
 
 #include "app/cli/cavities/shape_outputs.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/derived_results.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/result_files.hpp"
@@ -20,7 +21,6 @@
 #include "core/document/channels/channel_texts.hpp"
 #include "core/geometry/point_text.hpp"
 #include "core/run/work_threads.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -41,23 +41,18 @@ BallReferences atoms_of(const Input& input) {
 }
 
 // The cavity of this rank, as `alphascope-cli cavities` with the same choices counts them.
-CavityEnds cavity_ends_of(const Input& input, const ChannelOptions& options,
+CavityEnds cavity_ends_of(const Input& input, const ChannelOptions& options, Evaluator& evaluator,
                           const RunContext& context) {
   const double solvent = options.solvent_radius_angstrom;
-  const BallSet& plain = *input.prepared().balls;
-  const auto balls = std::make_shared<const BallSet>(with_solvent(plain, solvent));
-  const auto triangulation =
-      std::make_shared<const Triangulation>(make_triangulation(*balls, 1, context));
-  const auto ground = std::make_shared<const CavityGround>(
-      make_cavity_ground(balls, triangulation, FlowTies::perturbed, context));
-  const CavityTable table = make_cavity_table(ground, {0, solvent}, context);
+  const Inputs inputs = derived_inputs(input, solvent, 0);
+  const auto table = evaluator.evaluate(cavity_table(), inputs, context);
   const auto rank = static_cast<std::size_t>(options.cavity);
-  if (rank > table.size()) {
+  if (rank > table->size()) {
     throw UsageError("There is no cavity " + grouped(rank) + ": with a solvent radius of " +
-                     format_text("%g", solvent) + " Å there are " + grouped(table.size()) +
+                     format_text("%g", solvent) + " Å there are " + grouped(table->size()) +
                      ". List them with 'alphascope-cli cavities'.");
   }
-  return make_cavity_ends(*ground, table.cavity(rank - 1), plain);
+  return *evaluator.evaluate(cavity_ends(table->sink(rank - 1)), inputs, context)->found;
 }
 
 RealPoint mouth_of(const CavityEnds& ends, const ChannelOptions& options, double mouth) {
@@ -72,10 +67,11 @@ RealPoint mouth_of(const CavityEnds& ends, const ChannelOptions& options, double
   return ends.mouths[number - 1].place_angstrom;
 }
 
-ChannelEnds ends_of(const Input& input, const ChannelOptions& options, const RunContext& context) {
+ChannelEnds ends_of(const Input& input, const ChannelOptions& options, Evaluator& evaluator,
+                    const RunContext& context) {
   RealPoint from, mouth;
   if (options.cavity > 0) {
-    const CavityEnds found = cavity_ends_of(input, options, context);
+    const CavityEnds found = cavity_ends_of(input, options, evaluator, context);
     from = found.widest.place_angstrom;
     if (!options.mouths.empty()) mouth = mouth_of(found, options, options.mouths.back());
     if (options.mouths.size() == 2) from = mouth_of(found, options, options.mouths.front());
@@ -103,31 +99,34 @@ std::shared_ptr<const FoundChannel> way_of(const FoundWays& ways, const ChannelO
                    " through the molecule.");
 }
 
+void require_channel(const FoundChannel& found, const BallReferences& atoms) {
+  if (found.channel) return;
+  if (!found.covering) throw UsageError(found.why + ".");
+  throw UsageError(found.why + ". That ball is the atom " + atom_text(atoms, *found.covering) +
+                   ".");
+}
+
 Answer find(const Input& input, const ChannelOptions& options, const RunContext& context) {
   WorkThreads threads(options.threads);
   Answer answer;
   answer.device = threads.text();
   const auto start = std::chrono::steady_clock::now();
+  const Inputs as_they_are = derived_inputs(input, 0);
+  Evaluator evaluator = make_evaluator();
   try {
     threads.run([&] {
       if (options.is_way()) {
-        answer.ways = find_ways(input.molecule(), input.prepared(), context);
+        answer.ways = *evaluator.evaluate(found_ways(), as_they_are, context);
         answer.found = way_of(answer.ways, options);
-        return;
+      } else {
+        const ChannelEnds ends = ends_of(input, options, evaluator, context);
+        answer.found = evaluator.evaluate(found_channel(ends), as_they_are, context);
       }
-      auto found = std::make_shared<FoundChannel>();
-      found->balls = input.prepared().balls;
-      found->ends = ends_of(input, options, context);
-      found->channel = find_channel(*found->balls, found->ends, context);
-      found->cover = cover_of(*found->balls, *found->channel);
-      answer.found = std::move(found);
     });
-  } catch (const ChannelEndCovered& error) {
-    throw UsageError(std::string(error.what()) + ". That ball is the atom " +
-                     atom_text(atoms_of(input), error.ball) + ".");
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string(error.what()) + ".");
   }
+  require_channel(*answer.found, *as_they_are.atoms);
   answer.milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return answer;

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/derived_results.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/result_files.hpp"
@@ -11,6 +12,7 @@
 #include "app/session/rounding_note.hpp"
 #include "core/document/explain/explanation_json.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/explain/explanation_results.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
@@ -56,25 +58,25 @@ ExitCode run_explain(const ExplainOptions& options) {
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   const Input input = open_one_model(options.input, "A simplex is one model's.", context);
   const Balls simplex = simplex_of(input, options);
-  const BallSet balls = with_solvent(*input.prepared().balls, options.solvent_radius_angstrom);
   Request request;
   request.solvent_radius_angstrom = options.solvent_radius_angstrom;
-  std::optional<LatticeAlpha> alpha;
-  if (options.alpha_angstrom2) {
-    request.alpha_angstrom2 = *options.alpha_angstrom2;
-    alpha = balls.lattice.alpha_on_lattice(*options.alpha_angstrom2);
-  }
-  Explanation e;
+  if (options.alpha_angstrom2) request.alpha_angstrom2 = *options.alpha_angstrom2;
+  const Inputs inputs = derived_inputs(input, options.solvent_radius_angstrom,
+                                       options.alpha_angstrom2.value_or(kNoAlpha));
+  std::shared_ptr<const ExplainedSimplex> explained;
   WorkThreads threads(1);
-  const double milliseconds =
-      timed([&] { threads.run([&] { e = explain(balls, simplex, alpha, context); }); });
-  const BallReferences atoms(input.opened.molecule, input.opened.prepared);
-  const BallName name = [&](BallIndex ball) { return atom_text(atoms, ball); };
+  const double milliseconds = timed([&] {
+    threads.run([&] {
+      explained = make_evaluator().evaluate(explained_simplex(simplex), inputs, context);
+    });
+  });
+  const Explanation& e = explained->explanation;
+  const BallName name = [&](BallIndex ball) { return atom_text(*inputs.atoms, ball); };
   clear_progress();
   if (shown) {
     std::cout << input_text(input);
-    for (const ExplanationLine& line : explanation_lines(e, name)) print_line(std::cout, line);
-    const std::string note = rounding_note(request, balls.lattice);
+    for (const ExplanationLine& line : explained->lines) print_line(std::cout, line);
+    const std::string note = rounding_note(request, inputs.balls->lattice);
     if (!note.empty()) print_line(std::cout, {"Note", note});
     if (times_shown()) {
       print_line(std::cout, {"Time", milliseconds_text(milliseconds)});

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/derived_results.hpp"
 #include "app/cli/files_command.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/terminal.hpp"
@@ -29,9 +30,11 @@ Answer measure(const Input& input, const MeasureCommandOptions& options, EngineC
   UnionDerivatives derivatives;
   MeasuredUnion by =
       engines.measure(*complex, context, options.derivatives ? &derivatives : nullptr);
-  answer.facts.measured = std::make_shared<const MeasuredComplex>(
-      measure_complex(*complex->balls, complex->complex,
-                      std::make_shared<const MeasuredUnion>(std::move(by)), context));
+  Inputs inputs = derived_inputs(input, 0, options.request.alpha_angstrom2);
+  inputs.balls = complex->balls;  // with the solvent radius
+  inputs.complex = {complex, &complex->complex};
+  inputs.measures = std::make_shared<const MeasuredUnion>(std::move(by));
+  answer.facts.measured = make_evaluator().evaluate(union_measures(), inputs, context);
   if (options.derivatives) {
     answer.derivatives = std::make_shared<const UnionDerivatives>(std::move(derivatives));
   }

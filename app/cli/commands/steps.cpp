@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "app/cli/derived_results.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/result_files.hpp"
@@ -13,6 +14,7 @@
 #include "app/session/rounding_note.hpp"
 #include "core/document/explain/steps_json.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/explain/steps_results.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
@@ -32,11 +34,10 @@ BallIndex ball_of(const Input& input, const BallReferences& atoms, const std::st
   return named.balls.front();
 }
 
-void print_steps(const BallSteps& steps, const BallName& name) {
-  for (std::size_t n = 0; n < steps.steps.size(); ++n) {
-    const StepText text = step_text(steps, steps.steps[n], name);
-    std::cout << n + 1 << ". " << text.title << ": " << text.brief << "\n";
-    print_line(std::cout, {"", text.text});
+void print_steps(const std::vector<StepText>& steps) {
+  for (std::size_t n = 0; n < steps.size(); ++n) {
+    std::cout << n + 1 << ". " << steps[n].title << ": " << steps[n].brief << "\n";
+    print_line(std::cout, {"", steps[n].text});
   }
 }
 
@@ -63,33 +64,29 @@ ExitCode run_steps(const StepsOptions& options) {
   JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   const Input input = open_one_model(options.input, "A ball is one model's.", context);
-  const BallReferences atoms(input.opened.molecule, input.opened.prepared);
-  const BallIndex ball = ball_of(input, atoms, options.ball);
-  const BallSet balls =
-      with_solvent(*input.prepared().balls, options.request.solvent_radius_angstrom);
-  const LatticeAlpha alpha = balls.lattice.alpha_on_lattice(options.request.alpha_angstrom2);
-  BallSteps steps;
+  const Inputs inputs = derived_inputs(input, options.request.solvent_radius_angstrom,
+                                       options.request.alpha_angstrom2);
+  const AskedSteps asked{ball_of(input, *inputs.atoms, options.ball),
+                         options.engine == "tuples" ? StepsEngine::tuples : StepsEngine::dual_edges,
+                         options.request.tuples};
+  std::shared_ptr<const ToldSteps> told;
   WorkThreads threads(1);
   const double milliseconds = timed([&] {
-    threads.run([&] {
-      steps = options.engine == "tuples"
-                  ? tuple_steps(balls, ball, alpha, options.request.tuples, context)
-                  : dual_edge_steps(balls, ball, alpha, context);
-    });
+    threads.run([&] { told = make_evaluator().evaluate(told_steps(asked), inputs, context); });
   });
-  const BallName name = [&](BallIndex b) { return atom_text(atoms, b); };
   clear_progress();
   if (shown) {
     std::cout << input_text(input);
-    print_steps(steps, name);
-    const std::string note = rounding_note(options.request, balls.lattice);
+    print_steps(told->texts);
+    const std::string note = rounding_note(options.request, inputs.balls->lattice);
     if (!note.empty()) print_line(std::cout, {"Note", note});
     if (times_shown()) {
       print_line(std::cout, {"Time", milliseconds_text(milliseconds)});
     }
     std::cout << std::flush;
   }
-  if (json.wanted()) json.add(result_json(input, options, steps, name));
+  const BallName name = [&](BallIndex ball) { return atom_text(*inputs.atoms, ball); };
+  if (json.wanted()) json.add(result_json(input, options, told->steps, name));
   json.finish(Json::object());
   outputs.commit();
   return ExitCode::ok;

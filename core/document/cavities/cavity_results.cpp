@@ -29,6 +29,13 @@ MemoryNeed table_memory(std::size_t tetrahedra, bool splits) {
   return {kHeld * tetrahedra, (splits ? kSplitPeak : kPeak) * tetrahedra};
 }
 
+Key key_of_rule(const Inputs& in) {
+  constexpr std::uint64_t kPocket = 0x706f636b65745f72;  // differs from the numbers of other keys
+  Key key = key_of_balls(in);
+  key.more = in.outside_rule == OutsideRule::pocket ? kPocket : 0;
+  return key;
+}
+
 CavityLine make_line(const CavityTable& table, const BallReferences& atoms, std::size_t row) {
   const CavityMeasures& m = table.measure(row);
   CavityLine line;
@@ -61,8 +68,6 @@ std::shared_ptr<const CavityLines> make_lines(const Inputs& in, const CavityNumb
   return lines;
 }
 
-}  // namespace
-
 CavityDepths make_cavity_depths(const CavityTable& table, const RunContext& context) {
   CavityDepths depths;
   for (std::size_t row = 0; row < table.size(); ++row) {
@@ -73,12 +78,20 @@ CavityDepths make_cavity_depths(const CavityTable& table, const RunContext& cont
   return depths;
 }
 
+}  // namespace
+
 const Definition<CavityGround>& cavity_ground() {
   static const Definition<CavityGround> definition{
       {.id = "cavities.ground",
        .title = "Flow of the triangulation",
        .made_of = {&whole_triangulation()},
-       .key = key_of_balls,
+       .key =
+           [](const Inputs& in) {
+             constexpr std::uint64_t kStrict = 0x7374726963745f66;  // differs from the numbers of other keys
+             Key key = key_of_balls(in);
+             key.more = in.flow_ties == FlowTies::strict ? kStrict : 0;
+             return key;
+           },
        .memory =
            [](const Inputs& in) {
              return ground_memory(in.of(whole_triangulation()).tetrahedra.size());
@@ -86,8 +99,8 @@ const Definition<CavityGround>& cavity_ground() {
        .lane = Lane::interactive,
        .keep_stale = false},
       [](const Inputs& in, const RunContext& context) {
-        return std::make_shared<const CavityGround>(make_cavity_ground(
-            in.balls, in.share(whole_triangulation()), FlowTies::perturbed, context));
+        return std::make_shared<const CavityGround>(
+            make_cavity_ground(in.balls, in.share(whole_triangulation()), in.flow_ties, context));
       }};
   return definition;
 }
@@ -99,11 +112,9 @@ const Definition<CavityTable>& cavity_table() {
        .made_of = {&cavity_ground()},
        .key =
            [](const Inputs& in) {
-             Key key = key_of_balls_and_alpha(in);
-             constexpr std::uint64_t kSplit = 0x73706c69745f6e65;  // differs from the numbers of
-                                                                   // other definitions
-             key.more = in.split_networks ? kSplit : 0;
-             return key;
+             constexpr std::uint64_t kSplit = 0x73706c69745f6e65;  // differs from the numbers of other keys
+             Key key = joined(key_of_balls_and_alpha(in), key_of_rule(in));
+             return in.split_networks ? joined(key, {key.balls, 0, kSplit}) : key;
            },
        .memory =
            [](const Inputs& in) {
@@ -114,7 +125,7 @@ const Definition<CavityTable>& cavity_table() {
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const CavityTable>(make_cavity_table(
             in.share(cavity_ground()),
-            {in.alpha_angstrom2, in.solvent_radius_angstrom, OutsideRule::castp, in.split_networks},
+            {in.alpha_angstrom2, in.solvent_radius_angstrom, in.outside_rule, in.split_networks},
             context));
       }};
   return definition;
@@ -187,7 +198,7 @@ const Definition<CavityLives>& whole_cavity_lives() {
       {.id = "cavities.lives",
        .title = "Births and ends of cavities",
        .made_of = {&cavity_ground()},
-       .key = key_of_balls,
+       .key = key_of_rule,
        .memory =
            [](const Inputs& in) {
              // Bytes for each tetrahedron while lives are made: its life, that of its sets, and two
@@ -198,7 +209,7 @@ const Definition<CavityLives>& whole_cavity_lives() {
            }},
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const CavityLives>(
-            cavity_lives(in.of(cavity_ground()), OutsideRule::castp, context.cancel));
+            cavity_lives(in.of(cavity_ground()), in.outside_rule, context.cancel));
       }};
   return definition;
 }

@@ -59,7 +59,6 @@ Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before
 struct CavityDepths {
   std::vector<double> of_angstrom;  // by row of the table; 0 for a void
 };
-CavityDepths make_cavity_depths(const CavityTable& table, const RunContext& context = {});
 const Definition<CavityDepths>& cavity_depths();
 
 // Births and ends of all cavities, made once for a set of balls.

@@ -73,6 +73,17 @@ MemoryNeed search_memory(const Inputs& in) {
   return {kProfile, kScenes * triangulation_memory(in.balls->size()).peak + kProfile};
 }
 
+CavityEnds make_cavity_ends(const CavityGround& ground, const Cavity& cavity,
+                            const BallSet& balls_as_they_are) {
+  const Clearance clearance(balls_as_they_are);
+  CavityEnds ends;
+  ends.widest = widest_place(ground, cavity, clearance);
+  for (const Mouth& mouth : cavity.mouths) {
+    ends.mouths.push_back(widest_place(ground, mouth, clearance));
+  }
+  return ends;
+}
+
 std::shared_ptr<const FoundCavityEnds> make_found_ends(const Inputs& in,
                                                        const std::array<BallIndex, 4>& sink) {
   const CavityTable& table = in.of(cavity_table());
@@ -80,9 +91,7 @@ std::shared_ptr<const FoundCavityEnds> make_found_ends(const Inputs& in,
   ends->sink = sink;
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (table.sink(row) != sink) continue;
-    ends->found =
-        make_cavity_ends(*table.ground, table.cavity(row),
-                         without_solvent(*in.balls, table.question.solvent_radius_angstrom));
+    ends->found = make_cavity_ends(*table.ground, table.cavity(row), balls_as_they_are(in));
     break;
   }
   return ends;
@@ -91,7 +100,7 @@ std::shared_ptr<const FoundCavityEnds> make_found_ends(const Inputs& in,
 std::shared_ptr<const CavityBottlenecks> make_bottlenecks(const Inputs& in,
                                                           const RunContext& context) {
   const CavityTable& table = in.of(cavity_table());
-  const BallSet balls = without_solvent(*in.balls, table.question.solvent_radius_angstrom);
+  const BallSet balls = balls_as_they_are(in);
   auto result = std::make_shared<CavityBottlenecks>();
   const std::size_t rows = std::min(table.size(), CavityBottlenecks::kMostRows);
   if (rows == 0) return result;
@@ -115,15 +124,9 @@ BallSet without_solvent(const BallSet& grown, double solvent_radius_angstrom) {
   return balls;
 }
 
-CavityEnds make_cavity_ends(const CavityGround& ground, const Cavity& cavity,
-                            const BallSet& balls_as_they_are) {
-  const Clearance clearance(balls_as_they_are);
-  CavityEnds ends;
-  ends.widest = widest_place(ground, cavity, clearance);
-  for (const Mouth& mouth : cavity.mouths) {
-    ends.mouths.push_back(widest_place(ground, mouth, clearance));
-  }
-  return ends;
+BallSet balls_as_they_are(const Inputs& in) {
+  return in.atoms ? *in.atoms->prepared().balls
+                  : without_solvent(*in.balls, in.solvent_radius_angstrom);
 }
 
 Definition<FoundCavityEnds> cavity_ends(const std::array<BallIndex, 4>& sink) {

@@ -20,8 +20,6 @@ struct CavityEnds {
   WidestPlace widest;
   std::vector<WidestPlace> mouths;  // in the order of Cavity::mouths
 };
-CavityEnds make_cavity_ends(const CavityGround& ground, const Cavity& cavity,
-                            const BallSet& balls_as_they_are);
 
 // Ends of the cavity with this deepest sink (ascending balls) in the table on screen. `found` is
 // empty if the table has no such cavity.
@@ -68,11 +66,8 @@ struct FoundWays {
   std::size_t parts_left_out = 0;  // number of chains that were not searched because there were too
                                    // many
 };
-// Ways through the whole, through groups of equal chains, and through each chain. Uses the caller's
-// task arena. Throws as find_ways_through() does.
-FoundWays find_ways(const Molecule& molecule, const PreparedBalls& prepared,
-                    const RunContext& context);
-// Inputs::balls as for found_channel(). Requires Inputs::atoms.
+// Ways through the whole, through groups of equal chains, and through each chain. Inputs::balls as for
+// found_channel(). Requires Inputs::atoms. Throws as find_ways_through() does.
 const Definition<FoundWays>& found_ways();
 
 // The bottlenecks on the ways out of the cavities on screen, computed in the background.
@@ -85,5 +80,7 @@ const Definition<CavityBottlenecks>& cavity_bottlenecks();
 
 // Balls without solvent: the inverse of with_solvent().
 BallSet without_solvent(const BallSet& grown, double solvent_radius_angstrom);
+// The balls of Inputs::atoms; if these are not known, Inputs::balls without the solvent radius.
+BallSet balls_as_they_are(const Inputs& in);
 
 }  // namespace alphascope

@@ -15,11 +15,12 @@ std::shared_ptr<const FoundNetworkEnd> make_end(const Inputs& in,
                                                 const std::array<BallIndex, 4>& sink,
                                                 const RunContext& context) {
   const CavityTable& table = in.of(cavity_table());
-  const BallSet balls = without_solvent(*in.balls, table.question.solvent_radius_angstrom);
+  const BallSet balls = balls_as_they_are(in);
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (table.sink(row) != sink) continue;
     return std::make_shared<const FoundNetworkEnd>(
-        FoundNetworkEnd{sink, find_network_end(balls, table, table.order[row], {}, context)});
+        FoundNetworkEnd{sink, find_network_end(balls, table, table.order[row],
+                                               {in.triangulation_threads, in.flow_ties}, context)});
   }
   throw std::invalid_argument("there is no such cavity");
 }

@@ -145,8 +145,6 @@ void count_guests(const Molecule& molecule, const PreparedBalls& prepared, const
   }
 }
 
-}  // namespace
-
 FoundWays find_ways(const Molecule& molecule, const PreparedBalls& prepared,
                     const RunContext& context) {
   const Walls walls = walls_of(molecule, prepared);
@@ -176,6 +174,8 @@ FoundWays find_ways(const Molecule& molecule, const PreparedBalls& prepared,
   }
   return result;
 }
+
+}  // namespace
 
 const Definition<FoundWays>& found_ways() {
   static const Definition<FoundWays> definition{

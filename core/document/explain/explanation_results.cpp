@@ -2,6 +2,8 @@
 #include "core/document/explain/explanation_results.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "core/document/reference/reference.hpp"
 
@@ -56,9 +58,11 @@ Definition<ExplainedSimplex> explained_simplex(const std::vector<BallIndex>& sim
            .lane = Lane::interactive},
           [simplex](const Inputs& in, const RunContext& context) {
             auto result = std::make_shared<ExplainedSimplex>();
-            result->explanation =
-                explain(*in.balls, simplex, in.balls->lattice.alpha_on_lattice(in.alpha_angstrom2),
-                        context);
+            std::optional<LatticeAlpha> alpha;
+            if (!std::isnan(in.alpha_angstrom2.nearest())) {
+              alpha = in.balls->lattice.alpha_on_lattice(in.alpha_angstrom2);
+            }
+            result->explanation = explain(*in.balls, simplex, alpha, context);
             result->lines = explanation_lines(
                 result->explanation, [&](BallIndex ball) { return atom_text(*in.atoms, ball); });
             return std::shared_ptr<const ExplainedSimplex>(std::move(result));

@@ -23,7 +23,7 @@ struct ExplainedSimplex {
   std::vector<ExplanationLine> lines;
 };
 
-// Explains the simplex at the alpha of the inputs. Requires Inputs::atoms.
+// Explains the simplex at the alpha of the inputs; NaN: for every alpha. Requires Inputs::atoms.
 Definition<ExplainedSimplex> explained_simplex(const std::vector<BallIndex>& simplex);
 
 }  // namespace alphascope

@@ -46,6 +46,12 @@ struct Definition : AnyDefinition {
   }
 };
 
+// The definition's own key, joined with those of what it is made of.
+Key key_of(const AnyDefinition& definition, const Inputs& inputs);
+
+// "It needs about 3.20 GB of memory, and 1.00 GB is available for it."
+std::string no_room_text(std::uint64_t needed_bytes, std::uint64_t available_bytes);
+
 enum class DerivedState : std::uint8_t {
   none,  // the inputs do not suffice
   waiting,

@@ -15,8 +15,8 @@ const Definition<Triangulation>& whole_triangulation() {
        .keep_stale = false},
       [](const Inputs& in, const RunContext& context) {
         constexpr std::size_t kManyBalls = 100'000;
-        auto made =
-            std::make_shared<const Triangulation>(make_triangulation(*in.balls, 1, context));
+        auto made = std::make_shared<const Triangulation>(
+            make_triangulation(*in.balls, in.triangulation_threads, context));
         // CGAL's own has taken four times as much, in small pieces.
         if (in.balls->size() > kManyBalls) give_back_freed_memory();
         return made;

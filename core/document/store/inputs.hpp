@@ -16,6 +16,8 @@ namespace alphascope {
 template <class T>
 struct Definition;
 struct MeasuredUnion;
+enum class FlowTies;
+enum class OutsideRule;
 
 struct Inputs {
   std::shared_ptr<const BallSet> balls;  // with the solvent radius; null: no molecule
@@ -30,6 +32,10 @@ struct Inputs {
   Alpha alpha_angstrom2;
   std::shared_ptr<const AlphaComplex> complex;
   bool split_networks = false;  // CavityChoices'
+  // How cavities are found; zero is CASTp's way, and the window's.
+  FlowTies flow_ties{};
+  OutsideRule outside_rule{};
+  int triangulation_threads = 1;  // of CGAL; they change the time alone
   // Its areas and volumes where something has measured it already; null: nobody has.
   std::shared_ptr<const MeasuredUnion> measures = {};
 

@@ -2,27 +2,12 @@
 #include "core/document/store/store.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <tuple>
 #include <utility>
 
 namespace alphascope {
 namespace {
-
-std::string gigabytes(std::uint64_t bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f GB", static_cast<double>(bytes) / 1e9);
-  return text;
-}
-
-Key key_of(const AnyDefinition& definition, const Inputs& inputs) {
-  Key key = definition.key(inputs);
-  for (const AnyDefinition* source : definition.made_of) {
-    key = joined(key, key_of(*source, inputs));
-  }
-  return key;
-}
 
 bool is_trouble(DerivedState state) {
   return state == DerivedState::failed || state == DerivedState::no_room ||
@@ -291,8 +276,7 @@ bool Store::make_room(Entry& wanted) {
   const auto taken = [&] { return background_.peak + interactive_.peak + held_bytes(); };
   if (!could_fit(wanted, budget)) {
     const std::uint64_t now = taken();
-    wanted.why = "It needs about " + gigabytes(wanted.need.peak) + " of memory, and " +
-                 gigabytes(budget > now ? budget - now : 0) + " is available for it.";
+    wanted.why = no_room_text(wanted.need.peak, budget > now ? budget - now : 0);
     return false;
   }
   while (taken() + wanted.need.peak > budget) {

@@ -1,0 +1,32 @@
+#include "app/cli/derived_results.hpp"
+
+#include <bit>
+#include <memory>
+
+#include "app/session/system_memory.hpp"
+
+namespace alphascope::cli {
+
+Inputs derived_inputs(const Input& input, double solvent_radius_angstrom,
+                      const Alpha& alpha_angstrom2) {
+  Inputs inputs;
+  inputs.balls = input.opened.prepared->balls;
+  if (solvent_radius_angstrom != 0) {
+    inputs.balls =
+        std::make_shared<const BallSet>(with_solvent(*inputs.balls, solvent_radius_angstrom));
+  }
+  inputs.balls_key = std::bit_cast<std::uint64_t>(solvent_radius_angstrom + 0.0) + 1;
+  inputs.body_key = 1;
+  inputs.solvent_radius_angstrom = solvent_radius_angstrom;
+  inputs.atoms =
+      std::make_shared<const BallReferences>(input.opened.molecule, input.opened.prepared);
+  inputs.alpha_angstrom2 = alpha_angstrom2;
+  return inputs;
+}
+
+Evaluator make_evaluator() {
+  return Evaluator(
+      [] { return available_bytes().value_or(std::numeric_limits<std::uint64_t>::max()); });
+}
+
+}  // namespace alphascope::cli

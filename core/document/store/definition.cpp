@@ -1,0 +1,30 @@
+// What the store and the evaluator say and ask of every definition.
+#include "core/document/store/definition.hpp"
+
+#include <cstdio>
+
+namespace alphascope {
+namespace {
+
+std::string gigabytes(std::uint64_t bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f GB", static_cast<double>(bytes) / 1e9);
+  return text;
+}
+
+}  // namespace
+
+Key key_of(const AnyDefinition& definition, const Inputs& inputs) {
+  Key key = definition.key(inputs);
+  for (const AnyDefinition* source : definition.made_of) {
+    key = joined(key, key_of(*source, inputs));
+  }
+  return key;
+}
+
+std::string no_room_text(std::uint64_t needed, std::uint64_t available) {
+  return "It needs about " + gigabytes(needed) + " of memory, and " + gigabytes(available) +
+         " is available for it.";
+}
+
+}  // namespace alphascope

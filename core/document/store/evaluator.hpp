@@ -1,0 +1,49 @@
+// Derived results at once, for those who wait for them: the command line. The store makes the same
+// results in the background.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "core/document/store/definition.hpp"
+
+namespace alphascope {
+
+// A result needs more memory than there is; what() is a sentence.
+struct NoRoom : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Keeps what it has made, each once a key. Belongs to one thread.
+class Evaluator {
+ public:
+  // How many bytes the next result may take; asked before each is made.
+  using Room = std::function<std::uint64_t()>;
+  explicit Evaluator(Room room) : room_(std::move(room)) {}
+
+  // Makes what the definition is made of, then the result, in the caller's task arena. Throws
+  // NoRoom, Cancelled, what the making throws, and InternalError where the inputs do not suffice.
+  template <class T>
+  std::shared_ptr<const T> evaluate(const Definition<T>& definition, const Inputs& inputs,
+                                    const RunContext& context = {}) {
+    return std::static_pointer_cast<const T>(made(definition, inputs, context));
+  }
+
+ private:
+  struct Made {
+    std::string_view id;
+    Key key;
+    std::shared_ptr<const void> result;
+  };
+  std::shared_ptr<const void> made(const AnyDefinition& definition, const Inputs& inputs,
+                                   const RunContext& context);
+  void require_room(const AnyDefinition& definition, const Inputs& inputs) const;
+
+  Room room_;
+  std::vector<Made> made_;
+};
+
+}  // namespace alphascope

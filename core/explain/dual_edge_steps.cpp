@@ -224,7 +224,7 @@ void DualEdgeSteps::edges_step() {
 }
 
 void DualEdgeSteps::triangles_step() {
-  Choice& choice = trace_.triples;
+  LeftByChoice& choice = trace_.triples;
   Step& step = add_step(StepKind::triangles);
   Tally made = choice.kept;
   made += choice.dropped;

@@ -81,7 +81,7 @@ void DualEdgeTraceSink::operator()(const TripleNote& note) const {
   current_.triangle = {from_, ball(note.j), ball(note.k)};
   current_.j = note.j;
   current_.k = note.k;
-  Choice& triples = trace_.triples;
+  LeftByChoice& triples = trace_.triples;
   (note.dropped ? triples.dropped : triples.kept).add(here());
   alphascope::add<3>(note.dropped ? triples.gone : triples.left, current_.triangle);
   if (triples.kept.all % 256 == 0) context_.cancel.throw_if_cancelled();

@@ -22,7 +22,7 @@ struct DualEdgeTrace {
   std::vector<BallIndex> facing;  // those of them that may have a facet
 
   Fates edges;  // conflict: attached; band: integers were needed
-  Choice triples;
+  LeftByChoice triples;
   Fates filter, exact;  // of dual edges; valid: a rest is left
   Tally outside, held, far, moved;
   std::vector<StepSegment> filter_segments, exact_segments;

@@ -72,7 +72,7 @@ struct Fates {
 };
 
 // The simplices that an optimisation kept and dropped.
-struct Choice {
+struct LeftByChoice {
   Tally kept, dropped;
   MarkedSimplices gone{.mark = StepMark::dropped}, left{.mark = StepMark::kept};
 };

@@ -100,7 +100,7 @@ class TupleTrace {
       tuple.at[N - 1] = at;
       return simplex(tuple);
     };
-    Choice& by_edges = choices_[N - 1];
+    LeftByChoice& by_edges = choices_[N - 1];
     std::uint64_t made = 0;
     const std::uint32_t considered = for_extensions<N>(
         scene_, lists_, base,
@@ -116,7 +116,7 @@ class TupleTrace {
           if constexpr (N == 2) extend(tuple);
         },
         [&](Optimisation by, std::uint32_t at) {
-          Choice& choice = by == Optimisation::alpha ? by_alpha_ : by_edges;
+          LeftByChoice& choice = by == Optimisation::alpha ? by_alpha_ : by_edges;
           choice.dropped.add(here);
           add<N + 1>(choice.gone, with(at));
           if (by == Optimisation::alpha) add<N + 1>(by_edges.left, with(at));
@@ -200,8 +200,8 @@ class TupleTrace {
   std::vector<std::uint32_t> slots_;   // the list
   NeighbourLists lists_{};
   std::vector<BallTuple<2>> pairs_;
-  Choice choices_[3];  // edge optimisation of pairs, triples and 4-tuples
-  Choice by_alpha_;
+  LeftByChoice choices_[3];  // edge optimisation of pairs, triples and 4-tuples
+  LeftByChoice by_alpha_;
   // Two for 4-tuples, two for smaller tuples.
   Fates filter_, exact_, faces_, exact_faces_;
   std::vector<StepPlace> places_;
@@ -301,7 +301,7 @@ void TupleTrace::make_pairs() {
   for (std::uint32_t at = 0; at < slots_.size(); ++at) {
     const BallTuple<2> pair{slot_, {at}};
     const bool left = pair_is_left(scene_, slot_, slots_[at]);
-    Choice& choice = choices_[0];
+    LeftByChoice& choice = choices_[0];
     (left ? choice.kept : choice.dropped).add(is_here(pair));
     add<2>(left ? choice.left : choice.gone, simplex(pair));
     if (left) pairs_.push_back(pair);
@@ -309,7 +309,7 @@ void TupleTrace::make_pairs() {
 }
 
 void TupleTrace::optimisation_steps() {
-  const auto add_choice = [&](StepKind kind, Choice& choice, bool on) {
+  const auto add_choice = [&](StepKind kind, LeftByChoice& choice, bool on) {
     Step& step = add_step(kind);
     step.off = !on;
     Tally made = choice.kept;

@@ -1,6 +1,7 @@
 // Running the command that the arguments name; exceptions as messages and exit codes.
 #include "app/cli/command_line.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/cli/command_table.hpp"
@@ -13,25 +14,13 @@
 namespace alphascope::cli {
 namespace {
 
-ExitCode run(const std::string& command, const CommandOptions& options) {
-  if (command == "info") return run_info(options.info);
-  if (command == "compute") return run_compute(options.compute);
-  if (command == "cavities") return run_cavities(options.cavities);
-  if (command == "channel") return run_channel(options.channel);
-  if (command == "measure") return run_measure(options.measure);
-  if (command == "export") return run_export(options.export_complex);
-  if (command == "explain") return run_explain(options.explain);
-  if (command == "steps") return run_steps(options.steps);
-  if (command == "verify") return run_verify(options.verify);
-  if (command == "bench") return run_bench(options.bench);
-  if (command == "frames") return run_frames(options.frames);
-  return run_screenshot(options.screenshot);
+const Command& named(const std::string& name, const CommandOptions& options) {
+  return *std::find_if(options.commands.begin(), options.commands.end(),
+                       [&](const Command& command) { return command.table.name == name; });
 }
 
 int parse_and_run(int argc, const char* const* argv) {
   CommandOptions options;
-  options.screenshot.arguments.assign(argv, argv + argc);
-  options.frames.picture.arguments = options.screenshot.arguments;
   const OptionProgram program = command_table(options);
   const ParsedArguments parsed = parse_arguments(program, argc, argv);
   if (parsed.ended) {
@@ -47,7 +36,7 @@ int parse_and_run(int argc, const char* const* argv) {
   set_verbosity(options.verbosity);
   set_memory_remedy(*parsed.command);
   set_times_wanted(options.times);
-  return static_cast<int>(run(parsed.command->name, options));
+  return static_cast<int>(named(parsed.command->name, options).run({argv, argv + argc}));
 }
 
 }  // namespace

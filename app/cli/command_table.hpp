@@ -1,27 +1,18 @@
-// The options of every command, and the variables that they set.
+// The options of every command and of the program, as one table.
 #pragma once
 
-#include "app/cli/commands.hpp"
-#include "app/cli/commands/steps.hpp"
+#include <vector>
+
+#include "app/cli/command.hpp"
+#include "app/cli/text/terminal.hpp"
 #include "app/options/option_table.hpp"
 
 namespace alphascope::cli {
 
 struct CommandOptions {
+  std::vector<Command> commands = all_commands();
   Verbosity verbosity = Verbosity::normal;
   bool times = true;  // false: --no-times
-  InfoOptions info;
-  ComputeOptions compute;
-  CavitiesOptions cavities;
-  ChannelOptions channel;
-  MeasureCommandOptions measure;
-  ExportOptions export_complex;
-  ExplainOptions explain;
-  StepsOptions steps;
-  VerifyOptions verify;
-  BenchOptions bench;
-  ScreenshotCommandOptions screenshot;
-  FramesCommandOptions frames;
 };
 
 // The table sets `options`, which must outlive it.

@@ -5,8 +5,10 @@
 #include <stdexcept>
 
 #include "app/cli/text/terminal.hpp"
+#include "app/session/engines.hpp"
 #include "core/document/store/evaluator.hpp"
 #include "core/files/atomic_file.hpp"
+#include "core/files/read_error.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope::cli {

@@ -1,12 +1,18 @@
 // Exceptions as what a command line says of them: a message and an exit code.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
-#include "app/cli/commands.hpp"
+#include "app/options/exit_code.hpp"
 #include "app/options/option_table.hpp"
 
 namespace alphascope::cli {
+
+// A sensible-looking command line that asks for what cannot be.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 struct Failure {
   ExitCode code;

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <chrono>
 
+#include "app/cli/failure.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/options/did_you_mean.hpp"

@@ -4,7 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/input_options.hpp"
+#include "app/session/open_molecule.hpp"
 #include "core/selection/provenance.hpp"
 
 namespace alphascope::cli {
@@ -44,10 +45,6 @@ Input open_one_model(const InputOptions& options, const char* why_one, const Run
 OpenOptions body_options(const InputOptions& options, const BodyOptions& body,
                          const RunContext& context);
 Input with_body_radii(Input input, const InputOptions& options);
-
-inline bool each_model(const InputOptions& options) {
-  return options.model == "all";
-}
 
 // Sentences about what had to be assumed: the reader's notes, and that no atom is left.
 std::vector<std::string> input_notes(const Input& input);

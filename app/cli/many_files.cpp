@@ -7,6 +7,7 @@
 #include "app/cli/failure.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "core/files/read_error.hpp"
 #include "core/files/small_text.hpp"
 
 namespace alphascope::cli {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/input_options.hpp"
+#include "app/options/exit_code.hpp"
 
 namespace alphascope::cli {
 

@@ -115,4 +115,14 @@ Options input(InputOptions& input) {
   return options;
 }
 
+Options body(InputOptions& input, BodyOptions& body) {
+  Options options = input_but_ligands(input);
+  for (Option& option : options) {
+    if (option.names == "--radii") option.fallback = "the file's own, else castp";
+  }
+  append(options, {flag_option("--ligands", "Ligands are part of the body, too", body.ligands),
+                   flag_option("--ions", "Ions are part of the body, too", body.ions)});
+  return options;
+}
+
 }  // namespace alphascope::cli

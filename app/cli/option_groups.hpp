@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/input_options.hpp"
 #include "app/options/option_values.hpp"
+#include "core/document/settings/request.hpp"
 #include "core/geometry/lattice.hpp"
 
 namespace alphascope::cli {
@@ -27,6 +28,9 @@ std::string radii_choices();
 inline constexpr const char* kFileText =
     "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also packed as .gz; - for standard input";
 
+// The body whose cavities are looked for.
+Options body(InputOptions& input, BodyOptions& body);
+
 Option one_file(InputOptions& input, bool must_be = true);
 Options many_files(InputFiles& files);
 // Throws std::invalid_argument.
@@ -46,11 +50,5 @@ Options engine(Request& request, bool threads);
 void require_tuple_engine(const Request& request);
 
 Option output(const char* name, const char* text, std::string& path);
-
-OptionCommand cavities_command(CavitiesOptions& options);
-OptionCommand channel_command(ChannelOptions& options);
-OptionCommand explain_command(ExplainOptions& options);
-OptionCommand screenshot_command(ScreenshotCommandOptions& options);
-OptionCommand frames_command(FramesCommandOptions& options);
 
 }  // namespace alphascope::cli

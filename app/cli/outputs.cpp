@@ -7,8 +7,10 @@
 #include <cerrno>
 #include <optional>
 
+#include "app/cli/failure.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "core/files/output_ending.hpp"
+#include "core/files/read_error.hpp"
 #include "core/files/regular_file.hpp"
 
 namespace alphascope::cli {
@@ -64,10 +66,6 @@ std::vector<fs::path> files_read(const std::vector<std::string>& files, const st
   read.push_back(list);
   read.push_back(input.radii);
   return read;
-}
-
-std::vector<fs::path> files_read(const BenchOptions& options) {
-  return files_read(options.files, {}, options.input);
 }
 
 void require_readable(const std::vector<fs::path>& files) {

@@ -9,14 +9,13 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/input_options.hpp"
 #include "core/files/atomic_file.hpp"
 
 namespace alphascope::cli {
 
 // Every file that `input` reads; "-" is standard input.
 std::vector<std::filesystem::path> files_read(const InputOptions& input);
-std::vector<std::filesystem::path> files_read(const BenchOptions& options);
 // `list`: where some of their names come from; may be empty.
 std::vector<std::filesystem::path> files_read(const std::vector<std::string>& files,
                                               const std::string& list, const InputOptions& input);

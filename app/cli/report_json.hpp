@@ -6,6 +6,7 @@
 #include "app/cli/input.hpp"
 #include "core/complex/compare.hpp"
 #include "core/document/export/record_json.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/write/write_complex.hpp"
 
 namespace alphascope::cli {

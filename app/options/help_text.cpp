@@ -78,6 +78,12 @@ std::string option_lists(const std::vector<Option>& options) {
   return text;
 }
 
+std::string notes_text(const OptionNotes& notes) {
+  std::string text = "\n" + notes.heading + ":\n";
+  for (const std::string& line : notes.lines) text += "  " + line + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string usage_line(const OptionProgram& program, const OptionCommand* command) {
@@ -106,12 +112,11 @@ std::string help_text(const OptionProgram& program, const OptionCommand* command
     for (const OptionCommand& c : program.commands) text += entry(c.name, c.text);
   }
   text += option_lists(command ? command->options : program.options);
-  if (command != nullptr)
-    return text + "\nUnits, examples and exit codes: " + program.name + " --help\n";
-  for (const OptionNotes& notes : program.notes) {
-    text += "\n" + notes.heading + ":\n";
-    for (const std::string& line : notes.lines) text += "  " + line + "\n";
+  if (command != nullptr) {
+    if (!command->examples.empty()) text += notes_text({"Examples", command->examples});
+    return text + "\nUnits and exit codes: " + program.name + " --help\n";
   }
+  for (const OptionNotes& notes : program.notes) text += notes_text(notes);
   return text;
 }
 

@@ -44,6 +44,7 @@ struct OptionCommand {
   // Called when everything is set; throws std::invalid_argument for what does not go together.
   std::function<void()> check = {};
   InsteadOfRunning answer = InsteadOfRunning::none;
+  std::vector<std::string> examples = {};  // whole lines, for the help
 };
 
 // A heading and lines that are shown as they are, in the help and the man page.

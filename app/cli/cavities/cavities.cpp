@@ -4,8 +4,12 @@
 #include "app/cli/cavities/cavity_comparison.hpp"
 #include "app/cli/cavities/cavity_exports.hpp"
 #include "app/cli/cavities/cavity_records.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/failure.hpp"
 #include "app/cli/files_command.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/text/terminal.hpp"
+#include "app/options/option_values.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 
 namespace alphascope::cli {
@@ -51,8 +55,6 @@ std::vector<CavityAnswer> answers_of(const Input& as_opened, const CavitiesOptio
   return answers;
 }
 
-}  // namespace
-
 ExitCode run_cavities(const CavitiesOptions& options) {
   const RunContext& context = run_context();
   const InputOptions first = with_radii(options.input, options.radii.front());
@@ -79,6 +81,95 @@ ExitCode run_cavities(const CavitiesOptions& options) {
       }
     }
   });
+}
+
+OptionCommand table_of_cavities(CavitiesOptions& options) {
+  OptionCommand command{
+      "cavities", "Find voids and pockets with their volumes, areas, mouths and residues", {}};
+  Request& request = options.request;
+  options.solvents = {kCavitySolventAngstrom};
+  command.options = many_files(options.files);
+  append(
+      command.options,
+      {with_default(
+           numbers_option({"--solvent", "S",
+                           "Solvent radius in Å, as CASTp's probe; several, such as 1.2,1.4, "
+                           "are compared side by side"},
+                          options.solvents, kSolventRange),
+           "1.4"),
+       with_default(alpha_option("Alpha in Å²; it may be negative", request.alpha_angstrom2), "0"),
+       with_default(
+           whole_number_option({"--threads", "N", "CPU threads"}, request.threads, kThreadRange),
+           "0 = all")});
+  Option rule{.names = "--rule",
+              .value = "castp|pocket",
+              .text = "What is outside where the flow goes both ways: castp keeps it in a pocket",
+              .fallback = "castp"};
+  rule.set = [&options, choices = rule.choices()](const std::string& id) {
+    require_choice(id, choices);
+    options.rule = id == "pocket" ? OutsideRule::pocket : OutsideRule::castp;
+  };
+  Option ties{.names = "--ties",
+              .value = "perturbed|strict",
+              .text = "Orthocentres in the plane of a face: perturbed, or do not flow (strict)",
+              .fallback = "perturbed"};
+  ties.set = [&options, choices = ties.choices()](const std::string& id) {
+    require_choice(id, choices);
+    options.ties = id == "strict" ? FlowTies::strict : FlowTies::perturbed;
+  };
+  Option min_volume{.names = "--min-volume",
+                    .value = "V",
+                    .text = "List only cavities of an SA volume of at least V, in Å³"};
+  min_volume.set = [&options](const std::string& text) {
+    options.min_volume_angstrom3 = number_in(text, {-1e30, 1e30});
+  };
+  append(
+      command.options,
+      {rule, ties, min_volume,
+       flag_option(
+           "--no-clipped",
+           "Leave out the exact clipped volumes, which take longest of many cospherical atoms",
+           options.no_clipped),
+       flag_option("--split-networks",
+                   "List networks (20 mouths or more) as the parts that they fall into at their "
+                   "bottlenecks",
+                   options.split_networks),
+       flag_option("--no-network-radius",
+                   "Leave out at which solvent radius networks fall apart, which takes a few "
+                   "triangulations",
+                   options.no_network_radius),
+       with_default(whole_number_option({"--show", "N", "Cavities printed, the largest first"},
+                                        options.shown, {0, 1'000'000'000}),
+                    "20"),
+       output("--json", "All numbers, mouths and residues as JSON; - for standard output",
+              options.json),
+       output("--csv", "One row for each cavity; - for standard output", options.csv),
+       output("--lives",
+              "Between which alphas each cavity is there, of every alpha, as CSV; - for standard "
+              "output",
+              options.lives)});
+  append(command.options, shape_options(options.shapes, "Spheres that fill the cavities, as PQR",
+                                        "Surfaces of the cavities as a mesh",
+                                        "A script that shows the cavities in ChimeraX or PyMOL"));
+  Options of_body = body(options.input, options.body);
+  for (Option& option : of_body) {
+    if (option.names != "--radii") continue;
+    option = with_default(texts_option({"--radii", radii_choices(),
+                                        "Radii as of other commands; several, such as castp,bondi, "
+                                        "are compared side by side"},
+                                       options.radii),
+                          option.fallback);
+  }
+  append(command.options, of_body);
+  command.check = [&options] { require_files(options.files); };
+  return command;
+}
+
+}  // namespace
+
+Command cavities_command() {
+  return make_command<CavitiesOptions>(table_of_cavities, run_cavities,
+                                       {"alphascope-cli cavities 4hhb.pdb.gz --csv cavities.csv"});
 }
 
 }  // namespace alphascope::cli

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/cavities/cavities_options.hpp"
 #include "app/cli/input.hpp"
 #include "core/document/cavities/cavity_records.hpp"
 #include "core/run/stage_timer.hpp"

@@ -1,6 +1,7 @@
 #include "app/cli/cavities/cavity_exports.hpp"
 
 #include "app/cli/cavities/cavity_records.hpp"
+#include "app/cli/failure.hpp"
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_export.hpp"
 #include "core/run/work_threads.hpp"

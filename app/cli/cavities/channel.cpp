@@ -7,23 +7,46 @@
 #include <utility>
 
 #include "app/cli/cavities/shape_outputs.hpp"
-#include "app/cli/commands.hpp"
+#include "app/cli/command.hpp"
 #include "app/cli/derived_results.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/result_files.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/options/option_values.hpp"
+#include "core/channel/ways_through.hpp"
 #include "core/document/channels/channel_export.hpp"
 #include "core/document/channels/channel_json.hpp"
 #include "core/document/channels/channel_records.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/channels/channel_texts.hpp"
+#include "core/document/settings/cavity_preset.hpp"
 #include "core/geometry/point_text.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
 namespace {
+
+struct ChannelOptions {
+  InputOptions input;
+  BodyOptions body;
+  // Å, three numbers each, or none. Without a point the channel begins in a cavity; without both it
+  // is a way through the molecule.
+  std::vector<double> point, to, along;
+  int cavity = 0;                      // its rank in the table of `cavities`; 0: none
+  std::vector<double> mouths;          // of it: the end, or both ends; from 1
+  double solvent_radius_angstrom = 0;  // of that table
+  double end_radius_angstrom = 5;
+  int way = 0;  // of the list of ways through; 0: none was named, and the best is taken
+  int threads = 0;
+  std::string json, csv;
+  ShapeOptions shapes;
+
+  bool is_way() const { return point.empty() && cavity == 0; }
+};
 
 struct Answer {
   std::shared_ptr<const FoundChannel> found;  // has a channel
@@ -214,8 +237,6 @@ void write_shapes(const ShapeOutputs& shapes, const FoundChannel& found,
   }
 }
 
-}  // namespace
-
 ExitCode run_channel(const ChannelOptions& options) {
   const RunContext& context = run_context();
   require_readable({options.input.file});
@@ -246,6 +267,90 @@ ExitCode run_channel(const ChannelOptions& options) {
   json.finish(Json::object());
   outputs.commit();
   return ExitCode::ok;
+}
+
+// Throws std::invalid_argument.
+void require_three(const char* name, const std::vector<double>& numbers) {
+  if (numbers.size() == 3 || numbers.empty()) return;
+  throw std::invalid_argument(std::string(name) + " takes three numbers, such as 1.5,-2,30");
+}
+
+OptionCommand table_of_channel(ChannelOptions& options) {
+  OptionCommand command{
+      "channel",
+      "How large a ball passes through a molecule, or from a point or a cavity, and its profile",
+      {}};
+  options.solvent_radius_angstrom = kCavitySolventAngstrom;
+  const NumberRange kPlaceRange{-1e9, 1e9, "Å"};
+  const auto place = [&](const char* name, const char* text, std::vector<double>& target) {
+    return numbers_option({name, "X,Y,Z", text}, target, kPlaceRange);
+  };
+  command.options = {
+      one_file(options.input),
+      with_default(whole_number_option({"--way", "N",
+                                        "Without --point and --cavity: way N through the "
+                                        "molecule, of those that are listed"},
+                                       options.way, {1, static_cast<int>(kMostWays)}),
+                   "1, the best"),
+      place("--point", "Begin at this point in the channel, in Å", options.point),
+      whole_number_option({"--cavity", "N", "Begin in the widest place of cavity N of 'cavities'"},
+                          options.cavity, {1, 1'000'000'000}),
+      numbers_option({"--mouth", "M|M,K", "To mouth M of the cavity, or from mouth M to mouth K"},
+                     options.mouths, {1, 1e9, ""}),
+      with_default(number_option({"--solvent", "S", "Solvent radius of the cavity, in Å"},
+                                 options.solvent_radius_angstrom, kSolventRange),
+                   "1.4"),
+      place("--along", "Through the start both ways along this direction", options.along),
+      place("--to", "From the start to this point, in Å", options.to),
+      number_option({"--end-radius", "R", "Outwards the line ends where it is so wide, in Å"},
+                    options.end_radius_angstrom, {0, 1000, "Å"}),
+      with_default(
+          whole_number_option({"--threads", "N", "CPU threads"}, options.threads, kThreadRange),
+          "0 = all"),
+      output("--json", "Bottleneck, touching atoms and line as JSON; - for standard output",
+             options.json),
+      output("--csv", "The profile, one row for each sample; - for standard output", options.csv)};
+  append(command.options, shape_options(options.shapes, "Spheres along the channel, as PQR",
+                                        "The surface of the channel as a mesh",
+                                        "A script that shows the channel in ChimeraX or PyMOL"));
+  append(command.options, body(options.input, options.body));
+  command.check = [&options] {
+    require_three("--point", options.point);
+    require_three("--along", options.along);
+    require_three("--to", options.to);
+    if (!options.point.empty() && options.cavity != 0) {
+      throw std::invalid_argument("--point and --cavity exclude each other");
+    }
+    if (!options.is_way() && options.way != 0) {
+      throw std::invalid_argument("--way needs no --point and no --cavity: it has no given ends");
+    }
+    if (options.is_way() && (!options.along.empty() || !options.to.empty() ||
+                             options.end_radius_angstrom != ChannelEnds{}.end_radius_angstrom)) {
+      throw std::invalid_argument(
+          "--along, --to and --end-radius need --point X,Y,Z or --cavity N");
+    }
+    if (!options.mouths.empty() && options.cavity == 0) {
+      throw std::invalid_argument("--mouth needs --cavity: mouths are those of a cavity");
+    }
+    if (options.mouths.size() > 2 ||
+        std::any_of(options.mouths.begin(), options.mouths.end(),
+                    [](double mouth) { return mouth != std::floor(mouth); })) {
+      throw std::invalid_argument("--mouth takes one whole number or two, such as 1 or 1,2");
+    }
+    if (!options.along.empty() + !options.to.empty() + !options.mouths.empty() > 1) {
+      throw std::invalid_argument("--along, --to and --mouth exclude each other");
+    }
+  };
+  return command;
+}
+
+}  // namespace
+
+Command channel_command() {
+  return make_command<ChannelOptions>(
+      table_of_channel, run_channel,
+      {"alphascope-cli channel 1grm.pdb",
+       "alphascope-cli channel 1grm.pdb --point 0,0,4.2 --along 0,1,0 --csv profile.csv"});
 }
 
 }  // namespace alphascope::cli

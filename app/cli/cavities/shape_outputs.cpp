@@ -1,6 +1,7 @@
 // See the header.
 #include "app/cli/cavities/shape_outputs.hpp"
 
+#include "app/cli/failure.hpp"
 #include "core/files/output_ending.hpp"
 
 namespace alphascope::cli {

@@ -3,12 +3,17 @@
 
 #include <string>
 
-#include "app/cli/commands.hpp"
 #include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "core/document/export/shape_export.hpp"
 
 namespace alphascope::cli {
+
+// Files for other programs; empty: not wanted.
+struct ShapeOptions {
+  std::string spheres, surface, script;
+  bool any() const { return !spheres.empty() || !surface.empty() || !script.empty(); }
+};
 
 // --spheres, --surface and --script; the texts say what of.
 Options shape_options(ShapeOptions& options, const char* spheres, const char* surface,

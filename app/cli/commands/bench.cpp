@@ -6,12 +6,16 @@
 #include <chrono>
 #include <iostream>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/commands/bench.hpp"
 #include "app/cli/failure.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/options/option_values.hpp"
+#include "app/session/engine_cache.hpp"
 #include "app/session/rounding_note.hpp"
 #include "core/text/printable.hpp"
 #include "core/write/csv.hpp"
@@ -134,8 +138,6 @@ CsvRow csv_row(const Row& row) {
   return csv;
 }
 
-}  // namespace
-
 ExitCode run_bench(const BenchOptions& options) {
   if (!options.suite.empty()) return run_thesis_bench(options);
   if (options.alphas.empty()) throw UsageError("--alpha is required, such as --alpha 0,1.4,3");
@@ -146,7 +148,7 @@ ExitCode run_bench(const BenchOptions& options) {
   RunContext quiet;  // no progress reports while the clock runs
   quiet.cancel = context.cancel;
   require_readable({options.files.begin(), options.files.end()});
-  Outputs outputs(files_read(options));
+  Outputs outputs(files_read(options.files, {}, options.input));
   AtomicFile* const csv = outputs.add("--csv", options.csv, Outputs::kCsv);
   std::vector<Row> rows;
   bool same = true;
@@ -183,6 +185,55 @@ ExitCode run_bench(const BenchOptions& options) {
   }
   outputs.commit();
   return same ? ExitCode::ok : ExitCode::differs;
+}
+
+// What only --suite thesis has.
+Options thesis_suite(BenchOptions& options) {
+  Options suite{
+      choice_option({"--suite", "thesis",
+                     "All engines, stages, ablations and figures of the thesis' chapter 4"},
+                    options.suite),
+      with_default(choices_option({"--engines", "cpu|gpu|tuples-cpu|tuples-gpu",
+                                   "Engines of the suite, such as cpu,gpu"},
+                                  options.engines),
+                   "all that can run here"),
+      number_option({"--seconds", "S",
+                     "Time limit for a row; rows that need longer for one run are left out"},
+                    options.seconds_per_row, {0.1, 86400, "s"}),
+      flag_option("--no-ablation", "Leave out the rows that switch optimisations off",
+                  options.ablation, false),
+      output("--json", "The table as JSON; - for standard output", options.json),
+      text_option({"--charts", "DIR", "The figures as SVG, into this folder"}, options.charts)};
+  for (Option& option : suite) option.group = "The thesis' table and figures";
+  return suite;
+}
+
+OptionCommand table_of_bench(BenchOptions& options) {
+  OptionCommand command{
+      "bench", "Time our engine and CGAL in one process, cold and warm; medians", {}};
+  Option files = required(texts_option({"FILE", "FILE", kFileText}, options.files));
+  command.options = {files, with_default(alphas(options.alphas, "Alphas in Å², such as -1,0,1.4"),
+                                         "with --suite: 0,1.4,3 Å²")};
+  append(command.options, engine(options.request, false));
+  append(command.options,
+         {whole_numbers_option({"--threads", "N", "CPU threads for both, such as 1,2; 0 for all"},
+                               options.threads, kThreadRange),
+          whole_number_option({"--runs", "N", "Runs of each"}, options.runs, {1, 1000}),
+          output("--csv", "The table as CSV; - for standard output", options.csv)});
+  append(command.options, input(options.input));
+  append(command.options, thesis_suite(options));
+  command.check = [&options] { require_tuple_engine(options.request); };
+  return command;
+}
+
+}  // namespace
+
+Command bench_command() {
+  Command command = make_command<BenchOptions>(
+      table_of_bench, run_bench,
+      {"alphascope-cli bench 1k4c.crd.gz --alpha 0,1.4,3 --tetrahedra-only --csv times.csv"});
+  command.times_are_the_result = true;
+  return command;
 }
 
 }  // namespace alphascope::cli

@@ -3,19 +3,29 @@
 #include <iostream>
 #include <optional>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/command.hpp"
 #include "app/cli/failure.hpp"
 #include "app/cli/files_command.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/table.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/options/option_values.hpp"
+#include "app/session/engine_cache.hpp"
 #include "app/session/rounding_note.hpp"
 #include "app/session/system_memory.hpp"
 #include "core/complex/own_dimension.hpp"
 
 namespace alphascope::cli {
 namespace {
+
+struct ComputeOptions {
+  InputFiles files;
+  InputOptions input;
+  Request request;
+  std::string json, csv, out;
+};
 
 // Counts, or "" for what a tetrahedra-only complex does not hold.
 template <class List>
@@ -151,8 +161,6 @@ Json result_json(const Input& input, const EngineAnswer& result) {
   return json;
 }
 
-}  // namespace
-
 ExitCode run_compute(const ComputeOptions& options) {
   const RunContext& context = run_context();
   const Request& request = options.request;
@@ -174,6 +182,38 @@ ExitCode run_compute(const ComputeOptions& options) {
     if (command.json.wanted()) command.json.add(result_json(input, result));
     if (command.csv.wanted()) command.csv.add(csv_row(input, result));
   });
+}
+
+OptionCommand table_of_compute(ComputeOptions& options) {
+  OptionCommand command{"compute", "Compute the alpha complex of each file", {}};
+  command.options = many_files(options.files);
+  command.options.push_back(alpha(options.request));
+  append(command.options, engine(options.request, true));
+  append(command.options, input(options.input));
+  append(command.options,
+         {output("--json", "Counts, hash, times and provenance as JSON; - for standard output",
+                 options.json),
+          output("--csv",
+                 "Counts and provenance, one row for each file and model; - for standard output",
+                 options.csv),
+          output("--out", "All simplices with their alpha values, as text", options.out)});
+  command.check = [&options] {
+    require_files(options.files);
+    require_tuple_engine(options.request);
+  };
+  return command;
+}
+
+}  // namespace
+
+Command compute_command() {
+  return make_command<ComputeOptions>(
+      table_of_compute, run_compute,
+      {"alphascope-cli compute 1crn.pdb --alpha 0 --solvent 1.4 --json 1crn.json",
+       "alphascope-cli compute 1k4c.crd.gz --alpha 1.4 --out 1k4c.alpha",
+       "alphascope-cli compute 1d3z.cif.gz --model all --alpha 0 --solvent 1.4 --csv models.csv",
+       "alphascope-cli compute pdb/*.pdb.gz --alpha 0 --solvent 1.4 --csv all.csv",
+       "zcat 1crn.pdb.gz | alphascope-cli compute - --alpha 1.4"});
 }
 
 }  // namespace alphascope::cli

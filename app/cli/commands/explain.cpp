@@ -1,14 +1,17 @@
 // alphascope-cli explain: why a simplex is in the alpha complex, or not.
 #include <iostream>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/command.hpp"
 #include "app/cli/derived_results.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/result_files.hpp"
 #include "app/cli/text/sentences.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/options/option_values.hpp"
 #include "app/session/rounding_note.hpp"
 #include "core/document/explain/explanation_json.hpp"
 #include "core/document/reference/reference.hpp"
@@ -17,6 +20,15 @@
 
 namespace alphascope::cli {
 namespace {
+
+struct ExplainOptions {
+  InputOptions input;
+  std::vector<int> simplex;  // 1 to 4 different balls, from 0; or none, then there are atoms
+  std::string atoms;         // 1 to 4 of them by address or expression
+  std::optional<Alpha> alpha_angstrom2;
+  double solvent_radius_angstrom = 0;
+  std::string json;
+};
 
 using Balls = std::vector<BallIndex>;
 
@@ -47,8 +59,6 @@ Json result_json(const Input& input, const Request& request, const Explanation& 
   json["program"] = program_json();
   return json;
 }
-
-}  // namespace
 
 ExitCode run_explain(const ExplainOptions& options) {
   const RunContext& context = run_context();
@@ -87,6 +97,63 @@ ExitCode run_explain(const ExplainOptions& options) {
   json.finish(Json::object());
   outputs.commit();
   return ExitCode::ok;
+}
+
+Option optional_alpha(std::optional<Alpha>& alpha) {
+  Option option{.names = "--alpha",
+                .value = "A",
+                .text = "Alpha in Å², to say whether the simplex is in that complex",
+                .fallback = "none: every alpha"};
+  option.set = [&alpha](const std::string& value) { alpha = alpha_in(value); };
+  return option;
+}
+
+void require_simplex(const std::vector<int>& simplex) {
+  if (simplex.size() > 4) {
+    throw std::invalid_argument("--simplex has " + std::to_string(simplex.size()) +
+                                " balls: a simplex has 1 to 4");
+  }
+  for (auto at = simplex.begin(); at != simplex.end(); ++at) {
+    if (std::find(simplex.begin(), at, *at) != at) {
+      throw std::invalid_argument("--simplex names ball " + std::to_string(*at) +
+                                  " twice: give each ball once");
+    }
+  }
+}
+
+OptionCommand table_of_explain(ExplainOptions& options) {
+  OptionCommand command{
+      "explain", "Why a vertex, edge, triangle or tetrahedron is in the complex, or not", {}};
+  command.options = {
+      one_file(options.input),
+      whole_numbers_option({"--simplex", "I,J,K,L",
+                            "One to four balls by number, counted from 0 in the order of the atoms "
+                            "used, as in the files of compute"},
+                           options.simplex, {0, 2'147'483'647}),
+      text_option({"--atoms", "ATOMS",
+                   "The same by name: addresses such as A:HIS 87:NE2,A:HIS 87:CE1, or an "
+                   "expression as for --select"},
+                  options.atoms),
+      optional_alpha(options.alpha_angstrom2),
+      number_option({"--solvent", "S", "Solvent radius in Å, added to every radius"},
+                    options.solvent_radius_angstrom, kSolventRange),
+      output("--json", "The explanation as JSON; - for standard output", options.json)};
+  append(command.options, input(options.input));
+  command.check = [&options] {
+    if (options.simplex.empty() == options.atoms.empty()) {
+      throw std::invalid_argument("give --simplex I,J,K,L or --atoms ATOMS");
+    }
+    require_simplex(options.simplex);
+  };
+  return command;
+}
+
+}  // namespace
+
+Command explain_command() {
+  return make_command<ExplainOptions>(
+      table_of_explain, run_explain,
+      {"alphascope-cli explain 1crn.pdb --simplex 3,4,7 --alpha 1.4"});
 }
 
 }  // namespace alphascope::cli

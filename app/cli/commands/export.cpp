@@ -1,17 +1,29 @@
 // alphascope-cli export: a complex, its boundary or its balls in a file for another program.
 #include <iostream>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/options/option_values.hpp"
+#include "app/session/engine_cache.hpp"
 #include "core/document/export/complex_export.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope::cli {
 namespace {
+
+struct ExportOptions {
+  InputOptions input;
+  Request request;
+  std::filesystem::path out;  // "-" for standard output
+  std::string as;  // an id of core/document/export/complex_export.hpp; empty: by out's ending
+  std::string colours = "element";
+};
 
 namespace fs = std::filesystem;
 
@@ -58,8 +70,6 @@ std::vector<std::string> write(const ExportSource& source, const ExportFormatInf
   }
 }
 
-}  // namespace
-
 ExitCode run_export(const ExportOptions& options) {
   if (options.out.empty()) throw UsageError("--output needs the name of a file, or -.");
   const ExportFormatInfo& format = format_of(options);
@@ -85,6 +95,34 @@ ExitCode run_export(const ExportOptions& options) {
   }
   for (const std::string& line : lines) std::cout << "            " << line << "\n";
   return ExitCode::ok;
+}
+
+OptionCommand table_of_export(ExportOptions& options) {
+  OptionCommand command{
+      "export", "Write the boundary, simplices or balls for another program, by the ending", {}};
+  std::string formats;
+  for (const ExportFormatInfo& format : export_formats()) {
+    formats += (formats.empty() ? "" : "|") + std::string(format.id);
+  }
+  command.options = {
+      one_file(options.input), alpha(options.request),
+      required(path_option({"-o,--output", "OUT.EXT", "File to write; - for standard output"},
+                           options.out)),
+      with_default(choice_option({"--as", formats, "Format"}, options.as),
+                   "by the ending of OUT.EXT"),
+      choice_option({"--colours", "element|chain|solid", "Colours of the boundary"},
+                    options.colours)};
+  append(command.options, engine(options.request, true));
+  append(command.options, input(options.input));
+  command.check = [&options] { require_tuple_engine(options.request); };
+  return command;
+}
+
+}  // namespace
+
+Command export_command() {
+  return make_command<ExportOptions>(table_of_export, run_export,
+                                     {"alphascope-cli export 1crn.pdb --alpha 1.4 -o 1crn.glb"});
 }
 
 }  // namespace alphascope::cli

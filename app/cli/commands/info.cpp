@@ -4,13 +4,15 @@
 #include <iostream>
 #include <map>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/command.hpp"
 #include "app/cli/failure.hpp"
 #include "app/cli/files_command.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/table.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/options/option_values.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/selection/residue_list.hpp"
 #include "core/selection/treatments.hpp"
@@ -19,6 +21,14 @@
 
 namespace alphascope::cli {
 namespace {
+
+struct InfoOptions {
+  InputFiles files;
+  InputOptions input;
+  // File, "-" for standard output, empty for none; so everywhere.
+  std::string json, csv;
+  bool residues = false, each_residue = false;
+};
 
 constexpr std::size_t kShownGuesses = 8;
 
@@ -229,8 +239,6 @@ CsvRow csv_row(const Input& input) {
   return row;
 }
 
-}  // namespace
-
 ExitCode run_info(const InfoOptions& options) {
   const RunContext& context = run_context();
   FilesCommand command(options.files, options.input, open_options(options.input, context),
@@ -265,6 +273,31 @@ ExitCode run_info(const InfoOptions& options) {
     }
     if (command.csv.wanted()) command.csv.add(csv_row(input));
   });
+}
+
+OptionCommand table_of_info(InfoOptions& options) {
+  OptionCommand command{"info", "Report what files contain and which atoms are used", {}};
+  command.options = many_files(options.files);
+  append(command.options, input(options.input));
+  command.options.push_back(
+      flag_option("--residues", "List what residues are, and why", options.residues));
+  command.options.push_back(flag_option("--each-residue", "The same with a line for every residue",
+                                        options.each_residue));
+  command.options.push_back(
+      output("--json", "The same as JSON; - for standard output", options.json));
+  command.options.push_back(
+      output("--csv", "One row for each file and model; - for standard output", options.csv));
+  command.check = [&options] { require_files(options.files); };
+  return command;
+}
+
+}  // namespace
+
+Command info_command() {
+  return make_command<InfoOptions>(
+      table_of_info, run_info,
+      {"alphascope-cli info 1crn.pdb",
+       "find pdb -name '*.cif.gz' | alphascope-cli info --files-from - --csv -"});
 }
 
 }  // namespace alphascope::cli

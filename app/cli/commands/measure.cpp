@@ -4,16 +4,30 @@
 #include <iostream>
 #include <utility>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/command.hpp"
 #include "app/cli/derived_results.hpp"
+#include "app/cli/failure.hpp"
 #include "app/cli/files_command.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/options/option_values.hpp"
+#include "app/session/engine_cache.hpp"
 #include "core/document/measures/measure_json.hpp"
+#include "core/document/measures/measure_names.hpp"
 
 namespace alphascope::cli {
 namespace {
+
+struct MeasureCommandOptions {
+  InputFiles files;
+  InputOptions input;
+  Request request;
+  MeasuredPer per = MeasuredPer::all;
+  bool derivatives = false;
+  std::string json, csv;
+};
 
 struct Answer {
   MeasureFacts facts;
@@ -94,8 +108,6 @@ void add_rows(CsvResults& csv, const Answer& answer, const MeasureRows& table) {
   }
 }
 
-}  // namespace
-
 ExitCode run_measure(const MeasureCommandOptions& options) {
   const RunContext& context = run_context();
   FilesCommand command(options.files, options.input, open_options(options.input, context),
@@ -110,6 +122,50 @@ ExitCode run_measure(const MeasureCommandOptions& options) {
     if (command.json.wanted()) command.json.add(measures_json(answer.facts, table));
     if (command.csv.wanted()) add_rows(command.csv, answer, table);
   });
+}
+
+OptionCommand table_of_measure(MeasureCommandOptions& options) {
+  OptionCommand command{
+      "measure", "Exact area and volume of the union of balls, also by chain, residue or atom", {}};
+  command.options = many_files(options.files);
+  Option alpha = alpha_option("Alpha in Å², negative too", options.request.alpha_angstrom2);
+  command.options.push_back(with_default(alpha, "0"));
+  append(command.options, engine(options.request, true));
+  std::erase_if(command.options, [](const Option& o) { return o.names == "--tetrahedra-only"; });
+  Option per{.names = "--per",
+             .value = "atom|residue|chain|component",
+             .text = "What a row of the CSV is, and a list of the JSON",
+             .fallback = "one row for all"};
+  per.set = [&options, choices = per.choices()](const std::string& id) {
+    require_choice(id, choices);
+    const auto at = std::find(choices.begin(), choices.end(), id) - choices.begin();
+    options.per = static_cast<MeasuredPer>(at + 1);
+  };
+  append(command.options,
+         {per,
+          flag_option("--derivatives",
+                      "Also how area and volume change with centre and radius of each atom",
+                      options.derivatives),
+          output("--json", "Measures, counts, hash and times as JSON; - for standard output",
+                 options.json),
+          output("--csv", "Measures, one row for each group; - for standard output", options.csv)});
+  append(command.options, input(options.input));
+  command.check = [&options] {
+    require_files(options.files);
+    if (options.derivatives && options.per != MeasuredPer::atom) {
+      throw std::invalid_argument("--derivatives are those of atoms: add --per atom");
+    }
+    require_tuple_engine(options.request);
+  };
+  return command;
+}
+
+}  // namespace
+
+Command measure_command() {
+  return make_command<MeasureCommandOptions>(
+      table_of_measure, run_measure,
+      {"alphascope-cli measure 4hhb.pdb.gz --solvent 1.4 --per residue --csv areas.csv"});
 }
 
 }  // namespace alphascope::cli

@@ -1,16 +1,18 @@
 // alphascope-cli steps: how an engine finds the simplices of one ball, step after step.
-#include "app/cli/commands/steps.hpp"
-
 #include <algorithm>
 #include <iostream>
 
+#include "app/cli/command.hpp"
 #include "app/cli/derived_results.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/result_files.hpp"
 #include "app/cli/text/sentences.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/options/option_values.hpp"
 #include "app/session/rounding_note.hpp"
 #include "core/document/explain/steps_json.hpp"
 #include "core/document/reference/reference.hpp"
@@ -19,6 +21,14 @@
 
 namespace alphascope::cli {
 namespace {
+
+struct StepsOptions {
+  InputOptions input;
+  std::string ball;  // a number from 0, or an address
+  std::string engine = "tuples";
+  Request request;  // alpha, solvent, the tuple engine's switches
+  std::string json;
+};
 
 BallIndex ball_of(const Input& input, const BallReferences& atoms, const std::string& text) {
   const bool is_number =
@@ -55,8 +65,6 @@ Json result_json(const Input& input, const StepsOptions& options, const BallStep
   return json;
 }
 
-}  // namespace
-
 ExitCode run_steps(const StepsOptions& options) {
   const RunContext& context = run_context();
   require_readable({options.input.file});
@@ -90,6 +98,40 @@ ExitCode run_steps(const StepsOptions& options) {
   json.finish(Json::object());
   outputs.commit();
   return ExitCode::ok;
+}
+
+OptionCommand table_of_steps(StepsOptions& options) {
+  OptionCommand command{
+      "steps", "How an engine finds the simplices of one ball, step after step", {}};
+  command.options = {
+      one_file(options.input),
+      required(text_option({"--ball", "ATOM",
+                            "The ball: an address such as \"A:HIS 87:NE2\", or its number, counted "
+                            "from 0 in the order of the atoms used"},
+                           options.ball)),
+      alpha(options.request),
+      number_option({"--solvent", "S", "Solvent radius in Å, added to every radius"},
+                    options.request.solvent_radius_angstrom, kSolventRange),
+      choice_option({"--engine", "tuples|dual_edges",
+                     "The thesis' algorithm (tuples), or that of the dual-edge engine"},
+                    options.engine),
+      output("--json", "The steps as JSON; - for standard output", options.json)};
+  append(command.options, tuple_work(options.request.tuples));
+  append(command.options, input(options.input));
+  command.check = [&options] {
+    if (options.engine != "tuples" && options.request.tuples != TupleOptions{}) {
+      throw std::invalid_argument("the options of the tuple engine need --engine tuples");
+    }
+  };
+  return command;
+}
+
+}  // namespace
+
+Command steps_command() {
+  return make_command<StepsOptions>(
+      table_of_steps, run_steps,
+      {"alphascope-cli steps 1crn.pdb --ball \"A:CYS 16:SG\" --alpha 1.4"});
 }
 
 }  // namespace alphascope::cli

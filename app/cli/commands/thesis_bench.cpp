@@ -5,7 +5,8 @@
 
 #include "app/bench/thesis_charts.hpp"
 #include "app/bench/thesis_table.hpp"
-#include "app/cli/commands.hpp"
+#include "app/cli/commands/bench.hpp"
+#include "app/cli/failure.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/terminal.hpp"
@@ -162,7 +163,7 @@ ExitCode run_thesis_bench(const BenchOptions& options) {
   const RunContext& context = run_context();
   const ThesisOptions suite = to_suite(options);
   require_readable({options.files.begin(), options.files.end()});
-  Outputs outputs(files_read(options));
+  Outputs outputs(files_read(options.files, {}, options.input));
   AtomicFile* const csv = outputs.add("--csv", options.csv, Outputs::kCsv);
   AtomicFile* const json = outputs.add("--json", options.json, Outputs::kJson);
   if (!options.charts.empty()) make_output_folder(options.charts);

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <iostream>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/command.hpp"
+#include "app/cli/commands/verify.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/options/option_values.hpp"
 #include "app/session/rounding_note.hpp"
 
 namespace alphascope::cli {
@@ -149,6 +153,41 @@ ExitCode run_verify(const VerifyOptions& options, const EngineFactory& factory) 
     outputs.commit();
   }
   return all_good ? ExitCode::ok : ExitCode::differs;
+}
+
+namespace {
+
+OptionCommand table_of_verify(VerifyOptions& options) {
+  OptionCommand command{
+      "verify", "Compare with CGAL as sets of simplices; exit code 0 only if identical", {}};
+  command.options = {one_file(options.input),
+                     required(alphas(options.alphas, "Alphas in Å², such as -1,0,1.4"))};
+  append(command.options, engine(options.request, true));
+  append(command.options,
+         {with_default(whole_number_option({"--cgal-threads", "N", "Threads for CGAL, 0 for all"},
+                                           options.cgal_threads, kThreadRange),
+                       "1"),
+          flag_option("--definition",
+                      "Also prove from the definition, without CGAL, that every simplex is right "
+                      "and none is missing",
+                      options.definition),
+          whole_number_option({"--show", "N", "Differences printed for each kind of simplex"},
+                              options.shown, {0, 1'000'000'000}),
+          output("--json", "The comparison as JSON; - for standard output", options.json)});
+  append(command.options, input(options.input));
+  command.check = [&options] { require_tuple_engine(options.request); };
+  return command;
+}
+
+ExitCode run(const VerifyOptions& options) {
+  return run_verify(options);
+}
+
+}  // namespace
+
+Command verify_command() {
+  return make_command<VerifyOptions>(table_of_verify, run,
+                                     {"alphascope-cli verify 1crn.pdb --alpha -1,0,1.4,10"});
 }
 
 }  // namespace alphascope::cli

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/cli/failure.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/pictures/screenshot_session.hpp"
 #include "app/cli/report_json.hpp"

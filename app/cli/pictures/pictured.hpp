@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/cli/input.hpp"
+#include "app/cli/pictures/picture_options.hpp"
 #include "app/session/engine_cache.hpp"
 #include "core/document/measures/paint_balls.hpp"
 #include "ui/scene/mesh/beside_body.hpp"

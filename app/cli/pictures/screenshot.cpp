@@ -8,8 +8,9 @@
 #include <new>
 #include <sstream>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/failure.hpp"
 #include "app/cli/outputs.hpp"
+#include "app/cli/pictures/picture_options.hpp"
 #include "app/cli/pictures/pictured.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"

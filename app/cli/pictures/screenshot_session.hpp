@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/input.hpp"
+#include "app/cli/pictures/picture_options.hpp"
 #include "core/document/session/session_file.hpp"
 
 namespace alphascope::cli {

@@ -5,7 +5,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/failure.hpp"
+#include "app/cli/pictures/picture_options.hpp"
 #include "app/cli/text/terminal.hpp"
 
 namespace alphascope::cli {

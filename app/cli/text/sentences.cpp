@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "app/cli/failure.hpp"
 #include "app/cli/text/text.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/text/grouped_number.hpp"

@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/options/exit_code.hpp"
 #include "app/session/orderly_end.hpp"
 #include "core/files/atomic_file.hpp"
 

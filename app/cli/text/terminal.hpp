@@ -2,7 +2,6 @@
 // and what standard output loses is noticed.
 #pragma once
 
-#include "app/cli/commands.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope::cli {
@@ -24,6 +23,10 @@ void summary_to_standard_error();
 // becomes another one, with a message, when standard output lost something. A pipe that was closed
 // at its other end gives no message and 141, which is what the shell shows for SIGPIPE.
 int finish_standard_output(int status);
+
+// How much is said besides results and errors. quiet: nothing. verbose: also progress as lines, and
+// with each result its stages, the time for opening and the memory used.
+enum class Verbosity { quiet, normal, verbose };
 
 // How much is said; to be set before the rest is called. Normal unless set.
 void set_verbosity(Verbosity verbosity);

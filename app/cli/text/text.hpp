@@ -4,7 +4,6 @@
 #include <chrono>
 #include <string>
 
-#include "app/cli/commands.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/grouped_number.hpp"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <functional>
 
-#include "app/cli/commands.hpp"
+#include "app/cli/commands/verify.hpp"
 #include "core/engine/engine.hpp"
 
 namespace alphascope::cli {

@@ -1,10 +1,14 @@
-// The options of pictures and recordings.
+// alphascope-cli screenshot and frames: their options.
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <stdexcept>
 
+#include "app/cli/command.hpp"
 #include "app/cli/option_groups.hpp"
+#include "app/cli/pictures/picture_options.hpp"
 #include "app/options/did_you_mean.hpp"
+#include "app/options/option_values.hpp"
 #include "core/document/picture/frame_names.hpp"
 #include "core/document/session/settings_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
@@ -254,9 +258,7 @@ void check_recording(FramesCommandOptions& options) {
   }
 }
 
-}  // namespace
-
-OptionCommand screenshot_command(ScreenshotCommandOptions& options) {
+OptionCommand table_of_screenshot(ScreenshotCommandOptions& options) {
   OptionCommand command{"screenshot", "Draw the complex; needs no display", {}};
   command.options = source(options);
   command.options.push_back(
@@ -267,10 +269,12 @@ OptionCommand screenshot_command(ScreenshotCommandOptions& options) {
     require_tuple_engine(options.request);
     require_one_source(options, true);
   };
+  command.examples = {"alphascope-cli screenshot 1crn.pdb --alpha 1.4 --size 1920x1080 -o 1crn.png",
+                      "alphascope-cli screenshot --session 1crn.json --size 1920x1080 -o 1crn.png"};
   return command;
 }
 
-OptionCommand frames_command(FramesCommandOptions& options) {
+OptionCommand table_of_frames(FramesCommandOptions& options) {
   OptionCommand command{
       "frames",
       "Draw a sweep of alpha or a turntable, as pictures or a movie; needs no display",
@@ -290,7 +294,27 @@ OptionCommand frames_command(FramesCommandOptions& options) {
     check_recording(options);
     require_one_source(options.picture, options.turntable);
   };
+  command.examples = {"alphascope-cli frames 1crn.pdb --sweep alpha=-1:10:120 -o 1crn-%04d.png",
+                      "alphascope-cli frames 1crn.pdb --turntable 360:120 --alpha 1.4 -o 1crn.mp4"};
   return command;
+}
+
+}  // namespace
+
+Command screenshot_command() {
+  const auto options = std::make_shared<ScreenshotCommandOptions>();
+  return {table_of_screenshot(*options), [options](const std::vector<std::string>& arguments) {
+            options->arguments = arguments;
+            return run_screenshot(*options);
+          }};
+}
+
+Command frames_command() {
+  const auto options = std::make_shared<FramesCommandOptions>();
+  return {table_of_frames(*options), [options](const std::vector<std::string>& arguments) {
+            options->picture.arguments = arguments;
+            return run_frames(*options);
+          }};
 }
 
 }  // namespace alphascope::cli

@@ -1,0 +1,31 @@
+// The list of commands. A new one is a source that defines its function, and a line here.
+#include "app/cli/command.hpp"
+
+// In the order of the help.
+#define ALPHASCOPE_COMMANDS(COMMAND) \
+  COMMAND(info)                      \
+  COMMAND(compute)                   \
+  COMMAND(cavities)                  \
+  COMMAND(channel)                   \
+  COMMAND(measure)                   \
+  COMMAND(export)                    \
+  COMMAND(explain)                   \
+  COMMAND(steps)                     \
+  COMMAND(verify)                    \
+  COMMAND(bench)                     \
+  COMMAND(screenshot)                \
+  COMMAND(frames)
+
+namespace alphascope::cli {
+
+#define ALPHASCOPE_DECLARED(name) Command name##_command();
+ALPHASCOPE_COMMANDS(ALPHASCOPE_DECLARED)
+
+std::vector<Command> all_commands() {
+  std::vector<Command> commands;
+#define ALPHASCOPE_LISTED(name) commands.push_back(name##_command());
+  ALPHASCOPE_COMMANDS(ALPHASCOPE_LISTED)
+  return commands;
+}
+
+}  // namespace alphascope::cli

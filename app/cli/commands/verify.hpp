@@ -1,0 +1,26 @@
+// What `verify` is asked, and the comparison: for tests with engines that are wrong on purpose.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/input_options.hpp"
+#include "app/options/exit_code.hpp"
+#include "app/session/engine_cache.hpp"
+#include "core/document/settings/request.hpp"
+
+namespace alphascope::cli {
+
+struct VerifyOptions {
+  InputOptions input;
+  Request request;
+  std::vector<Alpha> alphas;  // Å²
+  int cgal_threads = 1;
+  bool definition = false;  // also check the definition of the complex, without CGAL
+  int shown = 10;           // differences printed per kind of simplex
+  std::string json;
+};
+
+ExitCode run_verify(const VerifyOptions& options, const EngineFactory& factory = &make_engine);
+
+}  // namespace alphascope::cli

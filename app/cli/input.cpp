@@ -11,6 +11,7 @@
 #include "app/cli/text/text.hpp"
 #include "app/options/did_you_mean.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/read/file_format.hpp"
 #include "core/read/user_radii.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "core/selection/treatments.hpp"
@@ -151,7 +152,7 @@ const std::vector<std::string>& checked_treatments(const std::vector<std::string
 
 OpenOptions open_options(const InputOptions& options, const RunContext& context) {
   OpenOptions open;
-  open.read.format = format_from_id(options.format).value_or(FileFormat::unknown);  // of auto
+  open.read.format = format_from_id(options.format);  // null of auto
   set_radii(options.radii, open.balls, context);
   open.balls.model = model_index(options.model);
   open.balls.hydrogens = options.hydrogens == "keep"   ? HydrogenRule::keep

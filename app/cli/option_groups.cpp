@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/radii/radii_set.hpp"
+#include "core/read/file_format.hpp"
 
 namespace alphascope::cli {
 
@@ -24,7 +25,7 @@ Options input_but_ligands(InputOptions& input) {
     return flag_option(name, text, value);
   };
   return {
-      choice_option({"--format", "auto|pdb|pdbqt|mmcif|pqr|xyz|tinker|xyzr|charmm",
+      choice_option({"--format", "auto|" + format_ids(),
                      "Format of the file; auto recognises it by content and name"},
                     input.format),
       text_option({"--radii", radii_choices(),
@@ -61,13 +62,17 @@ Options input_but_ligands(InputOptions& input) {
   };
 }
 
+std::string file_text() {
+  return "Molecule: " + format_names() + "; also packed as .gz; - for standard input";
+}
+
 Option one_file(InputOptions& input, bool must_be) {
-  const Option file = path_option({"FILE", "FILE", kFileText}, input.file);
+  const Option file = path_option({"FILE", "FILE", file_text()}, input.file);
   return must_be ? required(file) : file;
 }
 
 Options many_files(InputFiles& files) {
-  Option named = texts_option({"FILE", "FILE", kFileText}, files.named);
+  Option named = texts_option({"FILE", "FILE", file_text()}, files.named);
   return {named,
           text_option({"--files-from", "LIST",
                        "Read file names from LIST, one per line; - for standard input"},

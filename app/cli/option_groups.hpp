@@ -25,8 +25,8 @@ Options input_but_ligands(InputOptions& input);
 Options input(InputOptions& input);
 std::string radii_choices();
 
-inline constexpr const char* kFileText =
-    "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also packed as .gz; - for standard input";
+// The help of an argument that is a molecule.
+std::string file_text();
 
 // The body whose cavities are looked for.
 Options body(InputOptions& input, BodyOptions& body);

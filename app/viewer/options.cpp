@@ -13,6 +13,7 @@
 #include "core/document/picture/recording.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/files/output_ending.hpp"
+#include "core/read/file_format.hpp"
 
 namespace alphascope {
 namespace {
@@ -177,10 +178,9 @@ OptionProgram table(ViewerOptions& o) {
   program.version = ALPHASCOPE_VERSION;
   program.usage_exit_code = static_cast<int>(ExitCode::usage);
   program.options = {
-      path_or_none({"FILE", "FILE",
-                    "Molecule: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz; or a session "
-                    "(.json)"},
-                   o.file),
+      path_or_none(
+          {"FILE", "FILE", "Molecule: " + format_names() + "; also as .gz; or a session (.json)"},
+          o.file),
       path_or_none({"--session", "S.json", "Open a session, whatever its name"}, o.session),
       alpha_option(o.alpha),
       typed_number_option({"--solvent", "S", "Solvent radius in Å, 1.4 for water"}, o.solvent,

@@ -9,8 +9,9 @@
 
 #include "core/files/line_reader.hpp"
 #include "core/read/ball_columns.hpp"
+#include "core/read/field_kinds.hpp"
+#include "core/read/file_format.hpp"
 #include "core/read/molecule_builder.hpp"
-#include "core/read/readers.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/printable.hpp"
 
@@ -201,10 +202,30 @@ class BallTableReader {
   std::size_t surplus_lines_ = 0, first_surplus_line_ = 0;  // with numbers behind the radius
 };
 
+Molecule read_xyzr(const ReaderInput& input) {
+  return BallTableReader(input).read();
+}
+
+// "1.0 2.0 3.0 1.5 …", or four numbers behind one to three labels that begin with a name.
+bool is_ball_line(std::string_view line) {
+  const std::string kinds = field_kinds(line.substr(0, line.find('#')));
+  return are_numbers_from(kinds, 0, 4) ||
+         (kinds.size() >= 5 && kinds.size() <= 7 && kinds[0] == 'w' &&
+          are_numbers_from(kinds, kinds.size() - 4, 4));
+}
+
+Recognised recognise_xyzr(const FileSample& sample) {
+  const bool counted = field_kinds(sample.first) == "i";
+  const bool below =
+      is_ball_line(sample.second) || (trimmed(sample.second).empty() && is_ball_line(sample.third));
+  const bool balls = is_ball_line(trimmed(sample.first)) || (counted && below);
+  return balls ? Recognised::likely : Recognised::by_ending;
+}
+
 }  // namespace
 
-Molecule read_ball_table(const ReaderInput& input) {
-  return BallTableReader(input).read();
+FileFormat xyzr_format() {
+  return {"xyzr", "XYZR (also as CRD)", {".xyzr", ".crd"}, recognise_xyzr, read_xyzr};
 }
 
 }  // namespace alphascope

@@ -4,8 +4,9 @@
 #include <charconv>
 
 #include "core/files/line_reader.hpp"
+#include "core/read/field_kinds.hpp"
+#include "core/read/file_format.hpp"
 #include "core/read/molecule_builder.hpp"
-#include "core/read/readers.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/printable.hpp"
 
@@ -125,10 +126,28 @@ class CardReader {
   std::size_t count_ = 0, count_line_ = 0;
 };
 
+Molecule read_charmm(const ReaderInput& input) {
+  return CardReader(input).read();
+}
+
+// Title lines with *, then the number of atoms. Other programs begin their reports with * as well.
+Recognised recognise_charmm(const FileSample& sample) {
+  constexpr int kLinesToLookAt = 2000;
+  if (!sample.before.empty() || !trimmed(sample.first).starts_with('*')) return Recognised::no;
+  LineReader lines(sample.text);
+  std::string_view line;
+  for (int k = 0; k < kLinesToLookAt && lines.next(line); ++k) {
+    const std::string_view data = trimmed(line);
+    if (data.empty() || data.front() == '*') continue;
+    return field_kinds(data).starts_with('i') ? Recognised::likely : Recognised::no;
+  }
+  return sample.ending == ".crd" ? Recognised::likely : Recognised::no;  // cut off
+}
+
 }  // namespace
 
-Molecule read_charmm_card(const ReaderInput& input) {
-  return CardReader(input).read();
+FileFormat charmm_format() {
+  return {"charmm", "CHARMM CRD", {".crd"}, recognise_charmm, read_charmm};
 }
 
 }  // namespace alphascope

@@ -5,10 +5,10 @@
 #include <charconv>
 
 #include "core/files/line_reader.hpp"
+#include "core/read/file_format.hpp"
 #include "core/read/frame_marks.hpp"
 #include "core/read/molecule_builder.hpp"
 #include "core/read/pdb/pdb_records.hpp"
-#include "core/read/readers.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/printable.hpp"
 
@@ -223,10 +223,18 @@ class PqrReader {
   bool between_models_ = false, radius_first_ = false;
 };
 
-}  // namespace
-
 Molecule read_pqr(const ReaderInput& input) {
   return PqrReader(input).read();
+}
+
+Recognised recognise_pqr(const FileSample& sample) {
+  return begins_as_pqr(sample) ? Recognised::certain : Recognised::by_ending;
+}
+
+}  // namespace
+
+FileFormat pqr_format() {
+  return {"pqr", "PQR", {".pqr"}, recognise_pqr, read_pqr};
 }
 
 }  // namespace alphascope

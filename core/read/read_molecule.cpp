@@ -4,18 +4,11 @@
 
 #include "core/files/text_file.hpp"
 #include "core/read/lookalike.hpp"
-#include "core/read/readers.hpp"
-#include "core/read/sniff_format.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr std::size_t kHashInThreadFrom = std::size_t{1} << 20;  // bytes
-
-constexpr const char* kFormats =
-    "Formats that can be opened: PDB, PDBQT, mmCIF, PQR, XYZ, XYZR and CRD (x y z r, or CHARMM "
-    "cards), "
-    "also packed as .gz";
 
 void refuse_blank(const std::filesystem::path& path, std::string_view text) {
   if (text.find_first_not_of(" \t\r\n\v\f") != std::string_view::npos) return;
@@ -27,32 +20,15 @@ void refuse_blank(const std::filesystem::path& path, std::string_view text) {
 
 }  // namespace
 
-Molecule read_format(FileFormat format, const ReaderInput& input) {
+Molecule read_format(const FileFormat* format, const ReaderInput& input) {
   refuse_blank(input.source, input.text);
-  switch (format) {
-    case FileFormat::pdb:
-      return read_pdb(input);
-    case FileFormat::pdbqt:
-      return read_pdbqt(input);
-    case FileFormat::mmcif:
-      return read_mmcif(input);
-    case FileFormat::pqr:
-      return read_pqr(input);
-    case FileFormat::xyz:
-      return read_xyz(input);
-    case FileFormat::tinker_xyz:
-      return read_tinker_xyz(input);
-    case FileFormat::ball_table:
-      return read_ball_table(input);
-    case FileFormat::charmm_card:
-      return read_charmm_card(input);
-    case FileFormat::unknown:
-      break;
-  }
+  if (format != nullptr) return format->read(input);
   const Lookalike found = look_at(input.text);
   throw ReadError(input.source, 0,
                   "this is not a molecule file that can be read: it looks like " + found.what,
-                  found.remedy.empty() ? kFormats : found.remedy);
+                  found.remedy.empty()
+                      ? "Formats that can be opened: " + format_names() + ", also packed as .gz"
+                      : found.remedy);
 }
 
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options,
@@ -62,12 +38,11 @@ Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& opt
   const bool large = loaded.text.size() > kHashInThreadFrom && !loaded.compressed;
   std::future<std::string> hash = std::async(large ? std::launch::async : std::launch::deferred,
                                              [&loaded] { return file_hash(loaded); });
-  const FileFormat format =
-      options.format == FileFormat::unknown ? sniff_format(path, loaded.text) : options.format;
+  const FileFormat* const format =
+      options.format != nullptr ? options.format : recognise_format(path, loaded.text);
   Molecule molecule = read_format(format, {path, loaded.text, context});
   molecule.sha256 = hash.get();
-  // PDB columns tell where a cut goes through a number; elsewhere nothing does.
-  if (molecule.format != "PDB" && molecule.format != "PDBQT" && loaded.text.back() != '\n') {
+  if (!format->tells_cuts && loaded.text.back() != '\n') {
     molecule.notes.push_back(
         "The last line has no line end: if the file was cut off, its last atom may be wrong");
   }

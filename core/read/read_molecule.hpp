@@ -7,7 +7,7 @@
 
 #include "core/files/read_error.hpp"
 #include "core/molecule/molecule.hpp"
-#include "core/read/sniff_format.hpp"
+#include "core/read/file_format.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
@@ -15,17 +15,19 @@ namespace alphascope {
 struct ReadOptions {
   // Most text to accept, after unpacking (bytes): a small gzip file can unpack to terabytes.
   std::uint64_t max_bytes = std::uint64_t{4} << 30;
-  FileFormat format = FileFormat::unknown;  // unknown: told by content and name
+  const FileFormat* format = nullptr;  // null: told by content and name
   // Read to its end instead of opening the path, which then only names the molecule: for standard
   // input. Stays open.
   std::optional<int> descriptor = {};
   friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
-// Formats: PDB, PDBQT, mmCIF, PQR, XYZ (plain, extended, Tinker), XYZR and tables of balls, CRD (x
-// y z r with or without count, CHARMM cards). Told apart by content first, then by extension.
 // Throws ReadError with a sentence for people, and Cancelled.
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options = {},
                        const RunContext& context = {});
+
+// A text that is loaded already, by the format's own reader. Null, and a text of blanks: the error
+// says what the text looks like.
+Molecule read_format(const FileFormat* format, const ReaderInput& input);
 
 }  // namespace alphascope

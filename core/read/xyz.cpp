@@ -6,8 +6,9 @@
 #include <set>
 
 #include "core/files/line_reader.hpp"
+#include "core/read/field_kinds.hpp"
+#include "core/read/file_format.hpp"
 #include "core/read/molecule_builder.hpp"
-#include "core/read/readers.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/read/residues/virtual_sites.hpp"
 #include "core/text/printable.hpp"
@@ -272,14 +273,43 @@ class XyzReader {
   std::size_t count_ = 0, count_line_ = 0;
 };
 
-}  // namespace
-
 Molecule read_xyz(const ReaderInput& input) {
   return XyzReader(input, false).read();
 }
 
-Molecule read_tinker_xyz(const ReaderInput& input) {
+Molecule read_tinker(const ReaderInput& input) {
   return XyzReader(input, true).read();
+}
+
+// "1 OW x y z 221 2", of which one coordinate may be damaged: its reader says that best.
+bool is_tinker_atom(std::string_view kinds) {
+  if (kinds.size() < 6 || kinds[0] != 'i' || kinds[1] != 'w' || kinds[5] != 'i') return false;
+  return std::count(kinds.begin() + 2, kinds.begin() + 5, 'w') <= 1;
+}
+
+Recognised recognise_tinker(const FileSample& sample) {
+  if (!field_kinds(sample.first).starts_with('i')) return Recognised::no;
+  const std::string kinds = field_kinds(sample.second), below = field_kinds(sample.third);
+  const bool box = kinds.size() == 6 && are_numbers_from(kinds, 0, 6);
+  const bool behind_box = box && below.size() >= 6 && below[0] == 'i' && below[1] == 'w';
+  return is_tinker_atom(kinds) || behind_box ? Recognised::certain : Recognised::no;
+}
+
+Recognised recognise_xyz(const FileSample& sample) {
+  if (field_kinds(sample.first) != "i") return Recognised::by_ending;
+  const std::string below = field_kinds(sample.third);
+  const bool atom = below.size() >= 4 && below[0] == 'w' && are_numbers_from(below, 1, 3);
+  return atom || sample.ending == ".xyz" ? Recognised::likely : Recognised::by_ending;
+}
+
+}  // namespace
+
+FileFormat xyz_format() {
+  return {"xyz", "XYZ", {".xyz"}, recognise_xyz, read_xyz};
+}
+
+FileFormat tinker_format() {
+  return {"tinker", "Tinker XYZ", {}, recognise_tinker, read_tinker};
 }
 
 }  // namespace alphascope

@@ -21,7 +21,6 @@
 
 #include "core/files/text_file.hpp"
 #include "core/read/read_molecule.hpp"
-#include "core/read/readers.hpp"
 
 namespace {
 
@@ -48,9 +47,9 @@ double timed(Work work) {
 // Keeps what was read from being optimised away.
 std::size_t atoms_seen = 0;
 
-void read_with_gemmi(FileFormat format, std::string_view text) {
+void read_with_gemmi(const FileFormat* format, std::string_view text) {
   gemmi::Structure structure;
-  if (format == FileFormat::pdb) {
+  if (format == format_from_id("pdb")) {
     structure = gemmi::read_pdb_from_memory(text.data(), text.size(), "bench");
   } else {
     gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), "bench");
@@ -71,8 +70,8 @@ std::string number_or_dash(double number, bool known, int digits) {
 
 void measure(const std::filesystem::path& path, int runs) {
   const LoadedText loaded = load_text(path, std::uint64_t{4} << 30, {});
-  const FileFormat format = sniff_format(path, loaded.text);
-  const bool gemmi_too = format == FileFormat::pdb || format == FileFormat::mmcif;
+  const FileFormat* const format = recognise_format(path, loaded.text);
+  const bool gemmi_too = format == format_from_id("pdb") || format == format_from_id("mmcif");
   Times memory, disk;
   std::size_t atoms = 0;
   std::string name;

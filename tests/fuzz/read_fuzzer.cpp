@@ -1,11 +1,11 @@
 // Any bytes as a file of one format: a molecule that keeps its promises, or a ReadError.
-#include "core/read/readers.hpp"
+#include "core/read/file_format.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  static const alphascope::FileFormat* const format =
+      alphascope::format_from_id(ALPHASCOPE_FUZZ_FORMAT);
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  alphascope::fuzz::check_reading([&] {
-    return alphascope::ALPHASCOPE_FUZZ_READER({"fuzz", text, {}});
-  });
+  alphascope::fuzz::check_reading([&] { return format->read({"fuzz", text, {}}); });
   return 0;
 }

@@ -211,7 +211,7 @@ Options thesis_suite(BenchOptions& options) {
 OptionCommand table_of_bench(BenchOptions& options) {
   OptionCommand command{
       "bench", "Time our engine and CGAL in one process, cold and warm; medians", {}};
-  Option files = required(texts_option({"FILE", "FILE", kFileText}, options.files));
+  Option files = required(texts_option({"FILE", "FILE", file_text()}, options.files));
   command.options = {files, with_default(alphas(options.alphas, "Alphas in Å², such as -1,0,1.4"),
                                          "with --suite: 0,1.4,3 Å²")};
   append(command.options, engine(options.request, false));

@@ -7,6 +7,7 @@
 
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/files/output_ending.hpp"
+#include "core/read/file_format.hpp"
 #include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/picture_path.hpp"
@@ -133,7 +134,7 @@ void add_file_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(
       {.id = "file.open",
        .title = "Open molecule…",
-       .help = "Reads a file: PDB, mmCIF, XYZR, PQR, XYZ or CRD, also as .gz",
+       .help = "Reads a file: " + format_names() + "; also as .gz",
        .synonyms = {{"load read import"}},
        .shortcuts = {{"Ctrl+O"}},
        .menu = "File",

@@ -55,7 +55,7 @@ class FieldWriter {
   void operator()(const char* name, const Paint& value, Painted what);
   void model(const char* name, int index);
   template <class Choice>
-  requires std::is_enum_v<Choice>
+  requires IsChoice<Choice>
   void operator()(const char* name, Choice value) {
     for (const auto& [choice, id] : setting_ids(value)) {
       if (choice == value) to_[name] = id;
@@ -117,7 +117,7 @@ class FieldReader {
   void operator()(const char* name, Paint& value, Painted what);
   void model(const char* name, int& index);
   template <class Choice>
-  requires std::is_enum_v<Choice>
+  requires IsChoice<Choice>
   void operator()(const char* name, Choice& value) {
     const auto& ids = setting_ids(value);
     std::vector<std::string_view> words;

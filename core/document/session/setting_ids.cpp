@@ -26,14 +26,10 @@ const SettingIds<RadiiSet>& setting_ids(RadiiSet) {
   return ids;
 }
 
-const SettingIds<FileFormat>& setting_ids(FileFormat) {
-  static const SettingIds<FileFormat> ids = [] {
-    SettingIds<FileFormat> all{{FileFormat::unknown, "auto"}};
-    for (const FileFormat format :
-         {FileFormat::pdb, FileFormat::pdbqt, FileFormat::mmcif, FileFormat::pqr, FileFormat::xyz,
-          FileFormat::tinker_xyz, FileFormat::ball_table, FileFormat::charmm_card}) {
-      all.emplace_back(format, format_id(format));
-    }
+const SettingIds<const FileFormat*>& setting_ids(const FileFormat*) {
+  static const SettingIds<const FileFormat*> ids = [] {
+    SettingIds<const FileFormat*> all{{nullptr, "auto"}};
+    for (const FileFormat& format : file_formats()) all.emplace_back(&format, format.id);
     return all;
   }();
   return ids;

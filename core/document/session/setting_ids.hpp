@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -11,8 +12,13 @@
 #include "core/document/reference/atom_labels.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/document/settings/request.hpp"
+#include "core/read/file_format.hpp"
 
 namespace alphascope {
+
+// Is the type one of those below?
+template <class Type>
+concept IsChoice = std::is_enum_v<Type> || std::is_same_v<Type, const FileFormat*>;
 
 template <class Choice>
 using SettingIds = std::vector<std::pair<Choice, std::string_view>>;
@@ -21,7 +27,7 @@ using SettingIds = std::vector<std::pair<Choice, std::string_view>>;
 const SettingIds<AltlocRule>& setting_ids(AltlocRule);
 const SettingIds<HydrogenRule>& setting_ids(HydrogenRule);
 const SettingIds<RadiiSet>& setting_ids(RadiiSet);
-const SettingIds<FileFormat>& setting_ids(FileFormat);
+const SettingIds<const FileFormat*>& setting_ids(const FileFormat*);
 const SettingIds<EngineChoice>& setting_ids(EngineChoice);
 const SettingIds<TupleGridKind>& setting_ids(TupleGridKind);
 const SettingIds<AlphaScaling>& setting_ids(AlphaScaling);

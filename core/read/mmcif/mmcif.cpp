@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/files/line_reader.hpp"
+#include "core/read/file_format.hpp"
 #include "core/read/mmcif/cif_grammar.hpp"
 #include "core/read/mmcif/cif_value.hpp"
 #include "core/read/mmcif/mmcif_assembly.hpp"
@@ -13,7 +14,6 @@
 #include "core/read/mmcif/mmcif_entities.hpp"
 #include "core/read/molecule_builder.hpp"
 #include "core/read/predicted_model.hpp"
-#include "core/read/readers.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/letter_case.hpp"
 
@@ -333,8 +333,6 @@ class MmcifReader : public CifHandler {
   bool fractional_ = false;
 };
 
-}  // namespace
-
 Molecule read_mmcif(const ReaderInput& input) {
   MmcifReader reader(input);
   try {
@@ -345,6 +343,18 @@ Molecule read_mmcif(const ReaderInput& input) {
                     "The file is truncated or damaged; fetch it again");
   }
   return reader.finish();
+}
+
+Recognised recognise_mmcif(const FileSample& sample) {
+  const std::string_view first = trimmed(sample.first);
+  const bool begins = lower_case(first.substr(0, 5)) == "data_";
+  return begins ? Recognised::likely : Recognised::by_ending;
+}
+
+}  // namespace
+
+FileFormat mmcif_format() {
+  return {"mmcif", "mmCIF", {".cif", ".mmcif"}, recognise_mmcif, read_mmcif};
 }
 
 }  // namespace alphascope

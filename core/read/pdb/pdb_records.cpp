@@ -58,7 +58,25 @@ bool has_atom_inside(std::string_view line) {
   return false;
 }
 
+constexpr std::string_view kRecords[] = {
+    "HEADER", "TITLE ", "COMPND", "REMARK", "CRYST1", "ATOM  ", "HETATM", "MODEL ", "EXPDTA",
+    "SEQRES", "AUTHOR", "KEYWDS", "OBSLTE", "JRNL  ", "SOURCE", "NUMMDL", "SPLIT ", "CAVEAT"};
+
 }  // namespace
+
+bool is_pdb_record(std::string_view line) {
+  return std::any_of(std::begin(kRecords), std::end(kRecords),
+                     [&](std::string_view record) { return line.starts_with(record); });
+}
+
+bool begins_as_pdb(const FileSample& sample) {
+  return is_pdb_record(sample.first) || sample.before.find("REMARK") != std::string_view::npos;
+}
+
+bool begins_as_pqr(const FileSample& sample) {
+  if (!begins_as_pdb(sample)) return false;
+  return sample.ending == ".pqr" || sample.before.find("PQR file") != std::string_view::npos;
+}
 
 PdbLineKind kind_of_pdb_line(std::string_view line) {
   if (line.starts_with("HETATM")) return {PdbLine::atom, true, 0};

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/read/file_format.hpp"
+
 namespace alphascope {
 
 // Columns first..last of a line (from 1); shorter or empty where the line ends early.
@@ -16,6 +18,13 @@ inline std::string_view columns(std::string_view line, std::size_t first, std::s
   if (line.size() < first) return {};
   return line.substr(first - 1, last - first + 1);
 }
+
+// "HEADER", "REMARK", "ATOM  " and others that a file may begin with.
+bool is_pdb_record(std::string_view line);
+// Records stand above all else; PQR files have them, too.
+bool begins_as_pdb(const FileSample& sample);
+// They are records of PQR, as a remark or the name says.
+bool begins_as_pqr(const FileSample& sample);
 
 enum class PdbLine : std::uint8_t {
   atom,         // as the format has it, or with a serial number of six or seven digits

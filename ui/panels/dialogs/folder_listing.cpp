@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/document/session/session_file.hpp"
+#include "core/read/file_format.hpp"
 #include "core/text/letter_case.hpp"
 #include "ui/number_text.hpp"
 
@@ -19,12 +20,7 @@ namespace fs = std::filesystem;
 }  // namespace
 
 bool looks_like_molecule(const fs::path& path) {
-  std::string extension = lower_case(path.extension().string());
-  if (extension == ".gz") extension = lower_case(path.stem().extension().string());
-  static constexpr const char* kKnown[] = {".pdb",  ".ent", ".pdbqt", ".cif", ".mmcif",
-                                           ".xyzr", ".pqr", ".xyz",   ".crd"};
-  return std::any_of(std::begin(kKnown), std::end(kKnown),
-                     [&](const char* known) { return extension == known; });
+  return has_molecule_ending(path);
 }
 
 namespace {

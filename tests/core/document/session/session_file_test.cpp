@@ -66,7 +66,7 @@ SessionDocument unusual() {
   s.molecule = {"data/1crn.pdb", "/home/a/data/1crn.pdb", kHash};
   s.radii_table = {"radii.txt", "/home/a/radii.txt", std::string(64, 'b')};
   BallOptions& b = s.settings.open.balls;
-  s.settings.open.read.format = FileFormat::tinker_xyz;
+  s.settings.open.read.format = format_from_id("tinker");
   s.settings.open.assembly = "2";
   b = {.radii = RadiiSet::user,
        .user_radii = nullptr,

@@ -16,7 +16,8 @@
   FORMAT(xyz)                      \
   FORMAT(tinker)                   \
   FORMAT(xyzr)                     \
-  FORMAT(charmm)
+  FORMAT(charmm)                   \
+  FORMAT(gro)
 
 namespace alphascope {
 

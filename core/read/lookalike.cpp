@@ -86,17 +86,6 @@ char separator_of_numbers(std::string_view line) {
   return 0;
 }
 
-// "    1SOL     OW    1   0.126   1.624   1.679": columns, in nm.
-bool is_gro_atom(std::string_view line) {
-  if (line.size() < 44 || !is_number(line.substr(0, 5)) || !is_number(line.substr(15, 5))) {
-    return false;
-  }
-  for (std::size_t at = 20; at < 44; at += 8) {
-    if (!is_number(line.substr(at, 8))) return false;
-  }
-  return true;
-}
-
 // Formats that are known by what their first lines are.
 Lookalike look_at_lines(std::string_view text) {
   LineReader lines(text);
@@ -106,10 +95,6 @@ Lookalike look_at_lines(std::string_view text) {
   }
   if (line[3].find("V2000") != line[3].npos || line[3].find("V3000") != line[3].npos) {
     return {"an MDL molfile or SDF", std::string(kConvert), true};
-  }
-  if (is_number(line[1]) && is_gro_atom(line[2])) {
-    return {"GROMACS coordinates (.gro), which are in nm",
-            "Convert it to PDB, for example with gmx editconf", true};
   }
   return {};
 }

@@ -1,0 +1,220 @@
+// GRO, the coordinates of GROMACS: a title, the number of atoms, a line for each atom, the box;
+// further frames follow in the same way and become models. Columns are fixed:
+//   residue number (5) residue name (5) atom name (5) atom number (5) x y z [velocities]
+// Positions are in nm, with as many columns as there are between two decimal points.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "core/files/line_reader.hpp"
+#include "core/read/field_kinds.hpp"
+#include "core/read/file_format.hpp"
+#include "core/read/molecule_builder.hpp"
+#include "core/read/residues/atom_names.hpp"
+#include "core/text/printable.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr std::size_t kProgressAtoms = 65536;
+constexpr std::size_t kPositions = 20;   // columns before x
+constexpr std::size_t kPointColumn = 4;  // of a position's columns, as %8.3f and %10.5f write it
+constexpr std::size_t kLeastWidth = 6, kMostWidth = 40;
+constexpr std::size_t kShortestAtom = kPositions + 3 * kLeastWidth;
+
+// The columns of a position; none where there are no three decimal points as far from each other.
+std::optional<std::size_t> width_of_positions(std::string_view line) {
+  const std::size_t first = line.find('.', kPositions);
+  if (first == line.npos) return std::nullopt;
+  const std::size_t second = line.find('.', first + 1);
+  if (second == line.npos || line.find('.', second + 1) != 2 * second - first) return std::nullopt;
+  const std::size_t width = second - first;
+  return width < kLeastWidth || width > kMostWidth ? std::nullopt : std::optional(width);
+}
+
+std::string_view field_at(std::string_view line, std::size_t first, std::size_t width) {
+  return line.size() <= first ? std::string_view() : line.substr(first, width);
+}
+
+// The whole text; blanks around it do not count.
+template <class Number>
+bool parse_whole(std::string_view text, Number& number) {
+  text = trimmed(text);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+// On the decimal lattice: the point moves by one place.
+Decimal angstrom_of_nanometres(Decimal value) {
+  if (value.mantissa != 0) --value.digits;
+  return value;
+}
+
+class GroReader {
+ public:
+  explicit GroReader(const ReaderInput& input)
+      : input_(input), lines_(input.text), builder_(input.source, "GRO") {}
+
+  Molecule read() {
+    for (int frame = 1; !is_at_end(); ++frame) {
+      std::string_view line;
+      lines_.next(line);
+      if (frame == 1) builder_.molecule().title = std::string(trimmed(line));
+      read_count();
+      builder_.begin_model(frame);
+      width_.reset();
+      for (std::size_t k = 0; k < count_; ++k) read_atom(k);
+      read_box();
+    }
+    guesser_.add_note(builder_.molecule(), "because GRO files hold none");
+    return builder_.finish();
+  }
+
+ private:
+  // Titles may be blank, so that blank lines end the file only where nothing else follows.
+  bool is_at_end() const {
+    const std::string_view rest = input_.text.substr(input_.text.size() - lines_.bytes_left());
+    return rest.find_first_not_of(" \t\r\n\v\f") == rest.npos;
+  }
+
+  void read_count() {
+    std::string_view line;
+    const bool there = lines_.next(line);
+    count_line_ = lines_.number();
+    if (!there || !parse_whole(line, count_)) {
+      fail("expected the number of atoms, found \"" + shortened(trimmed(line)) + "\"",
+           builder_.size() == 0
+               ? "A GRO file begins with a title and, in the second line, the number of its atoms"
+               : "The file is truncated, or the count of the frame before is too small");
+    }
+    // A wrong count cannot make us reserve much.
+    if (builder_.size() == 0)
+      builder_.reserve(std::min(count_, lines_.bytes_left() / kShortestAtom));
+  }
+
+  void read_atom(std::size_t k) {
+    if (builder_.size() % kProgressAtoms == 0) input_.report(lines_.bytes_left());
+    std::string_view line;
+    if (!lines_.next(line) || trimmed(line).empty()) {
+      fail("the atoms end after " + std::to_string(k) + " of the " + std::to_string(count_) +
+               " that line " + std::to_string(count_line_) + " announces",
+           "The file is truncated or the count is wrong; fetch it again or correct the count");
+    }
+    if (!width_) width_ = width_of_positions(line);
+    if (!width_) {
+      fail("there are no three numbers with decimal points from column 21 on",
+           "The columns of GRO files are fixed; write the file again with gmx editconf");
+    }
+    Atom atom;
+    atom.source_line = static_cast<std::uint32_t>(lines_.number());
+    atom.serial = static_cast<std::int32_t>(builder_.size() + 1);
+    if (!parse_whole(field_at(line, 0, 5), atom.residue_number)) {
+      fail("expected a residue number in columns 1-5, found \"" +
+               shortened(trimmed(field_at(line, 0, 5))) + "\"",
+           "The count of atoms may be wrong, or the columns have moved; write the file again with "
+           "gmx editconf");
+    }
+    NameTable& names = builder_.molecule().names;
+    atom.residue_name = names.intern(trimmed(field_at(line, 5, 5)));
+    atom.name = names.intern(trimmed(field_at(line, 10, 5)));
+    std::array<Decimal, 3> position;
+    for (std::size_t axis = 0; axis < 3; ++axis) position[axis] = coordinate(line, axis);
+    atom.kind = atom_kind(guesser_.identify(atom, StatedElement{}, NamePlace::free, names), false);
+    builder_.set_record({});
+    builder_.add(atom, position);
+  }
+
+  // Å. A number that is cut by its columns is refused; one that is only moved is read.
+  Decimal coordinate(std::string_view line, std::size_t axis) const {
+    const std::string name(1, "xyz"[axis]);
+    const std::size_t first = kPositions + axis * *width_, end = first + *width_;
+    const std::string_view field = field_at(line, first, *width_);
+    if (trimmed(field).empty()) {
+      fail(name + " is missing", "The line may be truncated; fetch the file again");
+    }
+    const bool ends = end >= line.size() || is_blank(line[end]);
+    // Behind z stands at most a velocity, which is never so large that it would touch.
+    const bool in_place = field.size() == *width_ && field[kPointColumn] == '.' &&
+                          (axis < 2 || ends || line[end] == '-');
+    const bool apart = is_blank(field.front()) && ends;
+    Decimal value;
+    const DecimalStatus status = parse_decimal(trimmed(field), value);
+    if (status != DecimalStatus::ok || (!in_place && !apart)) {
+      fail("expected a number of nm for " + name + " in columns " + std::to_string(first + 1) +
+               "-" + std::to_string(end) + ", found \"" + shortened(field) + "\"",
+           status == DecimalStatus::not_finite
+               ? "Coordinates must be finite; remove this atom or compute it again"
+               : "The columns of GRO files are fixed; write the file again with gmx editconf");
+    }
+    return angstrom_of_nanometres(value);
+  }
+
+  // Three numbers or nine, which are not used.
+  void read_box() {
+    std::string_view line;
+    if (!lines_.next(line)) {
+      builder_.molecule().notes.push_back(
+          "The last frame has no line with its box: the file may have been cut off");
+      return;
+    }
+    std::size_t fields = 0;
+    std::string_view rest = line;
+    for (std::string_view f = next_field(rest); !f.empty(); f = next_field(rest), ++fields) {
+      Decimal value;
+      if (parse_decimal(f, value) != DecimalStatus::ok) fields = 9;
+    }
+    if (fields == 3 || fields == 9) return;
+    fail("expected the box after " + std::to_string(count_) +
+             " atoms, which is three numbers or "
+             "nine, found \"" +
+             shortened(trimmed(line)) + "\"",
+         "The count in line " + std::to_string(count_line_) +
+             " may be wrong, or the file is truncated; correct the count or fetch the file again");
+  }
+
+  [[noreturn]] void fail(std::string reason, std::string remedy) const {
+    throw ReadError(input_.source, lines_.number(), std::move(reason), std::move(remedy));
+  }
+
+  const ReaderInput& input_;
+  LineReader lines_;
+  MoleculeBuilder builder_;
+  AtomGuesser guesser_;
+  std::optional<std::size_t> width_;  // of the positions of this frame
+  std::size_t count_ = 0, count_line_ = 0;
+};
+
+Molecule read_gro(const ReaderInput& input) {
+  return GroReader(input).read();
+}
+
+// "    1SOL     OW    1   0.126   1.624   1.679"
+bool is_gro_atom(std::string_view line) {
+  std::int64_t number = 0;
+  if (!parse_whole(field_at(line, 0, 5), number) || !parse_whole(field_at(line, 15, 5), number)) {
+    return false;
+  }
+  const auto width = width_of_positions(line);
+  return width && line.size() >= kPositions + 3 * *width &&
+         are_numbers_from(field_kinds(line.substr(kPositions)), 0, 3);
+}
+
+// Whatever the title is: by the two lines below it.
+Recognised recognise_gro(const FileSample& sample) {
+  LineReader lines(sample.text);
+  std::string_view title, count, atom;
+  lines.next(title);
+  lines.next(count);
+  lines.next(atom);
+  return field_kinds(count) == "i" && is_gro_atom(atom) ? Recognised::certain
+                                                        : Recognised::by_ending;
+}
+
+}  // namespace
+
+FileFormat gro_format() {
+  return {"gro", "GRO", {".gro"}, recognise_gro, read_gro};
+}
+
+}  // namespace alphascope

@@ -17,7 +17,8 @@
   FORMAT(tinker)                   \
   FORMAT(xyzr)                     \
   FORMAT(charmm)                   \
-  FORMAT(gro)
+  FORMAT(gro)                      \
+  FORMAT(mol2)
 
 namespace alphascope {
 

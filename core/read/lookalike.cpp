@@ -42,7 +42,6 @@ constexpr Mark kMarks[] = {
     {0, "\xff\xd8\xff", "a picture", kFetchText},
     {0, "\xff\xfe", "a text in UTF-16", "Save it as plain text (UTF-8)"},
     {0, "\xfe\xff", "a text in UTF-16", "Save it as plain text (UTF-8)"},
-    {0, "@<TRIPOS>", "a Tripos MOL2 file", kConvert},
     {0, "PSF", "a CHARMM or X-PLOR topology (PSF), which has no coordinates", kNoAtoms},
     {0, "%VERSION", "an AMBER topology, which has no coordinates", kNoAtoms},
     {4, "CORD", "a DCD trajectory", "Save the frames that you need as PDB or XYZ"},

@@ -64,7 +64,11 @@ std::vector<Sample> samples() {
       {"a.gro",
        "T\n    2\n    1SOL     OW    1   0.126   1.624   1.679\n"
        "    1SOL    HW1    2   0.190   1.661   1.747  0.1227 -0.0580  0.0434\n"
-       "   1.86824   1.86824   1.86824\n"}};
+       "   1.86824   1.86824   1.86824\n"},
+      {"a.mol2",
+       "@<TRIPOS>MOLECULE\nx\n2 1 1\nSMALL\nNO_CHARGES\n@<TRIPOS>ATOM\n"
+       "1 C1 1.25 2.5 3.75 C.3 1 LIG1 0.1\n2 O1 4.25 5.5 6.75 O.3 1 LIG1 -0.1\n"
+       "@<TRIPOS>BOND\n1 1 2 1\n@<TRIPOS>SUBSTRUCTURE\n1 LIG1 1 GROUP 0 A LIG\n"}};
 }
 
 TEST(HostileInput, TruncationAtEveryByte) {

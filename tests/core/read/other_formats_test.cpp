@@ -177,7 +177,6 @@ TEST(SniffFormat, UnknownFilesAreDescribed) {
       {"\xff\xfe"
        "A\0T\0"sv,
        "UTF-16", "UTF-8"},
-      {"@<TRIPOS>MOLECULE\nx\n", "MOL2", "Open Babel"},
       {"\n  RDKit\n\n  3  2  0  0  0  0  0  0  0  0999 V2000\n", "molfile", "Open Babel"},
       {"Water\n    1\n    1SOL     OW    1   0.126   1.624    none\n",
        "a text that begins with \"Water\"", "Formats that can be opened"},

@@ -98,21 +98,23 @@ class Contest {
     AlphaRequest at = rules_.request;
     Clock::time_point start = Clock::now();
     const MadeEngine made = factory_(c.choice, rules_.balls, c.settings);
-    AlphaComplex complex = made.engine->compute(at, quiet);
+    KnownOfBalls known;
+    const auto complex = std::make_shared<AlphaComplex>(made.engine->compute(at, known, quiet));
     const double cold = milliseconds_since(start);
-    const std::size_t tetrahedra = complex.tetrahedra.size();
-    let_go(complex);
+    const std::size_t tetrahedra = complex->tetrahedra.size();
+    known.share(complex);
+    if (!known.complex) let_go(*complex);
     at.alpha_angstrom2 = at.alpha_angstrom2 - kSliderStep;
     start = Clock::now();
-    made.engine->compute(at, quiet);
+    made.engine->compute(at, known, quiet);
     const double warm = milliseconds_since(start);
-    c.hashes_agree &= !c.measured() || c.hash == complex.hash;
+    c.hashes_agree &= !c.measured() || c.hash == complex->hash;
     c.cold.push_back(cold);
     c.warm.push_back(warm);
-    c.cold_stages.push_back(complex.timings.stages);
-    c.engine = complex.engine;
+    c.cold_stages.push_back(complex->timings.stages);
+    c.engine = complex->engine;
     c.tetrahedra = tetrahedra;
-    c.hash = complex.hash;
+    c.hash = complex->hash;
   }
 
   // An engine may keep the memory of a result for a later one, as it does while a slider moves.

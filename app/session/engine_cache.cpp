@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "app/session/rounding_note.hpp"
-#include "core/engines/lent.hpp"
+#include "core/engines/known.hpp"
 
 namespace alphascope {
 
 EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSet>& balls,
-                                              const Request& request, const EngineLoan& loan) {
+                                              const Request& request, const OfAllBalls& of_all) {
   const auto fits = [&](const Entry& entry) {
     return entry.base == balls && same_setup(entry.request, request);
   };
@@ -24,10 +24,9 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
   while (entries_.size() >= kEntries) entries_.pop_back();
 
   std::shared_ptr<const BallSet> grown = balls;
-  if (loan.base == balls && loan.solvent_radius_angstrom == request.solvent_radius_angstrom) {
-    grown = loan.balls;
-  } else if (request.solvent_radius_angstrom != 0) {
+  if (request.solvent_radius_angstrom != 0) {
     grown = std::make_shared<const BallSet>(with_solvent(*balls, request.solvent_radius_angstrom));
+    if (of_all.balls && *of_all.balls == *grown) grown = of_all.balls;
   }
   MadeEngine made = factory_(request.engine, grown, engine_settings(request));
   entries_.push_front({balls, std::move(grown), request, std::move(made)});
@@ -75,31 +74,33 @@ MeasuredUnion EngineCache::measure(const EngineAnswer& answer, const RunContext&
 
 std::uint64_t EngineCache::kept_bytes() const {
   std::uint64_t bytes = 0;
-  for (const Entry& entry : entries_) {
-    bytes += entry.made.engine->kept_bytes() + bytes_of(entry.of_all);
-  }
+  for (const Entry& entry : entries_) bytes += bytes_of(entry.known);
   return bytes;
 }
 
-// Who keeps what was handed over lends it; until then it is still here.
-Lent EngineCache::lent_to(Entry& entry, const EngineLoan& loan) const {
-  Lent lent = entry.grown == loan.balls ? loan.lent : Lent{};
-  if (lent.triangulation) entry.of_all.triangulation = nullptr;
-  if (lent.filtration) entry.of_all = {};
-  if (!lent.triangulation) lent.triangulation = entry.of_all.triangulation;
-  if (!lent.filtration) lent.filtration = entry.of_all.filtration;
-  return lent;
+// What an engine had made before it was cancelled is for the next request.
+AlphaComplex EngineCache::complex_of(Entry& entry, const Request& request,
+                                     const RunContext& context, const OfAllBalls& of_all) {
+  OfAllBalls owned{entry.grown, entry.taken_triangulation.lock(), entry.taken_filtration.lock()};
+  if (of_all.balls == entry.grown) owned.add(of_all);
+  KnownOfBalls& known = entry.known;
+  known.balls = entry.grown;
+  known.add(owned);
+  try {
+    AlphaComplex complex = entry.made.engine->compute(
+        {request.alpha_angstrom2, request.tetrahedra_only}, known, context);
+    known.drop(owned);
+    return complex;
+  } catch (...) {
+    known.drop(owned);
+    throw;
+  }
 }
 
 // A first answer without set-up stages follows one that was cancelled after them: it is not cold.
 EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const RunContext& context,
-                                 const EngineLoan& loan) {
-  AlphaComplex complex = entry.made.engine->compute(
-      {request.alpha_angstrom2, request.tetrahedra_only, lent_to(entry, loan), handing_over_},
-      context);
-  Lent made = handing_over_ ? entry.made.engine->take() : Lent{};
-  if (made.triangulation) entry.of_all.triangulation = made.triangulation;
-  if (made.filtration) entry.of_all.filtration = made.filtration;
+                                 const OfAllBalls& of_all) {
+  AlphaComplex complex = complex_of(entry, request, context, of_all);
   const auto& stages = complex.timings.stages;
   const bool set_up =
       std::any_of(stages.begin(), stages.end(), [](const StageTime& s) { return s.setup; });
@@ -107,22 +108,34 @@ EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const Run
   std::string note = entry.made.note;
   const std::string rounding = rounding_note(request, entry.grown->lattice);
   if (!rounding.empty()) note += (note.empty() ? "" : " ") + rounding;
-  EngineAnswer answer{request,         entry.grown,     std::move(complex),
-                      std::move(note), first && set_up, kept_bytes()};
-  answer.made = std::move(made);
-  return answer;
+  return {request, entry.grown, std::move(complex), std::move(note), first && set_up};
 }
 
 EngineAnswer EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
                                   const Request& request, const RunContext& context,
-                                  const EngineLoan& loan) {
+                                  const OfAllBalls& of_all) {
   context.cancel.throw_if_cancelled();
-  Entry& entry = find_or_make(balls, request, loan);
+  Entry& entry = find_or_make(balls, request, of_all);
   // What another engine keeps for its next results would be idle, and is much on a GPU.
   for (Entry& other : entries_) {
     if (&other != &entry) other.made.engine->rest();
   }
-  return answer(entry, request, context, loan);
+  return answer(entry, request, context, of_all);
+}
+
+OfAllBalls EngineCache::take_made() {
+  if (entries_.empty()) return {};
+  Entry& entry = entries_.front();
+  OfAllBalls made{entry.grown, std::exchange(entry.known.triangulation, nullptr),
+                  std::exchange(entry.known.filtration, nullptr)};
+  if (made.triangulation) entry.taken_triangulation = made.triangulation;
+  if (made.filtration) entry.taken_filtration = made.filtration;
+  return made;
+}
+
+void EngineCache::share(const std::shared_ptr<const EngineAnswer>& answer) {
+  if (entries_.empty() || entries_.front().grown != answer->balls) return;
+  entries_.front().known.share({answer, &answer->complex});
 }
 
 }  // namespace alphascope

@@ -1,4 +1,5 @@
-// Keeps the engines of the last few settings, so that going back to one costs no setup.
+// Keeps the engines of the last few settings, so that going back to one costs no setup. With each
+// it keeps what is known of its balls, where nobody else does.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +13,6 @@
 
 namespace alphascope {
 
-// What was made of all balls of one answer, for the answers to come: with its balls.
-struct EngineLoan {
-  std::shared_ptr<const BallSet> base;  // without solvent radius
-  double solvent_radius_angstrom = 0;
-  std::shared_ptr<const BallSet> balls;  // with the solvent radius
-  Lent lent;
-};
-
 // Belongs to one thread at a time.
 class EngineCache {
  public:
@@ -27,14 +20,17 @@ class EngineCache {
   explicit EngineCache(EngineFactory factory, std::shared_ptr<SharedThreads> threads = {})
       : factory_(std::move(factory)), threads_(std::move(threads)) {}
 
-  // Somebody else has use for what the engines make of all balls (EngineAnswer::made).
-  void hand_over_what_is_made() { handing_over_ = true; }
-
-  // `balls` without solvent radius. A loan of other balls is not looked at. What is done when
-  // a GPU fails is not decided here but in the engine (core/engines/short_of_memory.hpp). Throws
-  // what make_engine(), with_solvent() and Engine::compute() throw.
+  // `balls` without solvent radius. `of_all`: what another owner has of all balls of this or an
+  // earlier answer; of other balls it is not looked at. What is done when a GPU fails is not
+  // decided here but in the engine (core/engines/short_of_memory.hpp). Throws what make_engine(),
+  // with_solvent() and Engine::compute() throw.
   EngineAnswer compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
-                       const RunContext& context, const EngineLoan& loan = {});
+                       const RunContext& context, const OfAllBalls& of_all = {});
+  // Hands over what the last answer's engine has made of all balls. The next answers are made from
+  // it as long as the new owner has it.
+  OfAllBalls take_made();
+  // The last answer, now that it is shared: smaller alphas may be thresholds of it.
+  void share(const std::shared_ptr<const EngineAnswer>& answer);
 
   // Areas and volumes of the last answer's complex, by the device of its engine; on the CPU, with a
   // note, where that cannot. Nothing when it has none. Throws what measure_union() throws.
@@ -50,7 +46,7 @@ class EngineCache {
   // Nothing will be asked for a while: gives back what engines keep for their next results alone.
   void rest();
   void clear() { entries_.clear(); }
-  std::uint64_t kept_bytes() const;
+  std::uint64_t kept_bytes() const;  // for later answers
 
  private:
   // An engine may hold a triangulation of millions of balls, so only the last settings are kept.
@@ -60,24 +56,25 @@ class EngineCache {
     std::shared_ptr<const BallSet> base, grown;
     Request request;  // the first; others are answered that have the same set-up
     MadeEngine made;
-    bool answered = false;  // by `made`
-    Lent of_all = {};       // what it handed over, until it is lent by whom that went to
+    bool answered = false;    // by `made`
+    KnownOfBalls known = {};  // but for what others own
+    std::weak_ptr<const Triangulation> taken_triangulation = {};
+    std::weak_ptr<const Filtration> taken_filtration = {};
   };
 
+  AlphaComplex complex_of(Entry& entry, const Request& request, const RunContext& context,
+                          const OfAllBalls& of_all);
   EngineAnswer answer(Entry& entry, const Request& request, const RunContext& context,
-                      const EngineLoan& loan);
+                      const OfAllBalls& of_all);
   Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const Request& request,
-                      const EngineLoan& loan);
+                      const OfAllBalls& of_all);
 
   EngineSettings engine_settings(const Request& request) const;
   std::shared_ptr<WorkThreads> threads_of(const Request& request) const;
 
-  Lent lent_to(Entry& entry, const EngineLoan& loan) const;
-
   EngineFactory factory_;
   std::shared_ptr<SharedThreads> threads_;
   std::list<Entry> entries_;  // the last used one first
-  bool handing_over_ = false;
 };
 
 }  // namespace alphascope

@@ -3,6 +3,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/engines/known.hpp"
 #include "core/run/freed_elsewhere.hpp"
 
 namespace alphascope {
@@ -56,9 +57,7 @@ Session::Session(std::function<void()> wake, Services services)
       references_(std::make_shared<EngineCache>(services_.make_engine)),
       opener_(wake),
       computer_(wake, kSliderGrace),
-      comparer_(wake) {
-  engines_->hand_over_what_is_made();
-}
+      comparer_(wake) {}
 
 Session::~Session() = default;
 
@@ -122,7 +121,6 @@ void Session::take_opened(std::shared_ptr<const OpenedMolecule> opened, const Re
   }
   computer_.cancel();
   comparer_.cancel();
-  made_.clear();
   state_.molecule = opened->molecule;
   state_.prepared = opened->prepared;
   state_.opened = std::move(opened);
@@ -151,7 +149,7 @@ void Session::opening_failed() {
   }
 }
 
-void Session::set_request(const Request& request) {
+void Session::set_request(const Request& request, const OfAllBalls& of_all) {
   if (request == state_.request && (state_.up_to_date() || computer_.activity().busy)) return;
   if (!same_setup(request, state_.request)) state_.our_timings = {};
   if (request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {
@@ -160,19 +158,11 @@ void Session::set_request(const Request& request) {
   // It would take the cores from what is now to be computed and timed.
   if (timing_parallel_) comparer_.cancel();
   state_.request = request;
-  if (state_.prepared) submit_compute();
+  if (state_.prepared) submit_compute(Engines::kept, of_all);
 }
 
 void Session::let_finish(bool dragging) {
   computer_.set_grace(dragging ? kAlways : kSliderGrace);
-}
-
-void Session::lend(const Answer& answer, const Lent& lent) {
-  if (!lent.triangulation && !lent.filtration) {
-    loan_ = {};
-    return;
-  }
-  loan_ = {answer.prepared->balls, answer.request.solvent_radius_angstrom, answer.balls, lent};
 }
 
 void Session::compute_anew() {
@@ -182,55 +172,37 @@ void Session::compute_anew() {
   submit_compute(Engines::anew);
 }
 
-void Session::submit_compute(Engines which) {
+void Session::submit_compute(Engines which, const OfAllBalls& of_all) {
   computer_.submit(
-      [this, which, request = state_.request, molecule = state_.molecule,
+      [this, which, of_all, request = state_.request, molecule = state_.molecule,
        prepared = state_.prepared, engines = engines_, measuring = measuring_,
-       finding_outside = finding_outside_,
-       loan = which == Engines::anew ? EngineLoan{} : loan_](const RunContext& context) {
+       finding_outside = finding_outside_](const RunContext& context) {
         if (which == Engines::anew) engines->clear();
-        EngineAnswer found = engines->compute(prepared->balls, request, context, loan);
+        EngineAnswer found = engines->compute(prepared->balls, request, context, of_all);
         if (measuring && !request.tetrahedra_only) {
           if (auto measured = engines->measure_on_device(found, context)) {
             found.measures = std::make_shared<const MeasuredUnion>(*std::move(measured));
           }
         }
         if (finding_outside) engines->find_outside_on_device(found);
-        const Lent made = std::exchange(found.made, {});
+        const auto made = std::make_shared<OfAllBalls>(engines->take_made());
+        const std::uint64_t kept = engines->kept_bytes();
         const std::shared_ptr<const Answer> answer =
-            freed_elsewhere(Answer{std::move(found), molecule, prepared});
-        return [this, answer, made] {
-          note_made(answer->balls, made);
-          take_answer(answer);
-        };
+            freed_elsewhere(Answer{std::move(found), molecule, prepared, made, kept});
+        engines->share(answer);
+        return [this, answer] { take_answer(answer); };
       },
       failure_of(Source::computing, "Computing the complex failed: "));
-}
-
-// A picture comes some time after its answer, and a newer answer may be there by then.
-void Session::note_made(const std::shared_ptr<const BallSet>& balls, Lent made) {
-  constexpr std::size_t kMost = 2;
-  constexpr std::uint64_t kSeveralBelow = 200'000;  // balls: some 150 MB each
-  std::erase_if(made_, [&](const MadeOfAll& m) { return m.balls == balls; });
-  if (!made.triangulation && !made.filtration) return;
-  const std::size_t before = balls->size() < kSeveralBelow ? kMost - 1 : 0;
-  if (made_.size() > before) made_.erase(made_.begin(), made_.end() - before);
-  made_.push_back({balls, std::move(made)});
-}
-
-Lent Session::take_made(const std::shared_ptr<const BallSet>& balls) {
-  Lent made;
-  for (MadeOfAll& m : made_) {
-    if (m.balls == balls) made = std::move(m.made);
-  }
-  std::erase_if(made_, [&](const MadeOfAll& m) { return m.balls == balls; });
-  return made;
 }
 
 void Session::take_answer(std::shared_ptr<const Answer> answer) {
   if (answer->prepared != state_.prepared) return;  // of the molecule before
   if (same_setup(answer->request, state_.request)) {
     state_.our_timings.note(answer->complex, answer->cold);
+  }
+  // The picture of the answer before may never come.
+  if (state_.ours && state_.ours->balls == answer->balls) {
+    answer->made->add(std::exchange(*state_.ours->made, {}));
   }
   state_.ours = std::move(answer);
   changes_.answer = true;
@@ -273,7 +245,7 @@ void Session::submit_comparison() {
         agreement->ours = ours;
         agreement->comparison = compare(ours->complex, result.complex);
         agreement->reference_cold = result.cold;
-        agreement->kept_bytes = result.kept_bytes;
+        agreement->kept_bytes = references->kept_bytes();
         agreement->reference = std::make_shared<const AlphaComplex>(std::move(result.complex));
         return [this, agreement] { take_agreement(agreement); };
       },
@@ -358,7 +330,10 @@ void Session::let_engines_rest() {
 
 std::uint64_t Session::held_bytes() const {
   std::uint64_t bytes = 0;
-  if (state_.ours) bytes += bytes_of(state_.ours->complex) + state_.ours->kept_bytes;
+  if (state_.ours) {
+    bytes +=
+        bytes_of(state_.ours->complex) + state_.ours->kept_bytes + bytes_of(*state_.ours->made);
+  }
   if (state_.ours && state_.ours->measures) bytes += 16 * state_.ours->balls->size();
   if (const Agreement* agreement = state_.agreement.get()) {
     bytes += bytes_of(*agreement->reference) + agreement->kept_bytes;

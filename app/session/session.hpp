@@ -96,7 +96,9 @@ class Session {
   void cancel_opening() { opener_.cancel(); }
 
   // Latest wins. Does nothing when `request` is the present one and already answered or on its way.
-  void set_request(const Request& request);
+  // `of_all`: what the store has of all balls, for engines on the CPU; of other balls it is not
+  // looked at. The comparison with CGAL does not use it.
+  void set_request(const Request& request, const OfAllBalls& of_all = {});
   // Whether answers to come have their areas and volumes with them where the engine has a device
   // that keeps the complex (EngineAnswer::measures).
   void set_measuring(bool measuring) { measuring_ = measuring; }
@@ -109,12 +111,6 @@ class Session {
   // While a slider is dragged, a computation that has begun finishes although a newer request
   // waits: else a slow one would show nothing until the hand rests. At rest it soon gives way.
   void let_finish(bool dragging);
-  // What has been made of all balls of `answer`, from which engines on the CPU answer from now on;
-  // nothing takes it back. The comparison with CGAL does not use it.
-  void lend(const Answer& answer, const Lent& lent);
-  // What the engine made of all these balls on the way to its last answers; nothing when it made
-  // nothing, or when that has been taken or let go of.
-  Lent take_made(const std::shared_ptr<const BallSet>& balls);
 
   // Answers the present request once more, set-up included, as if the molecule had just been
   // opened; so does CGAL when it is next asked to compare. For the cold times of engines that were
@@ -145,7 +141,7 @@ class Session {
   void submit_reopen();
   void opening_failed();
   enum class Engines { kept, anew };
-  void submit_compute(Engines which = Engines::kept);
+  void submit_compute(Engines which = Engines::kept, const OfAllBalls& of_all = {});
   Request reference_request(int threads) const;
   void submit_comparison();
   void submit_parallel_timing();
@@ -153,7 +149,6 @@ class Session {
   void forget_reference_timings();
   void take_opened(std::shared_ptr<const OpenedMolecule> opened, const Request& request);
   void take_answer(std::shared_ptr<const Answer> answer);
-  void note_made(const std::shared_ptr<const BallSet>& balls, Lent made);
   void take_agreement(std::shared_ptr<const Agreement> agreement);
   using Source = SessionState::Source;
   Worker::FailureHandler failure_of(Source source, std::string prefix);
@@ -170,12 +165,6 @@ class Session {
   bool reference_anew_ = false;   // of the next comparison
   bool timing_parallel_ = false;  // is what the comparer does
   int comparison_threads_ = 1;
-  EngineLoan loan_;
-  struct MadeOfAll {
-    std::shared_ptr<const BallSet> balls;
-    Lent made;
-  };
-  std::vector<MadeOfAll> made_;  // the last answers', the newest last
   const std::shared_ptr<SharedThreads> threads_ = std::make_shared<SharedThreads>();
   // Each is touched by the jobs of one worker only.
   std::shared_ptr<EngineCache> engines_, references_;

@@ -14,6 +14,7 @@
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
 #include "core/document/settings/display_preset.hpp"
+#include "core/document/store/derived.hpp"
 #include "core/run/freed_elsewhere.hpp"
 #include "core/run/freed_memory.hpp"
 #include "ui/widgets/format.hpp"
@@ -274,7 +275,7 @@ void Viewer::colour_by_what_differs(const Molecule& molecule) {
 void Viewer::send_compute() {
   if (state_.settings.request == sent_compute_ || awaits_panels()) return;
   sent_compute_ = state_.settings.request;
-  session_.set_request(canonical(state_.settings.request));
+  session_.set_request(canonical(state_.settings.request), of_all_balls(store_, inputs_));
   state_.compute_error.clear();  // of another alpha; it may be told again
   const SessionState& s = session_.state();
   if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.settings.request);

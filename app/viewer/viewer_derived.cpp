@@ -50,10 +50,8 @@ void Viewer::take_derived() {
       inputs_.alpha_angstrom2 = shown->request.alpha_angstrom2;
       inputs_.complex = {shown, &shown->complex};
       inputs_.measures = shown->measures ? shown->measures : scene_.drawn_measures();
+      give_of_all_balls(store_, inputs_, std::exchange(*shown->made, {}));
     }
-    const Lent made = session_.take_made(inputs_.balls);
-    store_.give(whole_triangulation(), inputs_, made.triangulation);
-    store_.give(whole_filtration(), inputs_, made.filtration);
   }
   saving_.poll_tables(inputs_);
   note_large_objects();
@@ -73,13 +71,8 @@ bool Viewer::needs_filtration() const {
 // panels, so that the store knows what they wait for before it begins anything.
 void Viewer::want_of_all_balls() {
   if (inputs_.balls) {
-    std::shared_ptr<const Filtration> filtration;
-    if (needs_filtration()) {
-      filtration = store_.want(whole_filtration(), inputs_, Priority::background).value;
-    }
-    const auto triangulation =
-        store_.want(whole_triangulation(), inputs_, Priority::background).value;
-    session_.lend(*source_, {triangulation, filtration});
+    if (needs_filtration()) store_.want(whole_filtration(), inputs_, Priority::background);
+    store_.want(whole_triangulation(), inputs_, Priority::background);
   }
   // Whatever is begun for balls that a hand changes at once would not be finished.
   constexpr std::chrono::milliseconds kSettled{300};

@@ -1,14 +1,14 @@
-// The reference engine: CGAL's whole triangulation once, then every alpha from it. The
-// triangulation itself is cgal_triangulation.cpp's, the alpha values filtration.hpp's.
+// The reference engine: CGAL's whole triangulation once, then every alpha from it, as long as who
+// asks keeps it. The triangulation itself is cgal_triangulation.cpp's, the alpha values
+// filtration.hpp's.
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "core/complex/count_limits.hpp"
 #include "core/engine/engine.hpp"
-#include "core/engines/lent.hpp"
+#include "core/engines/known.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -39,19 +39,19 @@ class CgalEngine : public Engine {
   CgalEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
       : balls_(std::move(balls)), threads_(options.work_threads()) {}
 
-  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+                       const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2.nearest()))
       throw std::invalid_argument("alpha is not a number");
-    require_lent_of(*balls_, request.lent);
+    require_known_of(*balls_, known);
     AlphaComplex complex;
     StageTimes times;
     threads_->run([&] {
       StageTimer timer(times);
-      std::optional<AlphaComplex> answer = threshold_of_lent(*balls_, request, context, timer);
-      complex = answer ? *std::move(answer) : own_answer(request, context, timer);
+      auto answer = threshold_of_all(*balls_, request, known, context, timer);
+      complex = answer ? *std::move(answer) : triangulated(request, known, context, timer);
       timer.finish();
     });
-    drop_what_was_lent(request.lent);
     complex.timings = std::move(times);
     complex.engine.name = "CGAL triangulation";
     complex.engine.device = threads_->text();
@@ -59,63 +59,40 @@ class CgalEngine : public Engine {
     return complex;
   }
 
-  Lent take() override {
-    return {std::exchange(triangulation_, nullptr), std::exchange(filtration_, nullptr)};
-  }
-
-  std::uint64_t kept_bytes() const override { return bytes_of(Lent{triangulation_, filtration_}); }
-
  private:
-  AlphaComplex own_answer(const AlphaRequest& request, const RunContext& context,
-                          StageTimer& timer) {
+  AlphaComplex triangulated(const AlphaRequest& request, KnownOfBalls& known,
+                            const RunContext& context, StageTimer& timer) const {
     const LatticeAlpha alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
-    const std::string route = next_route(request);
-    std::shared_ptr<const Triangulation> triangulation;
-    if (!filtration_) triangulation = lent_or_made(request.lent, context, timer);
-    if (!filtration_ && !request.tetrahedra_only) {
-      filtration_ = request.handing_over
-                        ? std::make_shared<const Filtration>(balls_, triangulation, context)
-                        : std::make_shared<const Filtration>(balls_, *triangulation, context);
-      if (!request.handing_over) triangulation_.reset();  // the filtration replaces it
+    const std::string route = next_route(request, known);
+    known.balls = balls_;
+    if (!known.triangulation) {
+      known.triangulation = std::make_shared<const Triangulation>(
+          make_triangulation(*balls_, threads_->asked(), context));
+      timer.lap(stage::kTriangulation, true);
+    }
+    if (!request.tetrahedra_only) {
+      known.filtration = std::make_shared<const Filtration>(balls_, known.triangulation, context);
+      known.forget_complex();  // it is part of the filtration
       timer.lap(stage::kClassification, true);
     }
     context.report(stage::kThreshold, 0);
     context.cancel.throw_if_cancelled();
-    AlphaComplex complex = filtration_ ? threshold(*filtration_, alpha, request.tetrahedra_only)
-                                       : filtered_tetrahedra(*triangulation, alpha);
+    AlphaComplex complex = request.tetrahedra_only
+                               ? filtered_tetrahedra(*known.triangulation, alpha)
+                               : threshold(*known.filtration, alpha, false);
     complex.engine.route = route;
     timer.lap(stage::kThreshold);
     return complex;
   }
 
-  // What own_answer() is about to do.
-  std::string next_route(const AlphaRequest& request) const {
-    if (filtration_) return "threshold of cached filtration";
-    const std::string source = request.lent.triangulation ? "the whole triangulation"
-                               : triangulation_           ? "cached triangulation"
-                                                          : "";
+  // What triangulated() is about to do.
+  static std::string next_route(const AlphaRequest& request, const KnownOfBalls& known) {
     if (request.tetrahedra_only) {
-      return source.empty() ? "regular triangulation, then threshold" : "threshold of " + source;
+      return known.triangulation ? "threshold of the whole triangulation"
+                                 : "regular triangulation, then threshold";
     }
-    return source.empty() ? "regular triangulation, filtration, then threshold"
-                          : "filtration of " + source + ", then threshold";
-  }
-
-  std::shared_ptr<const Triangulation> lent_or_made(const Lent& lent, const RunContext& context,
-                                                    StageTimer& timer) {
-    if (lent.triangulation) return lent.triangulation;
-    if (!triangulation_) {
-      triangulation_ = std::make_shared<const Triangulation>(
-          make_triangulation(*balls_, threads_->asked(), context));
-      timer.lap(stage::kTriangulation, true);
-    }
-    return triangulation_;
-  }
-
-  // Somebody else keeps the same.
-  void drop_what_was_lent(const Lent& lent) {
-    if (lent.triangulation || lent.filtration) triangulation_.reset();
-    if (lent.filtration) filtration_.reset();
+    return known.triangulation ? "filtration of the whole triangulation, then threshold"
+                               : "regular triangulation, filtration, then threshold";
   }
 
   AlphaComplex filtered_tetrahedra(const Triangulation& triangulation,
@@ -131,9 +108,6 @@ class CgalEngine : public Engine {
 
   std::shared_ptr<const BallSet> balls_;
   std::shared_ptr<WorkThreads> threads_;
-  // Each only while it is needed and nobody lends it.
-  std::shared_ptr<const Triangulation> triangulation_;
-  std::shared_ptr<const Filtration> filtration_;
 };
 
 }  // namespace

@@ -58,7 +58,8 @@ class EngineOfExecutors : public Engine {
         make_(std::move(make)),
         slabs_(balls_->size()) {}
 
-  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+                       const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2.nearest()))
       throw std::invalid_argument("alpha is not a number");
     std::string why_cpu = "beyond the GPU kernels' limits";
@@ -73,7 +74,7 @@ class EngineOfExecutors : public Engine {
     } catch (const std::bad_alloc&) {
       why_cpu = "the GPU's memory is full";
     }
-    return by_cpu(request, context, why_cpu);
+    return by_cpu(request, known, context, why_cpu);
   }
 
   // What has no room for the whole complex, or failed at it, is not tried again.
@@ -107,9 +108,6 @@ class EngineOfExecutors : public Engine {
   void rest() override {
     if (whole_) whole_->rest();
   }
-
-  Lent take() override { return cpu_ ? cpu_->take() : Lent{}; }
-  std::uint64_t kept_bytes() const override { return cpu_ ? cpu_->kept_bytes() : 0; }
 
  private:
   // The set at once, or in as few slabs as the memory allows.
@@ -151,12 +149,12 @@ class EngineOfExecutors : public Engine {
     }
   }
 
-  AlphaComplex by_cpu(const AlphaRequest& request, const RunContext& context,
+  AlphaComplex by_cpu(const AlphaRequest& request, KnownOfBalls& known, const RunContext& context,
                       const std::string& why) {
     rest();
     why_not_whole_ = why;
     if (!cpu_) cpu_ = make_cpu_engine(balls_, options_);
-    AlphaComplex complex = cpu_->compute(request, context);
+    AlphaComplex complex = cpu_->compute(request, known, context);
     complex.engine.route += " (on the CPU: " + why + ")";
     return complex;
   }

@@ -20,6 +20,7 @@ struct BallSet {
   std::size_t size() const { return centres.size(); }
   // Weight r² of power distance, in square lattice units (below 2^52: exact as a double).
   std::int64_t weight(BallIndex i) const { return std::int64_t{radii[i]} * radii[i]; }
+  friend bool operator==(const BallSet&, const BallSet&) = default;
 };
 
 // The digits of the finest lattice, up to `wanted`, that holds these balls when their radii grow by

@@ -126,7 +126,8 @@ class TupleEngine : public Engine {
         computer_(std::move(balls), tuples, executor_),
         threads_(options.work_threads()) {}
 
-  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls&,
+                       const RunContext& context) override {
     AlphaComplex complex;
     executor_.set_cancel(context.cancel);
     threads_->run([&] { complex = computer_.compute(request, context); });

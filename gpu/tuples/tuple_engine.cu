@@ -14,7 +14,8 @@ class GpuTupleEngine : public Engine {
   GpuTupleEngine(std::shared_ptr<const BallSet> balls, TupleOptions tuples)
       : executor_(tuples), computer_(std::move(balls), tuples, executor_) {}
 
-  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls&,
+                       const RunContext& context) override {
     AlphaComplex complex = computer_.compute(request, context);
     complex.engine.name = "tuple engine";
     complex.engine.device = gpu_device().name;

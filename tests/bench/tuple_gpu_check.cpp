@@ -81,7 +81,7 @@ std::unique_ptr<Engine> gpu_engine(const Balls& balls, const TupleOptions& optio
 
 void check(const std::string& name, const Balls& balls, const std::vector<double>& alphas,
            const std::vector<TupleOptions>& switches) {
-  const auto dual_edges = make_cpu_engine(balls, {0, false});
+  const auto dual_edges = make_cpu_engine(balls);
   std::vector<AlphaRequest> requests;
   std::vector<AlphaComplex> expected;
   for (const double alpha : alphas) {

@@ -13,6 +13,7 @@
 #include "core/complex/compare.hpp"
 #include "core/verify/verify.hpp"
 #include "tests/support/dual_edge_only_engine.hpp"
+#include "tests/support/keeping_engine.hpp"
 
 namespace {
 
@@ -62,8 +63,8 @@ void require(bool good, const char* what, const Input& input, double alpha) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Input input = decode(data, size);
   const auto balls = std::make_shared<const BallSet>(input.balls);
-  const auto reference = make_cgal_engine(balls, {1});
-  const auto cpu = make_cpu_engine(balls, {1});
+  const auto reference = testing::keeping(make_cgal_engine(balls, {1}));
+  const auto cpu = testing::keeping(make_cpu_engine(balls, {1}));
   testing::DualEdgeOnlyEngine dual_edges(balls, 1);
   for (const double alpha : input.alphas) {
     const AlphaComplex expected = reference->compute({alpha}, {});

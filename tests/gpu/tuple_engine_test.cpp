@@ -41,7 +41,7 @@ TEST(GpuTuples, EqualTheCpuOnHardSetsWhateverTheSwitches) {
       std::string why_not;
       const auto gpu = make_gpu_tuple_engine(balls, options, &why_not);
       ASSERT_TRUE(gpu) << why_not;
-      const auto cpu = make_cpu_engine(balls, {0, false});
+      const auto cpu = make_cpu_engine(balls);
       const auto tuples = make_tuple_engine(balls, {}, options);
       for (const double alpha : testing::kSomeAlphas) {
         for (const bool only : {true, false}) {
@@ -69,7 +69,7 @@ TEST(GpuTuples, EqualTheCpuInManyBatches) {
     SCOPED_TRACE(set.name);
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const double unit = set.alpha_unit();
-    const auto cpu = make_cpu_engine(balls, {0, false});
+    const auto cpu = make_cpu_engine(balls);
     for (const int streams : {1, 2, 5}) {
       for (const bool pinned : {true, false}) {
         TupleOptions options;

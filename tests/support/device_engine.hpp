@@ -16,8 +16,9 @@ class DeviceEngine : public Engine {
  public:
   explicit DeviceEngine(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
 
-  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
-    AlphaComplex complex = engine_->compute(request, context);
+  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+                       const RunContext& context) override {
+    AlphaComplex complex = engine_->compute(request, known, context);
     const std::string& route = complex.engine.route;
     if (route.find("on the CPU") != std::string::npos &&
         route.find("limits") == std::string::npos) {

@@ -18,7 +18,9 @@ class DualEdgeOnlyEngine : public Engine {
   DualEdgeOnlyEngine(std::shared_ptr<const BallSet> balls, int threads)
       : balls_(std::move(balls)), arena_(threads) {}
 
-  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+  using Engine::compute;
+  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls&,
+                       const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
     AlphaComplex complex;
     complex.lattice = balls_->lattice;

@@ -5,6 +5,7 @@
 #include "core/tuples/tuple_engine.hpp"
 #include "tests/support/dual_edge_only_engine.hpp"
 #include "tests/support/engines.hpp"
+#include "tests/support/keeping_engine.hpp"
 
 namespace alphascope::testing {
 
@@ -12,12 +13,12 @@ std::vector<EngineFactory> engines() {
   std::vector<EngineFactory> engines;
   for (const int threads : {1, 4}) {
     engines.push_back({"cgal_" + std::to_string(threads), [threads](auto balls) {
-                         return make_cgal_engine(std::move(balls), {threads});
+                         return keeping(make_cgal_engine(std::move(balls), {threads}));
                        }});
   }
   for (const int threads : {1, 2}) {
     engines.push_back({"cpu_" + std::to_string(threads), [threads](auto balls) {
-                         return make_cpu_engine(std::move(balls), {threads});
+                         return keeping(make_cpu_engine(std::move(balls), {threads}));
                        }});
     engines.push_back({"dual_edges_" + std::to_string(threads), [threads](auto balls) {
                          return std::make_unique<DualEdgeOnlyEngine>(std::move(balls), threads);

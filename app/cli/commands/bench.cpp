@@ -41,19 +41,21 @@ constexpr double kSliderStep = 0.001;  // Å²
 void run_once(const std::shared_ptr<const BallSet>& balls, const Request& request,
               const RunContext& context, Series& series) {
   MadeEngine made;
-  AlphaComplex complex;
+  KnownOfBalls known;
+  const auto complex = std::make_shared<AlphaComplex>();
   const AlphaRequest at{request.alpha_angstrom2, request.tetrahedra_only};
   series.cold.push_back(timed([&] {
     made = make_engine(request.engine, balls, {request.threads, request.tuples});
-    complex = made.engine->compute(at, context);
+    *complex = made.engine->compute(at, known, context);
   }));
+  known.share(complex);
   const AlphaRequest beside{request.alpha_angstrom2 - kSliderStep, request.tetrahedra_only};
   AlphaComplex moved;
-  series.warm.push_back(timed([&] { moved = made.engine->compute(beside, context); }));
-  series.tetrahedra = complex.tetrahedra.size();
+  series.warm.push_back(timed([&] { moved = made.engine->compute(beside, known, context); }));
+  series.tetrahedra = complex->tetrahedra.size();
   series.complex = {};
-  series.complex.hash = complex.hash;
-  series.complex.engine = complex.engine;
+  series.complex.hash = complex->hash;
+  series.complex.engine = complex->engine;
 }
 
 struct Row {

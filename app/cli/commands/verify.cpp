@@ -92,7 +92,10 @@ bool verify_one(const Input& input, const Request& request, const VerifyOptions&
                 BothEngines& engines, Json& json) {
   std::ostream& out = std::cout;
   const RunContext& context = run_context();
-  const EngineAnswer mine = engines.ours.compute(input.prepared().balls, request, context);
+  const auto answer = std::make_shared<const EngineAnswer>(
+      engines.ours.compute(input.prepared().balls, request, context));
+  engines.ours.share(answer);
+  const EngineAnswer& mine = *answer;
   Request cgal = request;
   cgal.engine = EngineChoice::cgal;
   cgal.threads = options.cgal_threads;

@@ -69,7 +69,7 @@ ExitCode run_frames(const FramesCommandOptions& options) {
   const ScreenshotOptions& picture = pictured.options();
   FrameSource source;
   source.picture = [&](std::optional<double> alpha, const RunContext& quiet) {
-    return pictured.picture(pictured.compute(alpha, quiet), quiet);
+    return pictured.picture(*pictured.compute(alpha, quiet), quiet);
   };
   int finished = 0;
   source.on_frame = [&](const FrameNews& news) {

@@ -220,10 +220,14 @@ void Pictured::follow_session(const ScreenshotCommandOptions& options, const Run
   input_ = std::move(found.input);
 }
 
-EngineAnswer Pictured::compute(std::optional<double> alpha, const RunContext& context) {
+std::shared_ptr<const EngineAnswer> Pictured::compute(std::optional<double> alpha,
+                                                      const RunContext& context) {
   Request request = request_;
   if (alpha) request.alpha_angstrom2 = *alpha;
-  return engines_.compute(input_.prepared().balls, request, context);
+  auto answer = std::make_shared<const EngineAnswer>(
+      engines_.compute(input_.prepared().balls, request, context));
+  engines_.share(answer);
+  return answer;
 }
 
 PaintedBalls Pictured::painted_by(const Paint& paint, const EngineAnswer& answer,

@@ -23,7 +23,8 @@ class Pictured {
   const Input& input() const { return input_; }
   const ScreenshotOptions& options() const { return picture_; }
   // Of alpha (Å²), or of the one that options or session say.
-  EngineAnswer compute(std::optional<double> alpha, const RunContext& context);
+  std::shared_ptr<const EngineAnswer> compute(std::optional<double> alpha,
+                                              const RunContext& context);
   Picture picture(const EngineAnswer& answer, const RunContext& context);
   // Of all of them: program, molecule, radii and the command line.
   PictureTexts texts() const;

@@ -49,7 +49,8 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   if (file == nullptr) throw UsageError("--output needs the name of a file, or -.");
   Pictured pictured(options, context);
   outputs.refuse_what_was_read();  // a session's molecule
-  const EngineAnswer result = pictured.compute(std::nullopt, context);
+  const auto answer = pictured.compute(std::nullopt, context);
+  const EngineAnswer& result = *answer;
   const MemoryFile drawn;  // the renderer writes to a path, which standard output has none of
   const std::string not_drawn =
       render_picture(pictured.picture(result, context), drawn.path(), context);

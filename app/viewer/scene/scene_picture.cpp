@@ -68,6 +68,7 @@ Picture SceneController::sweep_picture(Sweep& sweep, double alpha,
   static_cast<EngineAnswer&>(*answer) = sweep.engines.compute(m.prepared->balls, request, context);
   answer->molecule = m.molecule;
   answer->prepared = m.prepared;
+  sweep.engines.share(answer);
   const DrawingPlan plan = plan_drawing({0, &answer->complex, nullptr, sweep.mesh}, free_memory_());
   Picture picture = sweep.picture;
   picture.not_drawn = not_drawn_text(plan);

@@ -19,19 +19,19 @@ struct EngineAnswer {
   AlphaComplex complex;
   std::string note;   // about the choice of engine and rounding on the lattice; may be empty
   bool cold = false;  // the engine's first answer, and it had to set up
-  std::uint64_t kept_bytes = 0;  // by all engines of its cache, for later answers
   // Where they were wanted and the engine has a device; else null, and the CPU may measure.
   std::shared_ptr<const MeasuredUnion> measures = {};
   // Wall time that a device took to find AlphaComplex::outside, for the picture; 0 where none did.
   double outside_milliseconds = 0;
-  // What the engine made of all balls on the way, if the cache hands it over.
-  Lent made = {};
 };
 
 // Of an open molecule.
 struct Answer : EngineAnswer {
   std::shared_ptr<const Molecule> molecule;       // with an assembly's copies
   std::shared_ptr<const PreparedBalls> prepared;  // its balls, without solvent radius
+  // What the engine made of all balls on the way, until the store takes it. Of the main thread.
+  std::shared_ptr<OfAllBalls> made = std::make_shared<OfAllBalls>();
+  std::uint64_t kept_bytes = 0;  // by the engines of the session, for later answers
 };
 
 }  // namespace alphascope

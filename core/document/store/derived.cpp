@@ -1,6 +1,7 @@
 // See the header.
 #include "core/document/store/derived.hpp"
 
+#include "core/document/store/store.hpp"
 #include "core/run/freed_memory.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 
@@ -40,6 +41,17 @@ const Definition<Filtration>& whole_filtration() {
                                                   context);
       }};
   return definition;
+}
+
+OfAllBalls of_all_balls(const Store& store, const Inputs& inputs) {
+  if (!inputs.balls) return {};
+  return {inputs.balls, store.have(whole_triangulation(), inputs),
+          store.have(whole_filtration(), inputs)};
+}
+
+void give_of_all_balls(Store& store, const Inputs& inputs, const OfAllBalls& made) {
+  store.give(whole_triangulation(), inputs, made.triangulation);
+  store.give(whole_filtration(), inputs, made.filtration);
 }
 
 }  // namespace alphascope

@@ -34,6 +34,18 @@ Store::Entry& Store::entry(const AnyDefinition& definition) {
   return e;
 }
 
+std::shared_ptr<const void> Store::find_held(const AnyDefinition& definition,
+                                             const Inputs& inputs) const {
+  const Key key = key_of(definition, inputs);
+  for (const Entry& e : entries_) {
+    if (e.id != definition.id) continue;
+    for (const Value& value : e.values) {
+      if (key && value.key == key) return value.result;
+    }
+  }
+  return nullptr;
+}
+
 Store::Entry& Store::ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority,
                          bool awaited) {
   Entry& e = entry(definition);

@@ -51,6 +51,12 @@ class Store {
     return derived;
   }
 
+  // What there is of exactly these inputs, without a wish for it; null: nothing.
+  template <class T>
+  std::shared_ptr<const T> have(const Definition<T>& definition, const Inputs& inputs) const {
+    return std::static_pointer_cast<const T>(find_held(definition, inputs));
+  }
+
   // Takes what somebody else has made of the same inputs, as if the store had; drops it where there
   // is no room for it, or where what it is made of is not there.
   template <class T>
@@ -138,6 +144,8 @@ class Store {
              bool awaited);
   void take_gift(const AnyDefinition& definition, const Inputs& inputs,
                  std::shared_ptr<const void> value);
+  std::shared_ptr<const void> find_held(const AnyDefinition& definition,
+                                        const Inputs& inputs) const;
   Entry& entry(const AnyDefinition& definition);
   void set_wanted(Entry& e, const Key& key);
   bool take_held(Entry& e);

@@ -23,7 +23,7 @@ class SleepingEngine : public Engine {
   SleepingEngine(double milliseconds, std::uint64_t hash, std::size_t tetrahedra,
                  std::atomic<int>* started = nullptr)
       : milliseconds_(milliseconds), hash_(hash), tetrahedra_(tetrahedra), started_(started) {}
-  AlphaComplex compute(const AlphaRequest&, const RunContext& context) override {
+  AlphaComplex compute(const AlphaRequest&, KnownOfBalls&, const RunContext& context) override {
     if (started_ != nullptr) {
       ++*started_;
       started_->notify_all();
@@ -183,9 +183,10 @@ TEST(ThesisSuite, BisectionNarrowsTheAlphaUpToWhichCgalIsBeaten) {
   // Ours takes 10 ms up to alpha 1 and 90 ms from there; CGAL 40 ms.
   class Growing : public Engine {
    public:
-    AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+    AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+                         const RunContext& context) override {
       return SleepingEngine(request.alpha_angstrom2 <= 1.0 ? 10 : 90, 1, 20)
-          .compute(request, context);
+          .compute(request, known, context);
     }
   };
   const EngineFactory sleeping = sleeping_factory({});

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/rounding_note.hpp"
-#include "core/engines/lent.hpp"
+#include "core/engines/known.hpp"
 #include "core/engines/short_of_memory.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/app/session/fake_engine.hpp"
@@ -49,41 +49,114 @@ TEST(EngineCache, GrowsTheBallsAndKeepsTwoSettings) {
   EXPECT_EQ(log.made, 4);
 }
 
+EngineFactory cgal_factory() {
+  return [](EngineChoice, std::shared_ptr<const BallSet> balls, const EngineSettings& settings) {
+    return MadeEngine{make_cgal_engine(std::move(balls), {settings.threads}), ""};
+  };
+}
+
 TEST(EngineCache, HandsOverWhatItsEnginesMakeOfAllBalls) {
-  EngineCache cache(
-      [](EngineChoice, std::shared_ptr<const BallSet> balls, const EngineSettings& settings) {
-        return MadeEngine{make_cgal_engine(std::move(balls), {settings.threads}), ""};
-      });
-  cache.hand_over_what_is_made();
+  EngineCache cache(cgal_factory());
+  EXPECT_FALSE(cache.take_made()) << "nothing was asked";
   const auto balls = few_balls(9);
   Request request;
-  const EngineAnswer first = cache.compute(balls, request, {});
-  ASSERT_TRUE(first.made.triangulation);
-  ASSERT_TRUE(first.made.filtration);
-  EXPECT_EQ(&first.made.filtration->balls(), balls.get());
+  cache.compute(balls, request, {});
   EXPECT_GT(cache.kept_bytes(), 0u);
-  EXPECT_EQ(cache.kept_bytes(), bytes_of(first.made)) << "until somebody lends it";
+  OfAllBalls made = cache.take_made();
+  ASSERT_TRUE(made.triangulation);
+  ASSERT_TRUE(made.filtration);
+  EXPECT_EQ(made.balls, balls);
+  EXPECT_EQ(&made.filtration->balls(), balls.get());
+  EXPECT_EQ(cache.kept_bytes(), 0u) << "each object has one owner";
 
+  // Before the new owner could show it.
   request.alpha_angstrom2 = 2;
-  const EngineAnswer second = cache.compute(balls, request, {});
-  EXPECT_EQ(second.complex.engine.route, kThresholdRoute);
-  EXPECT_FALSE(second.made.filtration) << "it is no other one";
+  EXPECT_EQ(cache.compute(balls, request, {}).complex.engine.route, kThresholdRoute);
+  EXPECT_FALSE(cache.take_made()) << "it is no other one";
+  EXPECT_EQ(made.filtration.use_count(), 1);
 
+  made = {};  // its owner had no room for it
   request.alpha_angstrom2 = 3;
-  cache.compute(balls, request, {}, {balls, 0, balls, first.made});
+  EXPECT_EQ(cache.compute(balls, request, {}).complex.engine.route,
+            "regular triangulation, filtration, then threshold");
+}
+
+TEST(EngineCache, AnswersFromWhatTheOwnerHas) {
+  EngineCache of_another(cgal_factory()), cache(cgal_factory());
+  const auto balls = few_balls(9);
+  Request request = with_solvent_radius(1.4);
+  of_another.compute(balls, request, {});
+  const OfAllBalls owned = of_another.take_made();
+  const EngineAnswer answer = cache.compute(balls, request, {}, owned);
+  EXPECT_EQ(answer.complex.engine.route, kThresholdRoute);
+  EXPECT_EQ(answer.balls, owned.balls) << "equal balls are one object";
   EXPECT_EQ(cache.kept_bytes(), 0u);
-  EXPECT_EQ(cache.compute(balls, request, {}, {balls, 0, balls, first.made}).complex.engine.route,
-            kThresholdRoute);
+  EXPECT_FALSE(cache.take_made());
+
+  request.solvent_radius_angstrom = 1;
+  EXPECT_NE(cache.compute(balls, request, {}, owned).complex.engine.route, kThresholdRoute)
+      << "of other balls";
+  EXPECT_TRUE(cache.take_made());
 }
 
 TEST(EngineCache, KeepsWhatNobodyElseHasUseFor) {
+  EngineCache cache(cgal_factory());
+  const auto balls = few_balls(9);
+  cache.compute(balls, {}, {});
+  const std::uint64_t kept = cache.kept_bytes();
+  EXPECT_GT(kept, 0u);
+  EXPECT_EQ(cache.compute(balls, {}, {}).complex.engine.route, kThresholdRoute);
+  EXPECT_EQ(cache.kept_bytes(), kept);
+}
+
+TEST(EngineCache, KeepsWhatACancelledAnswerHadMade) {
+  EngineCache cache(cgal_factory());
+  const auto balls = few_balls(9);
+  RunContext context;
+  context.progress = [&](std::string_view stage, double) {
+    if (stage == stage::kClassification) context.cancel.cancel();
+  };
+  EXPECT_THROW(cache.compute(balls, {}, context), Cancelled);
+  const EngineAnswer answer = cache.compute(balls, {}, {});
+  EXPECT_EQ(answer.complex.engine.route, "filtration of the whole triangulation, then threshold");
+  EXPECT_TRUE(answer.cold);
+}
+
+TEST(EngineCache, CancellingKeepsNothingThatOthersOwn) {
+  EngineCache of_another(cgal_factory()), cache(cgal_factory());
+  const auto balls = few_balls(9);
+  of_another.compute(balls, {}, {});
+  const OfAllBalls owned = of_another.take_made();
+  RunContext context;
+  context.progress = [&](std::string_view, double) { context.cancel.cancel(); };
+  EXPECT_THROW(cache.compute(balls, {}, context, owned), Cancelled);
+  EXPECT_EQ(cache.kept_bytes(), 0u);
+  EXPECT_EQ(owned.filtration.use_count(), 1);
+}
+
+TEST(EngineCache, SmallerAlphasAreThresholdsOfAnAnswerThatIsShared) {
   EngineCache cache(
       [](EngineChoice, std::shared_ptr<const BallSet> balls, const EngineSettings& settings) {
-        return MadeEngine{make_cgal_engine(std::move(balls), {settings.threads}), ""};
+        return MadeEngine{make_cpu_engine(std::move(balls), {settings.threads}), ""};
       });
-  const EngineAnswer answer = cache.compute(few_balls(9), Request{}, {});
-  EXPECT_FALSE(answer.made.triangulation);
-  EXPECT_FALSE(answer.made.filtration);
+  const auto balls = few_balls(9);
+  const auto answer_at = [&](double alpha, std::shared_ptr<const BallSet> of) {
+    Request request;
+    request.alpha_angstrom2 = alpha;
+    return std::make_shared<const EngineAnswer>(cache.compute(of, request, {}));
+  };
+  auto first = answer_at(2, balls);
+  cache.share(first);
+  EXPECT_EQ(first.use_count(), 2) << "not copied";
+  EXPECT_EQ(cache.kept_bytes(), bytes_of(first->complex));
+  EXPECT_EQ(answer_at(1, balls)->complex.engine.route,
+            "filtration of cached complex, then threshold");
+  EXPECT_EQ(answer_at(0, balls)->complex.engine.route, "threshold of cached filtration");
+  answer_at(3, balls);
+  EXPECT_EQ(first.use_count(), 1) << "nobody needs it any more";
+  answer_at(0, few_balls(8));
+  cache.share(first);
+  EXPECT_EQ(first.use_count(), 1) << "of other balls";
 }
 
 // Of one ball of 1.7 Å.

@@ -33,7 +33,8 @@ class FakeEngine : public Engine {
   FakeEngine(std::shared_ptr<const BallSet> balls, FakeEngineLog& log)
       : balls_(std::move(balls)), log_(log) {}
 
-  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
+  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls&,
+                       const RunContext& context) override {
     ++log_.started;
     context.report(stage::kGrid, 0.5);
     for (int step = 0; step < log_.steps || log_.hold; ++step) {

@@ -651,7 +651,7 @@ TEST_F(SessionTest, DestructionDuringWorkJoins) {
   while (log_.started == 0) session->poll();
 }
 
-TEST_F(SessionTest, WhatTheEngineMadeOfAllBallsIsTakenOnce) {
+TEST_F(SessionTest, AnAnswerBringsWhatItsEngineMadeOfAllBalls) {
   Session::Services services = Session::program_services();
   Session session({}, services);
   Request request;
@@ -661,25 +661,73 @@ TEST_F(SessionTest, WhatTheEngineMadeOfAllBallsIsTakenOnce) {
   settle(session);
   const auto first = session.state().ours;
   ASSERT_TRUE(first);
-  EXPECT_TRUE(first->made.filtration == nullptr) << "an answer holds none of it";
+  EXPECT_EQ(first->kept_bytes, 0u);
+  ASSERT_TRUE(first->made->filtration);
+  EXPECT_EQ(&first->made->filtration->balls(), first->balls.get());
+  const std::uint64_t with_made = session.held_bytes();
+  const OfAllBalls of_first = std::exchange(*first->made, {});
+  EXPECT_LT(session.held_bytes(), with_made) << "it has another owner";
+  EXPECT_EQ(of_first.filtration.use_count(), 1);
+
+  // Of the same balls there is no other.
+  request.alpha_angstrom2 = 1;
+  session.set_request(request, of_first);
+  settle(session);
+  EXPECT_EQ(session.state().ours->complex.engine.route, kThresholdRoute);
+  EXPECT_FALSE(*session.state().ours->made);
+
   request.solvent_radius_angstrom = 1;
-  session.set_request(request);
+  session.set_request(request, of_first);
   settle(session);
   const auto second = session.state().ours;
   ASSERT_NE(second->balls, first->balls);
-  // A picture may come after the next answer.
-  const Lent of_first = session.take_made(first->balls);
-  ASSERT_TRUE(of_first.filtration);
-  EXPECT_EQ(&of_first.filtration->balls(), first->balls.get());
-  EXPECT_FALSE(session.take_made(first->balls).filtration);
-  EXPECT_TRUE(session.take_made(second->balls).triangulation);
-  request.solvent_radius_angstrom = 2;
-  session.set_request(request);
-  settle(session);
-  const auto third = session.state().ours;
+  EXPECT_TRUE(second->made->triangulation);
   session.open(other_);
   settle(session);
-  EXPECT_FALSE(session.take_made(third->balls).filtration) << "of a molecule that is closed";
+  EXPECT_NE(session.state().ours->made->filtration, second->made->filtration);
+}
+
+// Where the picture of an answer never comes, that of the next one brings it to the store.
+TEST_F(SessionTest, WhatWasMadeOfAllBallsGoesOnToTheNextAnswer) {
+  Session::Services services = Session::program_services();
+  Session session({}, services);
+  Request request;
+  request.engine = EngineChoice::cgal;
+  session.set_request(request);
+  session.open(good_);
+  settle(session);
+  const auto first = session.state().ours;
+  const auto filtration = first->made->filtration;
+  ASSERT_TRUE(filtration);
+  request.alpha_angstrom2 = 1;
+  session.set_request(request);
+  settle(session);
+  const auto second = session.state().ours;
+  EXPECT_EQ(second->complex.engine.route, kThresholdRoute);
+  EXPECT_EQ(second->made->filtration, filtration);
+  EXPECT_FALSE(*first->made);
+  request.solvent_radius_angstrom = 1;
+  session.set_request(request);
+  settle(session);
+  EXPECT_EQ(second->made->filtration, filtration) << "of other balls";
+}
+
+TEST_F(SessionTest, SmallerAlphasOnTheCpuAreThresholds) {
+  Session::Services services = Session::program_services();
+  Session session({}, services);
+  Request request;
+  request.engine = EngineChoice::cpu;
+  request.alpha_angstrom2 = 2;
+  session.set_request(request);
+  session.open(good_);
+  settle(session);
+  ASSERT_EQ(session.state().ours->complex.engine.route, kClippingRoute);
+  request.alpha_angstrom2 = 1;
+  session.set_request(request);
+  settle(session);
+  EXPECT_EQ(session.state().ours->complex.engine.route,
+            "filtration of cached complex, then threshold");
+  EXPECT_GT(session.state().ours->kept_bytes, 0u);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using testing::Random;
 
 AlphaComplex in_slabs(const BallSet& balls, const AlphaRequest& request, std::size_t slabs) {
   return compute_in_slabs(balls, request, slabs, {}, [&](std::shared_ptr<const BallSet> part) {
-    return make_cpu_engine(std::move(part), {1, false})->compute(request, {});
+    return make_cpu_engine(std::move(part), {1})->compute(request, {});
   });
 }
 
@@ -31,7 +31,7 @@ TEST(Slabs, GiveTheWholeComplex) {
     for (const double alpha : {-1.0, 0.0, 0.5, 3.0}) {
       for (const bool tetrahedra_only : {false, true}) {
         const AlphaRequest request{alpha * unit, tetrahedra_only};
-        const AlphaComplex whole = make_cpu_engine(balls, {1, false})->compute(request, {});
+        const AlphaComplex whole = make_cpu_engine(balls, {1})->compute(request, {});
         for (const std::size_t slabs : {1, 2, 3, 7}) {
           SCOPED_TRACE(std::to_string(slabs) + " slabs, alpha " + std::to_string(alpha));
           const AlphaComplex found = in_slabs(*balls, request, slabs);

@@ -8,6 +8,7 @@
 #include "core/engine/engine.hpp"
 #include "core/engines/route.hpp"
 #include "core/neighbours/uniform_grid.hpp"
+#include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
@@ -58,7 +59,7 @@ TEST(CpuEngine, SaysWhatItsAnswerIsOf) {
 // The first whole complex, then one below it, then another: each stage is named, and what is done
 // once is setup.
 TEST(CpuEngine, NamesItsStages) {
-  const auto engine = make_cpu_engine(some_balls(), {1});
+  const auto engine = testing::keeping(make_cpu_engine(some_balls(), {1}));
   const AlphaComplex first = engine->compute({100e-6}, {});
   EXPECT_EQ(labels(first.timings, true), (Labels{kCoincident}));
   EXPECT_EQ(labels(first.timings, false),
@@ -79,7 +80,7 @@ TEST(CpuEngine, NoStageTakesLessThanNoTime) {
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 12, 1000, 300, 500));
   for (int round = 0; round < 20; ++round) {
-    const AlphaComplex complex = make_cpu_engine(balls, {1, false})->compute({0.1}, {});
+    const AlphaComplex complex = make_cpu_engine(balls, {1})->compute({0.1}, {});
     ASSERT_EQ(complex.engine.route, kClippingRoute);
     for (const StageTime& stage : complex.timings.stages) {
       EXPECT_GE(stage.milliseconds, 0) << stage.label;
@@ -87,18 +88,15 @@ TEST(CpuEngine, NoStageTakesLessThanNoTime) {
   }
 }
 
-// What was handed over is no longer a reason to triangulate.
+// A triangulation that its owner has let go of is no reason to triangulate.
 TEST(CpuEngine, ClipsAgainWhenItsTriangulationIsGone) {
   const auto engine = make_cpu_engine(some_balls(), {1});
-  engine->compute({1e300}, {});
-  EXPECT_GT(engine->kept_bytes(), 0u);
-  EXPECT_TRUE(engine->take().filtration);
-  EXPECT_EQ(engine->kept_bytes(), 0u);
-  EXPECT_EQ(engine->compute({100e-6}, {}).engine.route, kClippingRoute);
-
-  engine->compute({1e300}, {});
-  const Lent whole = make_cgal_engine(some_balls(), {1})->take();
-  EXPECT_FALSE(whole.filtration) << "nothing was computed";
+  KnownOfBalls known;
+  engine->compute({1e300}, known, {});
+  EXPECT_TRUE(known.filtration);
+  EXPECT_EQ(engine->compute({100e-6}, known, {}).engine.route, kThresholdRoute);
+  known = {};
+  EXPECT_EQ(engine->compute({100e-6}, known, {}).engine.route, kClippingRoute);
 }
 
 // 27 balls of a cubic lattice that touch: the one in the middle meets six, all meet 54 pairs.

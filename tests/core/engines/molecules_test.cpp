@@ -8,6 +8,7 @@
 
 #include "core/complex/compare.hpp"
 #include "tests/support/engines.hpp"
+#include "tests/support/keeping_engine.hpp"
 #include "tests/support/molecules.hpp"
 
 namespace alphascope {
@@ -57,7 +58,7 @@ TEST_P(EveryEngine, FindsTheKnownCounts) {
 
 void expect_equals_cgal(const EngineFactory& factory, const std::string& name,
                         std::shared_ptr<const BallSet> balls) {
-  const auto reference = make_cgal_engine(balls, {1});
+  const auto reference = testing::keeping(make_cgal_engine(balls, {1}));
   const auto engine = factory.make(balls);
   // Clipping of everything by everything is not what dual edges are for.
   const bool dual_edges = factory.name.starts_with("dual_edges");

@@ -17,6 +17,7 @@
 #include "core/triangulation/filtration.hpp"
 #include "core/verify/verify.hpp"
 #include "tests/support/engines.hpp"
+#include "tests/support/keeping_engine.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/sanitizer.hpp"
@@ -199,7 +200,7 @@ TEST_P(Properties, LongListsEqualCgal) {
     BallSet balls = testing::random_balls(random, count, extent, 4, 7);
     for (std::size_t b = 0; b < balls.size(); b += 9) balls.radii[b] = large;
     const auto shared = std::make_shared<const BallSet>(balls);
-    const auto reference = make_cgal_engine(shared, {1});
+    const auto reference = testing::keeping(make_cgal_engine(shared, {1}));
     for (const double alpha : {25.0, 60.0, 150.0}) {
       // The limit is about the tuple engines.
       if (GetParam().name.starts_with("tuples") && !GetParam().affords(balls, alpha)) continue;
@@ -217,22 +218,22 @@ TEST_P(Properties, LongListsEqualCgal) {
   EXPECT_GT(compared, 1);
 }
 
-// With or without what somebody else has made of the same balls.
-TEST_P(Properties, DoesNotDependOnWhatIsLent) {
+TEST_P(Properties, DoesNotDependOnWhatIsKnown) {
   Random random(53);
   for (const NamedBalls& set : hard_sets(random)) {
     const auto balls = std::make_shared<const BallSet>(set.balls);
     const auto triangulation = std::make_shared<const Triangulation>(make_triangulation(*balls, 1));
-    const Lent lent{triangulation, std::make_shared<const Filtration>(balls, *triangulation)};
+    const auto filtration = std::make_shared<const Filtration>(balls, *triangulation);
     const double alpha = 2 * set.alpha_unit();
     if (!GetParam().affords(*balls, alpha)) continue;
     const auto engine = GetParam().make(balls);
     for (const bool only : {false, true}) {
       const AlphaComplex alone = engine->compute({alpha, only}, {});
-      EXPECT_TRUE(compare(engine->compute({alpha, only, lent}, {}), alone).identical()) << set.name;
-      EXPECT_TRUE(
-          compare(engine->compute({alpha, only, {triangulation, nullptr}}, {}), alone).identical())
-          << set.name;
+      for (const auto& known_filtration : {filtration, std::shared_ptr<const Filtration>()}) {
+        KnownOfBalls known{{balls, triangulation, known_filtration}};
+        EXPECT_TRUE(compare(engine->compute({alpha, only}, known, {}), alone).identical())
+            << set.name;
+      }
     }
   }
 }

@@ -37,7 +37,7 @@ class SmallExecutor : public Executor {
     if (device_.lost) throw ExecutorFailed("the device is lost");
     if (device_.beyond) return std::nullopt;
     if (balls_->size() > device_.room) throw std::bad_alloc();
-    AlphaComplex complex = make_cpu_engine(balls_, {1, false})->compute(request, context);
+    AlphaComplex complex = make_cpu_engine(balls_, {1})->compute(request, context);
     complex.engine.route = "device";
     return complex;
   }
@@ -61,8 +61,8 @@ class ShortOfMemory : public ::testing::Test {
   // The route, of a result that is right whatever way it came.
   std::string route(double alpha, bool tetrahedra_only = false) {
     const AlphaComplex found = engine_->compute({alpha, tetrahedra_only}, {});
-    testing::expect_same(
-        found, make_cpu_engine(balls_, {1, false})->compute({alpha, tetrahedra_only}, {}));
+    testing::expect_same(found,
+                         make_cpu_engine(balls_, {1})->compute({alpha, tetrahedra_only}, {}));
     return found.engine.route;
   }
 

@@ -14,6 +14,7 @@
 #include "core/explain/ball_steps.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "tests/core/explain/star_of.hpp"
+#include "tests/support/keeping_engine.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/reference/rational_oracle.hpp"
@@ -130,7 +131,7 @@ class Sums {
 
 void expect_steps(const BallSet& balls, const std::vector<double>& alphas, Sums& sums) {
   const auto shared = std::make_shared<const BallSet>(balls);
-  const auto cgal = make_cgal_engine(shared, {1});
+  const auto cgal = testing::keeping(make_cgal_engine(shared, {1}));
   for (const double alpha_angstrom2 : alphas) {
     SCOPED_TRACE("alpha " + std::to_string(alpha_angstrom2));
     const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2).nearest();

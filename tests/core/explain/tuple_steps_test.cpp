@@ -14,6 +14,7 @@
 #include "core/tuples/tuple_engine.hpp"
 #include "tests/core/explain/star_of.hpp"
 #include "tests/support/expect_same.hpp"
+#include "tests/support/keeping_engine.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/reference/rational_oracle.hpp"
@@ -125,7 +126,7 @@ class Sums {
 void expect_steps(const BallSet& balls, const std::vector<double>& alphas,
                   const std::vector<TupleOptions>& switches, Sums& sums) {
   const auto shared = std::make_shared<const BallSet>(balls);
-  const auto cgal = make_cgal_engine(shared, {1});
+  const auto cgal = testing::keeping(make_cgal_engine(shared, {1}));
   for (const double alpha : alphas) {
     const AlphaComplex whole = cgal->compute({alpha}, {});
     for (const TupleOptions& options : switches) {

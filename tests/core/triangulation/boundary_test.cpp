@@ -19,7 +19,7 @@ namespace {
 using testing::add_ball;
 
 AlphaComplex complex_of(const BallSet& balls, double alpha) {
-  return make_cpu_engine(std::make_shared<const BallSet>(balls))->compute({alpha, false, {}}, {});
+  return make_cpu_engine(std::make_shared<const BallSet>(balls))->compute({alpha, false}, {});
 }
 
 double volume(const BallSet& balls, const Boundary& b, const BoundarySolid& solid) {

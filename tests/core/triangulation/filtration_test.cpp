@@ -14,6 +14,7 @@
 #include "core/complex/face_groups.hpp"
 #include "core/engine/engine.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/reference/rational_oracle.hpp"
 
@@ -88,7 +89,7 @@ TEST(Filtration, OfAComplexAnswersEverySmallerAlpha) {
   Random random(21);
   for (const NamedBalls& set : testing::large_hard_sets(random)) {
     const auto balls = std::make_shared<const BallSet>(set.balls);
-    const auto engine = make_cgal_engine(balls, {1});
+    const auto engine = testing::keeping(make_cgal_engine(balls, {1}));
     const auto top = std::make_shared<AlphaComplex>(engine->compute({7}, {}));
     const Filtration filtration(balls, top);
     const auto units = [&](double alpha) { return balls->lattice.alpha_on_lattice(alpha); };
@@ -205,7 +206,7 @@ TEST(CpuEngine, CanBeCancelledWhileMakingAFiltration) {
   Random random(28);
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 2000, 3000, 100, 300));
-  const auto engine = make_cpu_engine(balls, {1});
+  const auto engine = testing::keeping(make_cpu_engine(balls, {1}));
   engine->compute({1e4}, {});
   for (const int last : {1, 2, 3}) {
     int seen = 0;
@@ -224,24 +225,24 @@ TEST(CpuEngine, CanBeCancelledWhileMakingAFiltration) {
 // Setup is paid once: later alphas are thresholds and say so.
 TEST(CgalEngine, TimesSetupApart) {
   Random random(24);
-  const auto engine = make_cgal_engine(
-      std::make_shared<const BallSet>(testing::random_balls(random, 500, 1000, 50, 200)), {1});
+  const auto engine = testing::keeping(make_cgal_engine(
+      std::make_shared<const BallSet>(testing::random_balls(random, 500, 1000, 50, 200)), {1}));
   const AlphaComplex only = engine->compute({100, true}, {});
   EXPECT_EQ(only.engine.route, "regular triangulation, then threshold");
   ASSERT_EQ(only.timings.stages.size(), 2u);
   EXPECT_EQ(only.timings.stages[0].label, stage::kTriangulation);
   EXPECT_TRUE(only.timings.stages[0].setup);
   EXPECT_FALSE(only.timings.stages[1].setup);
-  EXPECT_EQ(engine->compute({90, true}, {}).engine.route, "threshold of cached triangulation");
+  EXPECT_EQ(engine->compute({90, true}, {}).engine.route, "threshold of the whole triangulation");
 
   const AlphaComplex whole = engine->compute({100}, {});
-  EXPECT_EQ(whole.engine.route, "filtration of cached triangulation, then threshold");
+  EXPECT_EQ(whole.engine.route, "filtration of the whole triangulation, then threshold");
   ASSERT_EQ(whole.timings.stages.size(), 2u);
   EXPECT_EQ(whole.timings.stages[0].label, stage::kClassification);
   EXPECT_TRUE(whole.timings.stages[0].setup);
 
   const AlphaComplex later = engine->compute({50}, {});
-  EXPECT_EQ(later.engine.route, "threshold of cached filtration");
+  EXPECT_EQ(later.engine.route, "threshold of the whole filtration");
   ASSERT_EQ(later.timings.stages.size(), 1u);
   EXPECT_EQ(later.timings.setup_milliseconds(), 0);
   EXPECT_GE(later.timings.wall_milliseconds, later.timings.stages[0].milliseconds);
@@ -256,7 +257,7 @@ TEST(Engines, SayWhatThisRunDid) {
   EXPECT_EQ(whole.engine.route, "regular triangulation, filtration, then threshold");
   EXPECT_TRUE(whole.engine.rests_on_cgal);
 
-  const auto engine = make_cpu_engine(balls, {1});
+  const auto engine = testing::keeping(make_cpu_engine(balls, {1}));
   const AlphaComplex clipped = engine->compute({100}, {});
   EXPECT_EQ(clipped.engine.route, "dual edge clipping");
   EXPECT_FALSE(clipped.engine.rests_on_cgal);
@@ -270,7 +271,7 @@ TEST(Engines, SayWhatThisRunDid) {
   EXPECT_EQ(triangulated.engine.route, "regular triangulation, filtration, then threshold");
   EXPECT_TRUE(compare(triangulated, whole).both_rest_on_cgal);
   const AlphaComplex later = engine->compute({100}, {});
-  EXPECT_EQ(later.engine.route, "threshold of cached filtration");
+  EXPECT_EQ(later.engine.route, "threshold of the whole filtration");
   EXPECT_TRUE(compare(later, whole).identical());
   EXPECT_TRUE(compare(later, whole).both_rest_on_cgal);
 }

@@ -11,6 +11,7 @@
 #include "core/triangulation/filtration.hpp"
 #include "core/verify/verify.hpp"
 #include "core/verify/verify_missing.hpp"
+#include "tests/support/keeping_engine.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/sanitizer.hpp"
@@ -131,7 +132,7 @@ TEST(Missing, TheComplexOfASmallerAlphaIsNoticed) {
   for (NamedBalls& set : testing::large_hard_sets(random, 40)) sets.push_back(std::move(set));
   for (const NamedBalls& set : sets) {
     const auto balls = std::make_shared<const BallSet>(set.balls);
-    const auto engine = make_cgal_engine(balls, {1});
+    const auto engine = testing::keeping(make_cgal_engine(balls, {1}));
     const double large = 3 * set.alpha_unit();
     const AlphaComplex whole = engine->compute({large}, {}),
                        tetrahedra = engine->compute({large, true}, {});
@@ -276,7 +277,7 @@ TEST(Missing, RightComplexesOfMoleculesPass) {
   Random random(58);
   for (const double solvent : {0.0, 1.4}) {
     const auto balls = testing::sample_balls("1crn.pdb", solvent);
-    const auto engine = make_cgal_engine(balls, {1});
+    const auto engine = testing::keeping(make_cgal_engine(balls, {1}));
     for (const double alpha : {-1.0, 0.0, 1.4, 10.0, 1e300}) {
       for (const bool only : {true, false}) {
         const AlphaComplex complex = engine->compute({alpha, only}, {});

@@ -11,6 +11,7 @@
 
 #include "core/complex/compare.hpp"
 #include "core/engine/engine.hpp"
+#include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
@@ -151,7 +152,7 @@ TEST(Compare, ListsWhatDiffers) {
   Random random(12);
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 60, 100, 10, 40));
-  const auto engine = make_cgal_engine(balls, {1});
+  const auto engine = testing::keeping(make_cgal_engine(balls, {1}));
   const AlphaComplex large = engine->compute({1000}, {}), small = engine->compute({100}, {});
   const Comparison comparison = compare(small, large);
   EXPECT_TRUE(comparison.edges.extra.empty());

@@ -35,8 +35,9 @@ class ErringEngine : public Engine {
  public:
   explicit ErringEngine(std::shared_ptr<const BallSet> balls)
       : right_(make_cgal_engine(std::move(balls))) {}
-  AlphaComplex compute(const AlphaRequest& request, const RunContext& context) override {
-    AlphaComplex complex = right_->compute(request, context);
+  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+                       const RunContext& context) override {
+    AlphaComplex complex = right_->compute(request, known, context);
     auto& t = complex.tetrahedra;
     t.simplices.pop_back();
     if (!t.alpha_values.empty()) t.alpha_values.pop_back();

@@ -5,6 +5,7 @@
 
 #include "core/engine/engine.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
@@ -15,7 +16,7 @@ TEST(Signature, CountsWhatTheComplexesHave) {
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 200, 9000, 1000, 2000));
   const Signature signature = make_signature(Filtration(balls, make_triangulation(*balls, 1)));
-  const auto engine = make_cgal_engine(balls);
+  const auto engine = testing::keeping(make_cgal_engine(balls));
   for (const double alpha : {-3.7, -1.1, 0.0, 0.9, 3.3, 20.0, 400.0, 1e9}) {
     const AlphaComplex k = engine->compute({alpha}, {});
     EXPECT_EQ(signature.count(0, alpha), k.vertices.size()) << alpha;

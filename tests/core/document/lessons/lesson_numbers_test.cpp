@@ -15,6 +15,7 @@
 #include "core/explain/explanation.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "tests/support/keeping_engine.hpp"
 
 namespace alphascope {
 namespace {
@@ -107,7 +108,7 @@ TEST(LessonNumbers, TermsOfCrambin) {
 // they say so.
 TEST(LessonNumbers, TheWholeOfCrambin) {
   const auto balls = balls_of("../molecules/1crn.pdb");
-  const auto engine = make_cgal_engine(balls);
+  const auto engine = testing::keeping(make_cgal_engine(balls));
   const auto tetrahedra = [&](double alpha) {
     return engine->compute({alpha}, {}).tetrahedra.size();
   };

@@ -1,6 +1,7 @@
 // The derived results themselves, made by a store.
 #include "core/document/store/derived.hpp"
 
+#include "core/engine/engine.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/support/five_balls.hpp"
 
@@ -20,6 +21,35 @@ TEST_F(DerivedTest, TheFiltrationFollowsFromTheTriangulation) {
   const auto triangulation = settle(whole_triangulation(), in).value;
   ASSERT_TRUE(triangulation);
   EXPECT_EQ(filtration->top().tetrahedra.size(), triangulation->tetrahedra.size());
+}
+
+// What an engine has made goes to the store, and from there to the next request.
+TEST_F(DerivedTest, TheStoreOwnsWhatAnEngineMadeOfAllBalls) {
+  budget = 1'000'000'000;
+  Inputs in;
+  EXPECT_FALSE(of_all_balls(store, in)) << "there is no molecule";
+  testing::Random random(1);
+  in.balls = std::make_shared<const BallSet>(testing::five_balls(random, 0));
+  in.balls_key = 1;
+  EXPECT_FALSE(of_all_balls(store, in));
+  KnownOfBalls known;
+  const auto engine = make_cgal_engine(in.balls, {1});
+  const AlphaComplex first = engine->compute({10}, known, {});
+  const Filtration* const made = known.filtration.get();
+  give_of_all_balls(store, in, std::exchange(known, {}));
+  const OfAllBalls had = of_all_balls(store, in);
+  EXPECT_EQ(had.balls, in.balls);
+  EXPECT_EQ(had.filtration.get(), made);
+  EXPECT_TRUE(had.triangulation);
+  EXPECT_GT(store.held_bytes(), 0u);
+  known.add(had);
+  known.balls = had.balls;
+  const AlphaComplex second = engine->compute({10}, known, {});
+  EXPECT_EQ(second.engine.route, kThresholdRoute);
+  EXPECT_EQ(second.hash, first.hash);
+
+  in.balls_key = 2;
+  EXPECT_FALSE(of_all_balls(store, in)) << "of other balls";
 }
 
 }  // namespace

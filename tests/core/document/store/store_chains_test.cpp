@@ -144,6 +144,20 @@ TEST_F(StoreChainsTest, WhatIsGivenIsNotMade) {
   EXPECT_FALSE(store.want(slow, inputs(2)).ready());
 }
 
+TEST_F(StoreChainsTest, WhatIsThereCanBeHadWithoutAWish) {
+  const auto slow = number("slow");
+  EXPECT_EQ(store.have(slow, inputs(1)), nullptr);
+  EXPECT_FALSE(store.busy()) << "nobody wants it";
+  store.give(slow, inputs(1), std::make_shared<const int>(40));
+  const auto had = store.have(slow, inputs(1));
+  ASSERT_TRUE(had);
+  EXPECT_EQ(*had, 40);
+  EXPECT_EQ(store.have(slow, inputs(2)), nullptr) << "of other balls";
+  EXPECT_EQ(store.have(slow, Inputs{}), nullptr) << "of none";
+  store.want(slow, inputs(2));
+  EXPECT_EQ(store.have(slow, inputs(1)), had) << "it has not made room yet";
+}
+
 TEST_F(StoreChainsTest, WhatIsGivenEndsItsOwnMaking) {
   const auto slow = number("slow");
   hold = true;

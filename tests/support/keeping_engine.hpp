@@ -1,0 +1,42 @@
+// An engine for tests that ask it again and again: keeps what it knows of its balls.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "core/engine/engine.hpp"
+
+namespace alphascope::testing {
+
+class KeepingEngine : public Engine {
+ public:
+  explicit KeepingEngine(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
+
+  // From what the caller knows, or else from what it knows itself.
+  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+                       const RunContext& context) override {
+    if (known) return engine_->compute(request, known, context);
+    const auto complex =
+        std::make_shared<const AlphaComplex>(engine_->compute(request, known_, context));
+    known_.share(complex);
+    return *complex;
+  }
+  DeviceMeasuring measure(const AlphaComplex& complex, UnionMeasures& to,
+                          const RunContext& context) override {
+    return engine_->measure(complex, to, context);
+  }
+  std::optional<SharedFaces> find_outside(const AlphaComplex& complex) override {
+    return engine_->find_outside(complex);
+  }
+  void rest() override { engine_->rest(); }
+
+ private:
+  std::unique_ptr<Engine> engine_;
+  KnownOfBalls known_;
+};
+
+inline std::unique_ptr<Engine> keeping(std::unique_ptr<Engine> engine) {
+  return engine ? std::make_unique<KeepingEngine>(std::move(engine)) : nullptr;
+}
+
+}  // namespace alphascope::testing

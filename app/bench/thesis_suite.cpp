@@ -265,10 +265,9 @@ void check(const std::vector<ThesisMolecule>& molecules, const ThesisOptions& op
     throw std::invalid_argument("The suite needs alphas, each a finite number of Å².");
   }
   for (const EngineChoice choice : options.engines) {
-    if (choice == EngineChoice::automatic || choice == EngineChoice::cgal) {
-      throw std::invalid_argument(
-          "Choose the suite's engines from cpu, gpu, tuples-cpu and tuples-gpu; CGAL is always "
-          "there.");
+    if (engine_entry(choice).suite_place == 0) {
+      throw std::invalid_argument("Choose the suite's engines from " +
+                                  engine_ids(EngineGroup::suite, ", ") + "; CGAL is always there.");
     }
   }
   if (options.repeats < 1 || !(options.seconds_per_row > 0)) {
@@ -279,10 +278,8 @@ void check(const std::vector<ThesisMolecule>& molecules, const ThesisOptions& op
 }  // namespace
 
 std::vector<EngineChoice> thesis_engines(const MachineInfo& machine) {
-  std::vector<EngineChoice> engines{EngineChoice::tuples_cpu, EngineChoice::cpu};
-  if (machine.gpu.usable) {
-    engines.insert(engines.begin(), {EngineChoice::tuples_gpu, EngineChoice::gpu});
-  }
+  std::vector<EngineChoice> engines = suite_engines();
+  if (!machine.gpu.usable) std::erase_if(engines, &needs_gpu);
   return engines;
 }
 

@@ -27,7 +27,8 @@ Options tuples(Request& request) {
                                            tuples.tuples_per_batch, {0, 100'000'000}),
                        "0 = chosen")});
   for (Option& option : options) {
-    option.group = "Options of --engine tuples-cpu and tuples-gpu (same result)";
+    option.group =
+        "Options of --engine " + engine_ids(EngineGroup::tuples, " and ") + " (same result)";
   }
   return options;
 }
@@ -73,13 +74,13 @@ Option alphas(std::vector<Alpha>& alphas, const char* text) {
 
 void require_tuple_engine(const Request& request) {
   if (is_tuple_engine(request.engine) || request.tuples == TupleOptions{}) return;
-  throw std::invalid_argument(
-      "the options of the tuple engines need --engine tuples-cpu or tuples-gpu");
+  throw std::invalid_argument("the options of the tuple engines need --engine " +
+                              engine_ids(EngineGroup::tuples, " or "));
 }
 
 Options engine(Request& request, bool threads) {
   Option engine{.names = "--engine",
-                .value = "auto|cpu|cgal|gpu|tuples-cpu|tuples-gpu",
+                .value = engine_ids(EngineGroup::all, "|"),
                 .text = "Engine, with the same result; auto takes the GPU when there is one",
                 .fallback = "auto"};
   engine.set = [&request, choices = engine.choices()](const std::string& id) {

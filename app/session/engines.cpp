@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/run/internal_error.hpp"
 #include "core/tuples/tuple_engine.hpp"
 #ifdef ALPHASCOPE_HAS_GPU
 #include "gpu/gpu_engine.hpp"
@@ -29,6 +30,26 @@ std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls,
   why_not = "This build has no GPU engine. The CPU engine gives the same results.";
   return nullptr;
 #endif
+}
+
+MadeEngine make_on_gpu(const std::shared_ptr<const BallSet>& balls, const EngineOptions& options) {
+  MadeEngine made;
+  std::string why_not;
+  made.engine = try_gpu(balls, options, why_not);
+  if (!made.engine) {
+    throw EngineUnavailable("The GPU engine cannot be used. " + why_not +
+                            " Choose the engine \"cpu\" or \"auto\" instead.");
+  }
+  return made;
+}
+
+MadeEngine make_automatic(const std::shared_ptr<const BallSet>& balls,
+                          const EngineOptions& options) {
+  MadeEngine made;
+  made.engine = try_gpu(balls, options, made.note);
+  if (made.engine) return {std::move(made.engine), {}};
+  made.engine = make_cpu_engine(balls, options);
+  return made;
 }
 
 MadeEngine make_tuples_on_gpu(std::shared_ptr<const BallSet> balls, const TupleOptions& tuples) {
@@ -67,30 +88,21 @@ void free_unused_engine_memory() {
 MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
                        const EngineSettings& settings) {
   const EngineOptions options = engine_options(settings);
-  MadeEngine made;
-  if (choice == EngineChoice::tuples_cpu) {
-    made.engine = make_tuple_engine(std::move(balls), options, settings.tuples);
-    return made;
+  switch (choice) {
+    case EngineChoice::automatic:
+      return make_automatic(balls, options);
+    case EngineChoice::gpu:
+      return make_on_gpu(balls, options);
+    case EngineChoice::cpu:
+      return {make_cpu_engine(balls, options), {}};
+    case EngineChoice::tuples_gpu:
+      return make_tuples_on_gpu(balls, settings.tuples);
+    case EngineChoice::tuples_cpu:
+      return {make_tuple_engine(balls, options, settings.tuples), {}};
+    case EngineChoice::cgal:
+      return {make_cgal_engine(balls, options), {}};
   }
-  if (choice == EngineChoice::tuples_gpu) {
-    return make_tuples_on_gpu(std::move(balls), settings.tuples);
-  }
-  if (choice == EngineChoice::cgal) {
-    made.engine = make_cgal_engine(std::move(balls), options);
-    return made;
-  }
-  if (choice != EngineChoice::cpu) {
-    std::string why_not;
-    made.engine = try_gpu(balls, options, why_not);
-    if (made.engine) return made;
-    if (choice == EngineChoice::gpu) {
-      throw EngineUnavailable("The GPU engine cannot be used. " + why_not +
-                              " Choose the engine \"cpu\" or \"auto\" instead.");
-    }
-    made.note = why_not;
-  }
-  made.engine = make_cpu_engine(std::move(balls), options);
-  return made;
+  throw InternalError("There is no such engine.");
 }
 
 }  // namespace alphascope

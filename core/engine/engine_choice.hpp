@@ -1,10 +1,13 @@
-// The engines by name, as every program offers them. Making one is the session's business.
+// The engines, as every program offers them: an enumerator here and a line of the table each. The
+// one that makes them is make_engine(), since only the session sees the GPU's.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace alphascope {
 
@@ -12,23 +15,39 @@ namespace alphascope {
 // engines are the thesis' pipeline.
 enum class EngineChoice : std::uint8_t { automatic, gpu, cpu, tuples_gpu, tuples_cpu, cgal };
 
-inline constexpr std::array<EngineChoice, 6> kEngineChoices{
-    EngineChoice::automatic,  EngineChoice::gpu,        EngineChoice::cpu,
-    EngineChoice::tuples_gpu, EngineChoice::tuples_cpu, EngineChoice::cgal};
+struct EngineEntry {
+  EngineChoice choice;
+  std::string_view id;     // "tuples-gpu": in commands and files
+  std::string_view title;  // "Tuple engine (thesis), GPU": for people
+  const char* help;        // a sentence or two
+  bool needs_gpu = false;
+  bool is_tuples = false;  // TupleOptions are its options
+  int suite_place = 0;     // its place in the thesis' suite; 0: not in it
+};
 
-// "auto", "gpu", "cpu", "tuples-gpu", "tuples-cpu", "cgal": in commands and files.
-std::string_view engine_id(EngineChoice choice);
+// In the order in which they are offered.
+std::span<const EngineEntry> engine_table();
+const EngineEntry& engine_entry(EngineChoice choice);
+
+inline std::string_view engine_id(EngineChoice choice) {
+  return engine_entry(choice).id;
+}
+inline std::string_view engine_title(EngineChoice choice) {
+  return engine_entry(choice).title;
+}
+inline bool is_tuple_engine(EngineChoice choice) {
+  return engine_entry(choice).is_tuples;
+}
+inline bool needs_gpu(EngineChoice choice) {
+  return engine_entry(choice).needs_gpu;
+}
 std::optional<EngineChoice> engine_from_id(std::string_view id);
 
-// "Automatic", "Dual-edge engine, GPU", …: for people.
-std::string_view engine_title(EngineChoice choice);
+// Those of the thesis' suite, which CGAL is always part of.
+std::vector<EngineChoice> suite_engines();
 
-inline bool is_tuple_engine(EngineChoice choice) {
-  return choice == EngineChoice::tuples_cpu || choice == EngineChoice::tuples_gpu;
-}
-
-inline bool needs_gpu(EngineChoice choice) {
-  return choice == EngineChoice::gpu || choice == EngineChoice::tuples_gpu;
-}
+// "auto|gpu|cpu", of all, of the tuple engines or of the suite's.
+enum class EngineGroup : std::uint8_t { all, tuples, suite };
+std::string engine_ids(EngineGroup group, std::string_view separator);
 
 }  // namespace alphascope

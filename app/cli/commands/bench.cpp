@@ -17,6 +17,7 @@
 #include "app/options/option_values.hpp"
 #include "app/session/engine_cache.hpp"
 #include "app/session/rounding_note.hpp"
+#include "core/engine/engine_choice.hpp"
 #include "core/text/printable.hpp"
 #include "core/write/csv.hpp"
 
@@ -195,7 +196,7 @@ Options thesis_suite(BenchOptions& options) {
       choice_option({"--suite", "thesis",
                      "All engines, stages, ablations and figures of the thesis' chapter 4"},
                     options.suite),
-      with_default(choices_option({"--engines", "cpu|gpu|tuples-cpu|tuples-gpu",
+      with_default(choices_option({"--engines", engine_ids(EngineGroup::suite, "|"),
                                    "Engines of the suite, such as cpu,gpu"},
                                   options.engines),
                    "all that can run here"),

@@ -14,8 +14,8 @@
 #include "app/options/option_values.hpp"
 #include "app/session/rounding_note.hpp"
 #include "core/document/explain/explanation_json.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/document/explain/explanation_results.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {

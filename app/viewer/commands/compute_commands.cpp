@@ -203,9 +203,8 @@ void add_molecule_commands(Commands& commands, ViewState& s) {
 
 std::vector<Choice> engines() {
   std::vector<Choice> choices;
-  choices.reserve(kEngineChoices.size());
-  for (const EngineChoice choice : kEngineChoices) {
-    choices.push_back({std::string(engine_id(choice)), std::string(engine_title(choice))});
+  for (const EngineEntry& engine : engine_table()) {
+    choices.push_back({std::string(engine.id), std::string(engine.title)});
   }
   return choices;
 }

@@ -87,7 +87,8 @@ const Definition<CavityGround>& cavity_ground() {
        .made_of = {&whole_triangulation()},
        .key =
            [](const Inputs& in) {
-             constexpr std::uint64_t kStrict = 0x7374726963745f66;  // differs from the numbers of other keys
+             constexpr std::uint64_t kStrict =
+                 0x7374726963745f66;  // differs from the numbers of other keys
              Key key = key_of_balls(in);
              key.more = in.flow_ties == FlowTies::strict ? kStrict : 0;
              return key;
@@ -112,7 +113,8 @@ const Definition<CavityTable>& cavity_table() {
        .made_of = {&cavity_ground()},
        .key =
            [](const Inputs& in) {
-             constexpr std::uint64_t kSplit = 0x73706c69745f6e65;  // differs from the numbers of other keys
+             constexpr std::uint64_t kSplit =
+                 0x73706c69745f6e65;  // differs from the numbers of other keys
              Key key = joined(key_of_balls_and_alpha(in), key_of_rule(in));
              return in.split_networks ? joined(key, {key.balls, 0, kSplit}) : key;
            },

@@ -66,8 +66,8 @@ struct FoundWays {
   std::size_t parts_left_out = 0;  // number of chains that were not searched because there were too
                                    // many
 };
-// Ways through the whole, through groups of equal chains, and through each chain. Inputs::balls as for
-// found_channel(). Requires Inputs::atoms. Throws as find_ways_through() does.
+// Ways through the whole, through groups of equal chains, and through each chain. Inputs::balls as
+// for found_channel(). Requires Inputs::atoms. Throws as find_ways_through() does.
 const Definition<FoundWays>& found_ways();
 
 // The bottlenecks on the ways out of the cavities on screen, computed in the background.

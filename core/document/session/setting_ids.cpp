@@ -38,7 +38,7 @@ const SettingIds<const FileFormat*>& setting_ids(const FileFormat*) {
 const SettingIds<EngineChoice>& setting_ids(EngineChoice) {
   static const SettingIds<EngineChoice> ids = [] {
     SettingIds<EngineChoice> all;
-    for (const EngineChoice choice : kEngineChoices) all.emplace_back(choice, engine_id(choice));
+    for (const EngineEntry& e : engine_table()) all.emplace_back(e.choice, e.id);
     return all;
   }();
   return ids;

@@ -377,14 +377,5 @@ TEST(EngineCache, ABadSolventRadiusLeavesItUsable) {
   EXPECT_EQ(cache.compute(balls, with_solvent_radius(0), {}).complex.vertices.size(), 4u);
 }
 
-TEST(EngineChoice, IdsGoBothWays) {
-  for (EngineChoice choice :
-       {EngineChoice::automatic, EngineChoice::cpu, EngineChoice::cgal, EngineChoice::gpu,
-        EngineChoice::tuples_cpu, EngineChoice::tuples_gpu}) {
-    EXPECT_EQ(engine_from_id(engine_id(choice)), choice);
-  }
-  EXPECT_EQ(engine_from_id("warp"), std::nullopt);
-}
-
 }  // namespace
 }  // namespace alphascope

@@ -9,52 +9,31 @@
 namespace alphascope {
 namespace {
 
-const char* help_of(EngineChoice choice) {
-  switch (choice) {
-    case EngineChoice::automatic:
-      return "The dual-edge engine: on the GPU when it can be used, else on the CPU.";
-    case EngineChoice::gpu:
-      return "Clips dual edges on the graphics processor.";
-    case EngineChoice::cpu:
-      return "Clips dual edges on all cores; uses CGAL's triangulation where that is faster.";
-    case EngineChoice::tuples_gpu:
-      return "The pipeline of N. P. Ranjanikar's thesis on the graphics processor: it makes all "
-             "4-tuples of neighbours, then tests them. Slow at large alpha; Esc cancels.";
-    case EngineChoice::tuples_cpu:
-      return "The pipeline of N. P. Ranjanikar's thesis on all cores: it makes all 4-tuples of "
-             "neighbours, then tests them. Slow at large alpha; Esc cancels.";
-    case EngineChoice::cgal:
-      break;
-  }
-  return "CGAL's regular triangulation of all balls, then its simplices up to alpha. The other "
-         "engines are compared with this one.";
-}
-
 const char* why_no_gpu(const std::optional<GpuDevice>& gpu) {
   return gpu ? gpu->why_not.c_str() : "Looking for a graphics processor…";
 }
 
-void engine_entry(PanelContext& ctx, EngineChoice choice) {
+void engine_line(PanelContext& ctx, const EngineEntry& engine) {
   ViewState& s = ctx.state;
-  const bool usable = !needs_gpu(choice) || has_gpu(s);
+  const bool usable = !engine.needs_gpu || has_gpu(s);
   ImGui::BeginDisabled(!usable);
-  if (ImGui::Selectable(engine_title(choice).data(), choice == s.settings.request.engine)) {
-    s.settings.request.engine = choice;
+  if (ImGui::Selectable(engine.title.data(), engine.choice == s.settings.request.engine)) {
+    s.settings.request.engine = engine.choice;
   }
   ImGui::EndDisabled();
-  record(ctx, ("engine." + std::string(engine_id(choice))).c_str());
-  tooltip(ctx, usable ? help_of(choice) : why_no_gpu(s.gpu));
+  record(ctx, ("engine." + std::string(engine.id)).c_str());
+  tooltip(ctx, usable ? engine.help : why_no_gpu(s.gpu));
 }
 
 void engine_choice(PanelContext& ctx) {
-  const EngineChoice chosen = ctx.state.settings.request.engine;
+  const EngineEntry& chosen = engine_entry(ctx.state.settings.request.engine);
   row_label(ctx, "Engine");
-  const bool open = list_field(ctx, "engine.choice", engine_title(chosen).data());
+  const bool open = list_field(ctx, "engine.choice", chosen.title.data());
   if (!open) {
-    tooltip(ctx, help_of(chosen));
+    tooltip(ctx, chosen.help);
     return;
   }
-  for (const EngineChoice choice : kEngineChoices) engine_entry(ctx, choice);
+  for (const EngineEntry& engine : engine_table()) engine_line(ctx, engine);
   ImGui::EndCombo();
 }
 
@@ -126,7 +105,7 @@ void tuple_switches(PanelContext& ctx) {
   if (!is_tuple_engine(request.engine)) return;
   muted_text(ctx, "The thesis' optimisations (same result)");
   for (const Switch& s : kSwitches) {
-    const bool applies = !s.of_gpu || request.engine == EngineChoice::tuples_gpu;
+    const bool applies = !s.of_gpu || needs_gpu(request.engine);
     bool on = s.is_on(request.tuples);
     ImGui::BeginDisabled(!applies);
     if (checkbox(ctx, s.name, s.label, on)) s.turn(request.tuples, on);

@@ -15,8 +15,10 @@ namespace alphascope {
 struct BenchmarkControls {
   std::string alphas = "0, 1.4, 3";  // Å², as typed
   // Of those that can run here; CGAL is always measured.
-  std::set<EngineChoice> engines{EngineChoice::tuples_gpu, EngineChoice::gpu,
-                                 EngineChoice::tuples_cpu, EngineChoice::cpu};
+  std::set<EngineChoice> engines = [] {
+    const auto all = suite_engines();
+    return std::set(all.begin(), all.end());
+  }();
   bool ablation = true;
   int runs = 5, seconds_per_row = 10;
   std::string folder = "alphascope-benchmark";  // to export into

@@ -85,9 +85,6 @@ void draw_chart(PanelContext& ctx, const Chart& chart) {
   if (!tip.empty()) ImGui::SetTooltip("%s", tip.c_str());
 }
 
-constexpr EngineChoice kEngineBoxes[] = {EngineChoice::tuples_gpu, EngineChoice::gpu,
-                                         EngineChoice::tuples_cpu, EngineChoice::cpu};
-
 void engine_box(PanelContext& ctx, EngineChoice choice) {
   const bool usable = !needs_gpu(choice) || has_gpu(ctx.state);
   std::set<EngineChoice>& wanted = ctx.state.benchmark_controls.engines;
@@ -131,7 +128,7 @@ void controls(PanelContext& ctx) {
   tooltip(ctx, "A row that cannot finish one run in this time is left out; nothing is estimated.");
   ImGui::NewLine();
   row_label(ctx, "Engines");
-  for (const EngineChoice choice : kEngineBoxes) {
+  for (const EngineChoice choice : suite_engines()) {
     engine_box(ctx, choice);
     ImGui::SameLine(0, ctx.px(16));
   }

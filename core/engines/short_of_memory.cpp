@@ -77,32 +77,17 @@ class EngineOfExecutors : public Engine {
     return by_cpu(request, known, context, why_cpu);
   }
 
-  // What has no room for the whole complex, or failed at it, is not tried again.
   DeviceMeasuring measure(const AlphaComplex& complex, UnionMeasures& to,
                           const RunContext& context) override {
-    if (!why_not_whole_.empty()) return {{}, {}, why_not_whole_};
-    try {
-      if (!whole_) whole_ = make_(balls_);
-      holds_more_ = true;
-      return whole_->measure(complex, to, context);
-    } catch (const ExecutorFailed& error) {
-      whole_.reset();
-      return {{}, {}, error.what()};
-    } catch (const std::bad_alloc&) {
-      return {{}, {}, "the GPU's memory is full"};
-    }
+    DeviceMeasuring by;
+    const std::string why_not = by_whole([&] { by = whole_->measure(complex, to, context); });
+    return why_not.empty() ? by : DeviceMeasuring{{}, {}, why_not};
   }
 
   std::optional<SharedFaces> find_outside(const AlphaComplex& complex) override {
-    if (!why_not_whole_.empty() || !whole_) return std::nullopt;
-    try {
-      holds_more_ = true;
-      return whole_->find_outside(complex);
-    } catch (const ExecutorFailed&) {
-      whole_.reset();
-    } catch (const std::bad_alloc&) {
-    }
-    return std::nullopt;
+    std::optional<SharedFaces> outside;
+    if (whole_) by_whole([&] { outside = whole_->find_outside(complex); });
+    return outside;
   }
 
   void rest() override {
@@ -110,6 +95,24 @@ class EngineOfExecutors : public Engine {
   }
 
  private:
+  // Has the executor of the whole set do `task`, which is more than to compute. Why it could not;
+  // empty: it did. What has no room for the whole complex, or failed at it, is not tried again.
+  template <class Task>
+  std::string by_whole(const Task& task) {
+    if (!why_not_whole_.empty()) return why_not_whole_;
+    try {
+      if (!whole_) whole_ = make_(balls_);
+      holds_more_ = true;
+      task();
+      return {};
+    } catch (const ExecutorFailed& error) {
+      whole_.reset();
+      return error.what();
+    } catch (const std::bad_alloc&) {
+      return "the GPU's memory is full";
+    }
+  }
+
   // The set at once, or in as few slabs as the memory allows.
   std::optional<AlphaComplex> by_executors(const AlphaRequest& request, const RunContext& context) {
     slabs_.begin(request);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/measure/union_measures.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -21,6 +22,7 @@ using testing::Random;
 struct Device {
   std::size_t room = ~std::size_t{0};  // balls; a larger set finds no memory
   bool lost = false, beyond = false;
+  bool full = false;               // for measures and the outside
   std::vector<std::size_t> asked;  // balls of each set it was asked for
   int made = 0, rested = 0;
 };
@@ -41,9 +43,22 @@ class SmallExecutor : public Executor {
     complex.engine.route = "device";
     return complex;
   }
+  DeviceMeasuring measure(const AlphaComplex&, UnionMeasures&, const RunContext&) override {
+    fail_where_it_must();
+    return {"device", "", ""};
+  }
+  std::optional<SharedFaces> find_outside(const AlphaComplex&) override {
+    fail_where_it_must();
+    return SharedFaces{};
+  }
   void rest() override { ++device_.rested; }
 
  private:
+  void fail_where_it_must() const {
+    if (device_.lost) throw ExecutorFailed("the device is lost");
+    if (device_.full) throw std::bad_alloc();
+  }
+
   std::shared_ptr<const BallSet> balls_;
   Device& device_;
 };
@@ -127,6 +142,32 @@ TEST_F(ShortOfMemory, TheCpuComputesWhatIsBeyondTheLimits) {
   device_.beyond = true;  // of a slab
   EXPECT_NE(route(2e5).find("beyond the GPU kernels' limits"), std::string::npos);
   EXPECT_THROW(engine_->compute({std::nan("")}, {}), std::invalid_argument);
+}
+
+TEST_F(ShortOfMemory, SaysWhyADeviceDoesNoMoreThanCompute) {
+  UnionMeasures measures;
+  const AlphaComplex complex = engine_->compute({100}, {});
+  const auto why_not = [&] { return engine_->measure(complex, measures, {}).why_not; };
+  EXPECT_EQ(engine_->measure(complex, measures, {}).device, "device");
+  EXPECT_TRUE(engine_->find_outside(complex));
+
+  device_.full = true;
+  EXPECT_EQ(why_not(), "the GPU's memory is full");
+  EXPECT_FALSE(engine_->find_outside(complex));
+  device_.full = false;
+  EXPECT_TRUE(engine_->find_outside(complex)) << "the executor stays usable";
+  EXPECT_EQ(device_.made, 1);
+
+  device_.lost = true;
+  EXPECT_EQ(why_not(), "the device is lost");
+  device_.lost = false;
+  EXPECT_FALSE(engine_->find_outside(complex)) << "the complex went with the device";
+  EXPECT_EQ(why_not(), "") << "it is sent to another";
+  EXPECT_EQ(device_.made, 2);
+
+  device_.room = 350;
+  route(1e5);
+  EXPECT_EQ(why_not(), "the GPU has no room for the whole complex");
 }
 
 TEST_F(ShortOfMemory, CancellingIsNeitherShortMemoryNorFailure) {

@@ -10,21 +10,21 @@
 
 #include "app/session/machine.hpp"
 #include "app/session/session.hpp"
-#include "app/viewer/due_frames.hpp"
-#include "app/viewer/history.hpp"
 #include "app/viewer/jobs/benchmark.hpp"
 #include "app/viewer/jobs/folder_reader.hpp"
 #include "app/viewer/jobs/save_jobs.hpp"
 #include "app/viewer/lessons/lesson_files.hpp"
 #include "app/viewer/lessons/lesson_player.hpp"
-#include "app/viewer/opening.hpp"
 #include "app/viewer/options.hpp"
-#include "app/viewer/playing.hpp"
-#include "app/viewer/pointing.hpp"
+#include "app/viewer/parts/due_frames.hpp"
+#include "app/viewer/parts/history.hpp"
+#include "app/viewer/parts/opening.hpp"
+#include "app/viewer/parts/playing.hpp"
+#include "app/viewer/parts/pointing.hpp"
+#include "app/viewer/parts/shown_marks.hpp"
+#include "app/viewer/parts/window_preferences.hpp"
+#include "app/viewer/parts/work_status.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
-#include "app/viewer/shown_marks.hpp"
-#include "app/viewer/window_preferences.hpp"
-#include "app/viewer/work_status.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/calls.hpp"
@@ -96,7 +96,6 @@ class Viewer {
   std::unique_ptr<LessonStage> make_lesson_stage();
   static std::vector<std::filesystem::path> lesson_folders(const ViewerOptions& options);
   void take_lesson_files();
-  // None without a molecule.
   // Runs what may throw on the main thread; what it throws is shown, and the program goes on.
   void guarded(const std::function<void()>& what);
   void take_error(bool only_the_model_changed);
@@ -177,7 +176,7 @@ class Viewer {
   std::uint64_t balls_seen_ = 0, bodies_seen_ = 0, frames_key_ = 0;
   std::shared_ptr<const PreparedBalls> body_;  // the last of bodies_seen_
   Store store_;
-  Session session_;  // last but one: its threads wake the host
+  Session session_;  // after what its threads wake; before the classes below, which use it
   History history_{state_, session_, scene_};
   WorkStatus status_{state_, session_, scene_, store_};
   Opening opening_{host_,    state_,       scene_, session_,

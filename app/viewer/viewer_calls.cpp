@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/viewer/call_queue.hpp"
+#include "app/viewer/parts/call_queue.hpp"
 #include "app/viewer/viewer.hpp"
 
 namespace alphascope {

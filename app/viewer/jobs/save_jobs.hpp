@@ -5,13 +5,13 @@
 #include <functional>
 
 #include "app/session/session.hpp"
-#include "app/viewer/due_frames.hpp"
 #include "app/viewer/jobs/complex_saver.hpp"
 #include "app/viewer/jobs/picture_saver.hpp"
 #include "app/viewer/jobs/sweep_recorder.hpp"
 #include "app/viewer/jobs/table_saver.hpp"
 #include "app/viewer/lessons/lesson_player.hpp"
 #include "app/viewer/lessons/lesson_recorder.hpp"
+#include "app/viewer/parts/due_frames.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/view_state.hpp"

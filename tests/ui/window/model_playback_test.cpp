@@ -1,5 +1,5 @@
 // When the next model is due. Time is given by hand.
-#include "app/viewer/model_playback.hpp"
+#include "app/viewer/parts/model_playback.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // See the header.
-#include "app/viewer/hit_text.hpp"
+#include "app/viewer/parts/hit_text.hpp"
 
 #include "core/document/explain/explanation_text.hpp"
 #include "core/selection/atom_address.hpp"

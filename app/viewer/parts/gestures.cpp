@@ -1,5 +1,5 @@
 // See the header.
-#include "app/viewer/gestures.hpp"
+#include "app/viewer/parts/gestures.hpp"
 
 #include <imgui.h>
 

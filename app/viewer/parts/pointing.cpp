@@ -1,6 +1,6 @@
 // What is under the mouse, what a click selects, and what the mouse holds: the handle of the clip,
 // and balls of the sandbox, which the wheel resizes. Elsewhere mouse and wheel are the camera's.
-#include "app/viewer/pointing.hpp"
+#include "app/viewer/parts/pointing.hpp"
 
 #include <imgui.h>
 

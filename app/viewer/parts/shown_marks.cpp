@@ -1,11 +1,11 @@
 // Marks of the selection, labels, distances and angles, and cameras by name. All of it belongs to
 // the picture on screen, not to settings whose picture is still being made.
-#include "app/viewer/shown_marks.hpp"
+#include "app/viewer/parts/shown_marks.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/viewer/hit_text.hpp"
+#include "app/viewer/parts/hit_text.hpp"
 #include "ui/annotation_layer.hpp"
 
 namespace alphascope {

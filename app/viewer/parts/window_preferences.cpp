@@ -1,5 +1,5 @@
 // Preferences: taken over at the start, noted when the user changes them in the window.
-#include "app/viewer/window_preferences.hpp"
+#include "app/viewer/parts/window_preferences.hpp"
 
 #include <algorithm>
 #include <cmath>

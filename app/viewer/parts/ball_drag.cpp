@@ -1,5 +1,5 @@
 // See the header.
-#include "app/viewer/ball_drag.hpp"
+#include "app/viewer/parts/ball_drag.hpp"
 
 #include <cmath>
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "app/viewer/ball_drag.hpp"
-#include "app/viewer/hit_text.hpp"
-#include "app/viewer/shown_marks.hpp"
+#include "app/viewer/parts/ball_drag.hpp"
+#include "app/viewer/parts/hit_text.hpp"
+#include "app/viewer/parts/shown_marks.hpp"
 #include "ui/window/imgui_frame.hpp"
 
 namespace alphascope {

@@ -1,4 +1,4 @@
-#include "app/viewer/call_queue.hpp"
+#include "app/viewer/parts/call_queue.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Undo and redo: settings, and the view where the program has moved it for a change.
-#include "app/viewer/history.hpp"
+#include "app/viewer/parts/history.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // See the header.
-#include "app/viewer/model_playback.hpp"
+#include "app/viewer/parts/model_playback.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // What the window says of the work that goes on: the line with its share, the badge of the
 // comparison with CGAL, and the stages of the picture in the timings.
-#include "app/viewer/work_status.hpp"
+#include "app/viewer/parts/work_status.hpp"
 
 #include <cmath>
 #include <string>

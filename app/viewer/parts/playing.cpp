@@ -1,5 +1,5 @@
 // Alpha, models and steps that move by themselves.
-#include "app/viewer/playing.hpp"
+#include "app/viewer/parts/playing.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Opening molecules and sessions, and describing the open one as a session.
-#include "app/viewer/opening.hpp"
+#include "app/viewer/parts/opening.hpp"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 // Calls from panels and commands to the program, as four small interfaces. A call made while a
-// frame is drawn is carried out after it, in the order of calls. Of two equal calls the later
-// replaces the earlier. No call blocks: a long job reports its progress elsewhere.
+// frame is drawn is carried out after it, in the order of calls. Later calls replace equal earlier
+// ones. No call blocks: a long job reports its progress elsewhere.
 #pragma once
 
 #include <array>
@@ -18,17 +18,16 @@ struct RecordRequest;
 struct SaveTableRequest;
 struct ScreenshotRequest;
 
-// Files, the history of the open one, and the clipboard.
+// Calls on files, on the history of the open file, and on the clipboard.
 class FileCalls {
  public:
   virtual ~FileCalls() = default;
   virtual void open(
-      const std::filesystem::path& file) = 0;  // a molecule, or a session by its name's ending
+      const std::filesystem::path& file) = 0;  // a molecule, or a session if its name ends so
   virtual void open_session(const std::filesystem::path& file) = 0;
   virtual void save_session(const std::filesystem::path& file) = 0;
-  // Opens the session that waits for an answer (ViewState::session_problem). It is opened with
-  // `molecule` instead of the molecule that it names. If the path is empty, it is opened with the
-  // files as they are.
+  // Opens the session that waits for an answer (ViewState::session_problem). `molecule` replaces
+  // the molecule that the session names. An empty path opens the files as they are.
   virtual void go_on_with_session(const std::filesystem::path& molecule) = 0;
   virtual void give_session_up() = 0;
   virtual void forget_recent() = 0;
@@ -38,28 +37,29 @@ class FileCalls {
   virtual void quit() = 0;
 };
 
-// The camera. Points are in Å, in the coordinates of the file.
+// Calls that move the camera. Points are in Å, in the coordinates of the file.
 class ViewCalls {
  public:
   virtual ~ViewCalls() = default;
-  virtual void reset() = 0;                                       // shows the whole molecule
-  virtual void zoom(double factor) = 0;                           // factor on the size in the view
-  virtual void look_from(const std::array<double, 3>& side) = 0;  // direction from the middle to
-                                                                  // the viewer
-  virtual void look_across(const RealPoint& line) = 0;  // turns the view, as little as possible,
-                                                        // until it looks across this line
+  virtual void reset() = 0;              // shows the whole molecule
+  virtual void zoom(double factor) = 0;  // factor on the size of things in the view
+  // Looks from this direction, which leads from the middle to the viewer.
+  virtual void look_from(const std::array<double, 3>& side) = 0;
+  // Turns the view as little as possible, until it looks across this line.
+  virtual void look_across(const RealPoint& line) = 0;
   virtual void zoom_to_selection() = 0;
-  virtual void zoom_to(const RefSet& items) = 0;    // the items fill the view
-  virtual void centre_on(const RefSet& items) = 0;  // the items move to the middle at the same size
-  virtual void save(const std::string& name) = 0;   // replaces a camera of that name
+  virtual void zoom_to(const RefSet& items) = 0;  // fills the view with the items
+  // Moves the items to the middle and keeps their size.
+  virtual void centre_on(const RefSet& items) = 0;
+  virtual void save(const std::string& name) = 0;  // replaces a camera of that name
   virtual void go_to(const std::string& name) = 0;
-  virtual void open_context_menu() = 0;  // for the thing under the mouse
+  virtual void open_context_menu() = 0;  // the menu is about the thing under the mouse
 };
 
-// computing: opening, computing and comparing; if none of these runs, saving.
+// `computing` stands for opening, computing and comparing, and for saving if none of them runs.
 enum class Job : std::uint8_t { computing, comparing, saving, benchmark };
 
-// Jobs that take long.
+// Calls that start or cancel jobs that take long.
 class JobCalls {
  public:
   virtual ~JobCalls() = default;
@@ -68,7 +68,7 @@ class JobCalls {
   virtual void save_table(const SaveTableRequest& request) = 0;
   virtual void export_complex(const ExportRequest& request) = 0;
   virtual void compare() = 0;
-  virtual void compute_anew() = 0;  // includes the set-up, to measure its cold time
+  virtual void compute_anew() = 0;  // with the set-up, so that its cold time is measured
   virtual void run_benchmark() = 0;
   virtual void export_benchmark() = 0;
   virtual void cancel(Job job) = 0;
@@ -77,11 +77,11 @@ class JobCalls {
 class LessonCalls {
  public:
   virtual ~LessonCalls() = default;
-  virtual void open(const std::string& lesson) = 0;  // a name or a path
+  virtual void open(const std::string& lesson) = 0;  // its name or its path
   virtual void next() = 0;
   virtual void back() = 0;
   virtual void again() = 0;
-  virtual void reveal() = 0;  // the answer to the step's question
+  virtual void reveal() = 0;  // shows the answer to the step's question
   virtual void close() = 0;
 };
 

@@ -1,5 +1,5 @@
-// Small building blocks shared by the panels, and the record of where each named widget is, by
-// which scripts and tests find them.
+// Small building blocks that the panels share. They record where each named widget is, so that
+// scripts and tests find it.
 #pragma once
 
 #include <imgui.h>
@@ -23,14 +23,14 @@ struct PanelContext {
   ViewState& state;
   WidgetRects& rects;
   const Commands& commands;
-  Store& store;          // of derived results: ask it in each frame
-  const Inputs& inputs;  // what they are made of now
-  const Calls& calls;    // what the program is asked to do, after this frame
+  Store& store;          // makes derived results; it must be asked in each frame
+  const Inputs& inputs;  // the present inputs of derived results
+  const Calls& calls;    // calls to the program, carried out after this frame
   PanelSet& panels;
   const PanelFonts& fonts;
   const Palette& palette;
   float scale = 1;
-  std::size_t dialog = 0;  // that is being drawn: index into PanelMemory::dialogs
+  std::size_t dialog = 0;  // the dialog being drawn, an index into PanelMemory::dialogs
   std::size_t level = 0;   // 0: the window is being drawn; n: the nth dialog
 
   float px(float pixels_at_scale_1) const { return pixels_at_scale_1 * scale; }
@@ -39,75 +39,76 @@ struct PanelContext {
 ImVec4 to_imgui(const Colour& colour, float alpha = 1.0f);
 ImU32 to_u32(const Colour& colour, float alpha = 1.0f);
 
-// Remembers where the last item is.
+// Records the place of the last item under this name.
 void record(PanelContext& ctx, const char* name);
 
 enum class ButtonKind : std::uint8_t { normal, primary, quiet };
 bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size = {0, 0},
             ButtonKind kind = ButtonKind::normal);
-// Of a button that is as wide as its label needs, pixels.
+// Returns the width in pixels of a button that fits its label.
 float button_width(const char* label);
-// The next item, so wide (pixels), stays in the line when it has room there behind a gap.
+// Keeps the next item, `width` pixels wide, in the same line if it fits there after `gap` pixels.
 void same_line_where_it_fits(float width, float gap);
 
 bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& value);
 
-// A line of text as wide as the next item; `hint` shows while it is empty. True: Enter was pressed
-// in it.
+// A field for one line of text, as wide as the next item. It shows `hint` while it is empty.
+// Returns whether Enter was pressed in it.
 bool text_field(PanelContext& ctx, const char* name, std::string& text, const char* hint = "",
                 KeyStop kind = KeyStop::type);
 
-// What is chosen, which opens a list of what may be. True: it is open; the caller draws its entries
-// and ends it with ImGui::EndCombo().
+// A field that shows the chosen entry and opens a list of all entries. If it returns true, the list
+// is open. The caller then draws the entries and calls ImGui::EndCombo().
 bool list_field(PanelContext& ctx, const char* name, const char* chosen, ImGuiComboFlags flags = 0);
 
-// Opens the file dialog.
+// Opens the file dialog for this purpose.
 void open_browser(ViewState& state, BrowserPurpose purpose = BrowserPurpose::molecule);
 
-// Two or more choices side by side; returns true when the choice changed.
+// Two or more choices side by side. Returns whether the choice changed.
 bool choice(PanelContext& ctx, const char* name, std::initializer_list<const char*> labels,
             int& chosen, float width);
 
-// A label at the left; the next item starts at a common column and takes the remaining width, less
-// `reserve` pixels at scale 1.
+// Draws a label at the left. The next item starts at a column common to all rows.
+// It takes the remaining width less `reserve` pixels at scale 1.
 void row_label(PanelContext& ctx, const char* label, float reserve = 0);
 
-// A slider with its value as `text` at its right; takes the remaining width less `reserve` pixels
-// at scale 1. Ctrl+click to type, within the rule.
+// A slider with its value as `text` at its right. It takes the remaining width less `reserve`
+// pixels at scale 1. Ctrl+click lets the user type a value, which must follow the rule.
 bool value_slider(PanelContext& ctx, const char* name, double& value, double low, double high,
                   const NumberRule& rule, const std::string& text, float reserve = 0);
 
-// Slider over 0..1 shown in percent.
+// A slider for values from 0 to 1, shown in percent.
 bool percent_slider(PanelContext& ctx, const char* name, float& value, float low, float high);
 
-// A line that opens a list below it; the caller ends an open one with ImGui::TreePop().
+// A line that opens a list below it. If the list is open, the caller ends it with ImGui::TreePop().
 bool disclosure(PanelContext& ctx, const char* name, const std::string& title,
                 const Colour& colour);
 
-// A line in the place of a disclosure() that has nothing to list: what is below must not move when
-// it comes and goes.
+// Draws a line in the place of a disclosure() that has nothing to list. So things below do not move
+// when the disclosure comes and goes.
 void nothing_to_disclose(PanelContext& ctx, const char* text);
 
-// Keeps room for so many lines from `top` (a cursor position) on, however few were drawn.
+// Keeps room for `lines` lines from the cursor position `top` on, even if fewer were drawn.
 void reserve_lines(float top, int lines);
 
-// Between BeginPopup, BeginMenu or BeginCombo and their end: Escape closes what is open.
+// Closes the open popup, menu or list on Escape. To be called between BeginPopup, BeginMenu or
+// BeginCombo and their end.
 void close_on_escape();
 
 bool section(PanelContext& ctx, const char* name, const char* title);
 
-// For the last item; shown once the mouse has rested on it.
+// Explains the last item, once the mouse has rested on it.
 void tooltip(PanelContext& ctx, const char* text);
 void muted_text(PanelContext& ctx, const std::string& text);  // one line
 void muted_wrapped(PanelContext& ctx, const std::string& text);
 void strong_text(PanelContext& ctx, const std::string& text);
 
-// Lines of at most `width` pixels; they break at blanks only, never inside "1,224 atoms", so that a
-// word wider than that is a line.
+// Breaks the text into lines of at most `width` pixels. Lines break at blanks only, never inside
+// "1,224 atoms". So a word wider than `width` makes a line of its own.
 std::string broken_lines(const std::string& text, float width);
-void wrapped_text(const std::string& text);  // in the width that is left
+void wrapped_text(const std::string& text);  // in the remaining width
 
-// `text` cut to `width` pixels with "…" in the middle where it does not fit.
+// Returns `text` cut to `width` pixels, with "…" in the middle if it does not fit.
 std::string fitted_text(const std::string& text, float width);
 
 }  // namespace alphascope

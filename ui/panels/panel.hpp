@@ -1,5 +1,5 @@
-// A panel: a section, a page or a column of the window, which owns what it remembers between
-// frames.
+// The interface of a panel: a section, a page or a column of the window. A panel owns what it
+// remembers between frames.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ class Panel {
   virtual void draw(PanelContext& ctx) = 0;
 };
 
-// A panel that is one function, and remembers a Memory.
+// A panel that is one function and owns a Memory.
 template <class Memory>
 class RememberingPanel final : public Panel {
  public:

@@ -1,4 +1,4 @@
-// The panels, in their order.
+// The list of all panels, in the order in which the window shows them.
 #include "ui/panels/panel_list.hpp"
 
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 namespace alphascope {
 
-// Each is defined in the source of its name, and called from here only.
+// A panel's source has the name of its function, if not said otherwise. This file alone calls them.
 std::unique_ptr<Panel> molecule_panel();
 std::unique_ptr<Panel> alpha_panel();
 std::unique_ptr<Panel> display_panel();

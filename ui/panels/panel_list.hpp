@@ -1,4 +1,4 @@
-// The list of panels. A new one is a source of its own and one line in panel_list.cpp.
+// The list of panels. A new panel is a source of its own and one line in panel_list.cpp.
 #pragma once
 
 #include <cstdint>
@@ -11,30 +11,30 @@
 
 namespace alphascope {
 
-// A section; a page below the view; a column beside the view.
+// The place of a panel: a section at the left, a page below the view, a column beside the view.
 enum class Place : std::uint8_t { left, bottom, right };
 
 struct PanelSpec {
   const char* id;
   const char* title;
   Place place;
-  // At the left, the panel draws its own heading; below the view, its title stands before it in the
-  // first line already.
+  // A section draws its own heading. The title of a page stands before it in the first line
+  // already.
   std::unique_ptr<Panel> (*make)();
-  const char* also = "";  // other words for what it shows, to find it by
+  const char* also = "";  // other words by which people find it
 };
 
-std::span<const PanelSpec> panels();  // in the order in which they are shown
+std::span<const PanelSpec> panels();  // in the order shown
 
-// One panel of each, with what it remembers.
+// One object of each panel, with what it remembers.
 class PanelSet {
  public:
   PanelSet();
   Panel& of(const PanelSpec& spec) { return of(std::string_view(spec.id)); }
-  Panel& of(std::string_view id);  // that panels() has
+  Panel& of(std::string_view id);  // throws if panels() has no such id
 
  private:
-  std::vector<std::unique_ptr<Panel>> panels_;  // as panels()
+  std::vector<std::unique_ptr<Panel>> panels_;  // in the order of panels()
 };
 
 }  // namespace alphascope

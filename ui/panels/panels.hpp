@@ -1,5 +1,5 @@
-// The parts of the window that are not in panel_list.hpp. Each draws from the state and writes
-// controls and requests into it.
+// The parts of the window that are not in panel_list.hpp. Each draws from the state, and writes
+// settings and requests into it.
 #pragma once
 
 #include "ui/widgets/widgets.hpp"
@@ -9,34 +9,35 @@ namespace alphascope {
 struct MoleculeMemory;  // molecule_memory.hpp
 
 void draw_menu_bar(PanelContext& ctx);
-// As the menu runs it: a failure is told; a refusal is a line in the status bar, but no news where
-// the menu greys the command already.
+// Runs a command as the menu does. A failure opens a dialog, and a refusal is a line in the status
+// bar. A command that the menu greys is refused without a word.
 void run_command(PanelContext& ctx, const CommandSpec& spec,
                  const std::vector<std::string>& words = {});
 void draw_status_bar(PanelContext& ctx);
 void draw_viewport(PanelContext& ctx);
-// Over its picture, once that is drawn: words would lag behind a picture that turns.
+// Labels in the view. They are drawn after its picture, since they would lag behind a picture that
+// turns.
 void draw_view_labels(PanelContext& ctx);
 
-// Of the right mouse button, in the view.
+// The menu that the right mouse button opens in the view.
 void draw_context_menu(PanelContext& ctx);
 
-// Parts of the molecule panel: where the atoms come from, which are used, how large they are.
+// Parts of the molecule panel: the origin of the atoms, their selection, and their radii.
 void draw_source_rows(PanelContext& ctx);  // assembly and models
 void draw_selection_rows(PanelContext& ctx, MoleculeMemory& memory);
 void draw_radii_rows(PanelContext& ctx, MoleculeMemory& memory);
 void draw_residue_rows(PanelContext& ctx,
-                       MoleculeMemory& memory);  // what each residue was taken for
+                       MoleculeMemory& memory);  // the kind of each residue
 void draw_provenance(PanelContext& ctx);
 
-// What is in the view, in one line: molecule, alpha, and why there is nothing of the complex.
+// Describes the view in one line: molecule, alpha, and why there is no complex.
 std::string caption_text(const Answer& answer);
 std::string hidden_text(std::size_t atoms);  // "1,234 atoms hidden"
 
-// Measured distances and angles: buttons in the present line, and the list below.
+// Measured distances and angles: buttons in the present line, and a list below it.
 void draw_measured_list(PanelContext& ctx);
 
-// Stages as bars, one below the other on one time axis, of both engines.
+// Stages of both engines as bars, one below the other on one time axis.
 void draw_waterfall(PanelContext& ctx, bool cold, float height);
 
 }  // namespace alphascope

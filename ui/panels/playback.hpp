@@ -1,13 +1,13 @@
-// What moves by itself.
+// Settings of playback: alpha and models that change by themselves.
 #pragma once
 
 namespace alphascope {
 
 struct Playback {
-  bool alpha = false;           // one step a finished result
+  bool alpha = false;           // one step for each finished result
   bool backwards = false;       // alpha falls
-  bool models = false;          // models follow one another as frames
-  float models_per_second = 5;  // at most; fewer when computing takes longer
+  bool models = false;          // models follow one another like frames
+  float models_per_second = 5;  // at most; fewer if computing takes longer
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// What the panels show of molecule, result, timings and view: plain data that the program fills.
+// Plain data that the program fills and the panels show: molecule, result, timings and view.
 #pragma once
 
 #include <array>
@@ -19,53 +19,53 @@
 
 namespace alphascope {
 
-// Of a BallSize, in Å and with what request and lattice make of it.
+// A radius in use, and the radius to which its balls grow in the present request.
 struct GrownRadius {
-  std::string element;           // "C"; empty when the file does not say
-  double radius = 0, grown = 0;  // Å; grown is 0 where the ball is empty
-  std::size_t balls = 0;         // of this element and radius
-  std::string atoms = {};        // names of some: "CA, CB, …"; may be empty
+  std::string element;           // "C"; empty if the file does not name it
+  double radius = 0, grown = 0;  // Å; grown is 0 if the ball is empty
+  std::size_t balls = 0;         // with this element and radius
+  std::string atoms = {};        // names of some atoms: "CA, CB, …"; may be empty
 };
 
-// What was left out for one reason: "221 waters", "HOH 221".
+// Atoms that were left out for one reason: "221 waters", "HOH 221".
 struct DroppedRow {
   std::string text, detail;
 };
 
-// Atoms whose radius did not come from the radii set.
+// Atoms whose radius does not come from the radii set.
 struct RadiusRow {
-  enum class Kind : std::uint8_t { guessed, by_hand, none };  // none: no ball, for lack of a radius
+  enum class Kind : std::uint8_t { guessed, by_hand, none };  // none: no radius, so no ball
   Kind kind = Kind::guessed;
-  GuessedRadius radius;  // in use
+  GuessedRadius radius;  // the radius in use
 };
 
 struct MoleculeInfo {
   bool loaded = false;
   std::string name, folder, title, format;  // "4hhb.pdb.gz", "/data", "HAEMOGLOBIN…", "PDB"
-  std::string summary;                      // one line: used, dropped, guessed
-  std::vector<std::string> notes;           // what the reader had to assume
+  std::string summary;                      // one line: used, dropped and guessed atoms
+  std::vector<std::string> notes;           // assumptions of the reader
   std::size_t balls = 0;
   std::vector<GrownRadius> radii;  // each pair of element and radius, most frequent first
   std::size_t dropped_atoms = 0;
   std::vector<DroppedRow> dropped;
   std::vector<RadiusRow> radius_rows;
   MoleculeContents contents;                      // of the whole molecule, all models
-  std::shared_ptr<const ResidueGroups> residues;  // of the model that is used; may be null
-  std::uint64_t deposited_atoms = 0;              // of all models
+  std::shared_ptr<const ResidueGroups> residues;  // of the model in use; may be null
+  std::uint64_t deposited_atoms = 0;              // in all models
   std::vector<AssemblyInfo> assemblies;
-  std::vector<int> models;  // their numbers, as the file says
+  std::vector<int> models;  // their numbers in the file
   bool has_file_radii = false;
   std::string sha256, radii_name, radii_citation;
-  // "Lattice unit", "0.001 Å": where the numbers come from; complete, for people and papers.
+  // Provenance of all numbers in full, for people and papers: "Lattice unit", "0.001 Å".
   std::vector<std::pair<std::string, std::string>> provenance;
-  BallOptions options;  // that chose its balls
+  BallOptions options;  // the options that chose its balls
 };
 
 struct BadgeInfo {
   enum class State : std::uint8_t { not_compared, comparing, identical, different, failed };
   State state = State::not_compared;
   std::string text;    // "identical to CGAL: 16,445 of 16,445 tetrahedra"
-  double seconds = 0;  // that the comparison has been running
+  double seconds = 0;  // since the comparison began
 };
 
 struct BusyInfo {
@@ -73,19 +73,20 @@ struct BusyInfo {
   std::string what;   // "Opening 1aon.pdb.gz", "kernel II (filtered validity)"
   double share = -1;  // 0 to 1; negative: unknown
   double seconds = 0;
-  std::string step = {};  // of saving: "sample 3 of 16, 5 s left"; empty: not known
+  std::string step = {};  // of saving: "sample 3 of 16, 5 s left"; empty: unknown
 };
 
-// What is made while the user goes on working.
+// A result that is made while the user goes on working.
 struct BackgroundInfo {
-  std::string text, detail;  // one line; what it means. Empty: nothing goes on
+  std::string text, detail;  // one line, and its explanation; empty: nothing is made
 };
 
 struct PointerEvent {
-  // click: a release of the left or right button near where it was pressed, after that release.
+  // A click is a release of the left or right button near the place of the press. It follows that
+  // release.
   enum class Kind : std::uint8_t { move, press, release, click, wheel, double_click };
   Kind kind = Kind::move;
-  int x = 0, y = 0;  // pixels of the picture, from its top left
+  int x = 0, y = 0;  // pixels from the top left of the picture
   int button = 0;    // 0 left, 1 right, 2 middle
   double wheel = 0;
   bool control = false, shift = false;
@@ -94,25 +95,26 @@ struct PointerEvent {
 struct ViewportInfo {
   std::uint64_t texture = 0;  // OpenGL name of the picture; 0: none yet
   double angstrom_per_pixel = 0;
-  RealPoint into_view{0, 0, -1};  // unit vector, from the eye
-  // Of the box around the balls in the picture: its middle and half its lengths, Å.
+  RealPoint into_view{0, 0, -1};  // unit vector from the eye
+  // The box around the balls in the picture: its middle and half its side lengths, Å.
   std::array<double, 3> box_middle{}, box_half{};
   ClipHandle clip_handle;  // of the picture in `texture`
   std::vector<ColourLegend> legends;
-  std::optional<ColourRange> ball_range, simplex_range;  // of colours of quantities
+  std::optional<ColourRange> ball_range, simplex_range;  // of colours that show quantities
   std::vector<PictureLabel> labels;                      // of the picture in `texture`
-  std::size_t hidden_balls = 0;                          // by the user
-  bool fades_rest = false;  // pages draw what balls and simplices must not hide: kFadedOpacity
-  std::string not_drawn;    // what the picture lacks for want of memory, and what to do
-  bool outdated = false;    // it is of other settings than those chosen; the new one is being made
+  std::size_t hidden_balls = 0;                          // hidden by the user
+  // Pages draw things that balls and simplices must not hide, so these fade to kFadedOpacity.
+  bool fades_rest = false;
+  std::string not_drawn;  // parts missing from the picture for lack of memory, and the remedy
+  bool outdated = false;  // the picture belongs to older settings; a new one is being made
   ViewProblem problem = ViewProblem::none;
-  // Written by the panels: how large the picture should be (pixels) and what the mouse did on it.
+  // The panels write the picture's size in pixels, and the events of the mouse on it.
   int width = 0, height = 0;
-  bool covered = false;  // by something that hides all of it: it need not be drawn
+  bool covered = false;  // something hides all of the picture, so it need not be drawn
   std::vector<PointerEvent> events;
   bool hovered = false;  // the mouse is on the picture and no button is down
   int mouse_x = 0, mouse_y = 0;
-  // What is there, as the program says: shown when the mouse rests, and in the status bar.
+  // The thing under the mouse in words: for the tooltip, and for the status bar.
   std::string under_mouse, under_mouse_line;
 };
 

@@ -1,5 +1,5 @@
-// Everything between the panels and the program, as plain data: what is shown, what was set, what
-// was asked for. Panels know nothing else.
+// Everything that panels and program exchange, as plain data: what is shown, settings and requests.
+// Panels know nothing else of the program.
 #pragma once
 
 #include <array>
@@ -50,86 +50,87 @@ struct SampleMolecule {
   std::filesystem::path path;
 };
 
-// A session was read whose files are not as they were when it was saved.
+// A session whose files have changed since it was saved.
 struct SessionProblem {
-  std::string session, text;  // its path; what is told
-  bool molecule = false;      // another may be chosen
-  bool can_open = false;      // with the files as they are
+  std::string session, text;  // its path; the message to the user
+  bool molecule = false;      // the user may choose another molecule
+  bool can_open = false;      // the session can be opened with the files as they are
 };
 
 inline constexpr double kTooltipDelaySeconds = 0.4;
-// Comparing by itself is switched off beyond: CGAL would keep the second half of the cores busy.
+// Limit for comparing with CGAL unasked. With more balls CGAL would keep half of the cores busy.
 inline constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 
 enum class BrowserPurpose : std::uint8_t { molecule, radii_table, session, session_molecule, save };
 
 struct PanelMemory;
-// What the file dialog wants to have listed; nothing while it is closed.
+// Returns the folder that the file dialog wants listed; nothing while the dialog is closed.
 std::optional<FolderQuery> wanted_listing(const PanelMemory& memory);
 
-// What was typed and is no number that its field takes.
+// Text that was typed into a field and that the field refused.
 struct RefusedNumber {
   std::string text, error;
-  std::string value;  // that the field had
-  int frame = 0;      // in which the field was last there
-  bool told = true;   // below the field, until a click elsewhere
+  std::string value;  // value of the field before
+  int frame = 0;      // the last frame in which the field was drawn
+  bool told = true;   // shown below the field, until a click elsewhere
 };
 
-// The number that is being typed.
+// The number that the user is typing.
 struct NumberTyping {
-  std::string name;  // of the field; empty: none
+  std::string name;  // name of the field; empty: none
   std::string text;
-  bool focus = false;                            // to be given to the field
-  std::map<std::string, RefusedNumber> refused;  // by field
+  bool focus = false;                            // the field is to get the keyboard focus
+  std::map<std::string, RefusedNumber> refused;  // by name of the field
 };
 
-// What the panels remember between frames.
+// The state between frames that no panel owns alone.
 struct PanelMemory {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
   bool show_benchmark = false, show_export = false, show_save_session = false;
-  std::filesystem::path browser_folder;  // empty: choose a sensible one
-  std::filesystem::path browser_base;    // that what is typed is relative to
+  std::filesystem::path browser_folder;  // empty: the program chooses one
+  std::filesystem::path browser_base;    // base of relative paths that are typed
   std::string browser_typed;
-  bool browser_by_hand = false;  // typed, and not the name of what is chosen in the list
-  std::string browser_begun;     // the beginning of a name: the first such is to be chosen
+  bool browser_by_hand = false;  // the user typed it; it is not the name of the chosen entry
+  std::string browser_begun;     // first letters of a name; the first entry with them gets chosen
   std::filesystem::path browser_selected;
   bool browser_all_files = false, browser_hidden_ones = false;
-  std::string browser_error;        // why what was typed cannot be opened
-  std::string browser_jump;         // what was typed to jump to a name, and when the last letter
-  double browser_jump_seconds = 0;  // of it came (ImGui's time)
-  bool browser_scroll = false;      // the chosen entry is to be scrolled into sight
+  std::string browser_error;        // why the typed path cannot be opened
+  std::string browser_jump;         // letters typed in the list, to jump to a name
+  double browser_jump_seconds = 0;  // time of the last such letter, by ImGui's clock
+  bool browser_scroll = false;      // the list is to be scrolled to the chosen entry
   BrowserPurpose browser_purpose = BrowserPurpose::molecule;
   SaveMemory saving;
   std::string save_path;
   RecordMemory record;
   std::string export_path;
   ExportColours export_colours = ExportColours::element;
-  std::string session_path;  // to save to
+  std::string session_path;  // path to save the session to
   NumberTyping number;
   KeyMemory keys;
   SandboxMemory sandbox;
   TableMemory save_table;
-  std::vector<std::size_t> dialogs;  // that are open, by dialog_stack.cpp; the last is on top
+  // Open dialogs, as indices into the list of dialog_stack.cpp. The last is on top.
+  std::vector<std::size_t> dialogs;
   bool dragging_view = false;
   HandlePart clip_part = HandlePart::none,
-             clip_part_hovered = HandlePart::none;  // held by the mouse
+             clip_part_hovered = HandlePart::none;  // held by the mouse, and under it or held
   std::string expression_typed;
-  bool expression_entered = false;  // and nothing said of it yet
-  std::string expression_shown;     // the one in force when expression_typed was last taken over
-  std::string confirm_assembly;     // id of the one that is asked about; empty: none
-  std::string reveal;               // a widget to be scrolled into sight, for scripts
-  std::string go_to_section;        // of the left side: to be opened and scrolled to its top
-  bool sections_overflow = false;   // the left side is longer than the window
-  double mouse_still_seconds = 0;   // since the mouse moved or a button was down
-  float mouse_x = 0, mouse_y = 0;   // pixels, in the last frame
+  bool expression_entered = false;  // the user entered it, and no answer is shown yet
+  std::string expression_shown;  // expression in force when expression_typed was last taken from it
+  std::string confirm_assembly;  // id of the assembly that the dialog asks about; empty: none
+  std::string reveal;            // a widget to be scrolled into sight, for scripts
+  std::string go_to_section;  // id of a section at the left, to be opened and scrolled to the top
+  bool sections_overflow = false;  // the sections at the left do not fit
+  double mouse_still_seconds = 0;  // since the mouse moved or a button was down
+  float mouse_x = 0, mouse_y = 0;  // pixels, in the last frame
 };
 
 struct ViewState {
-  // What is set for the open file: the panels change it, the history notes it once a frame.
+  // Settings for the open file. The panels change them, and the history notes changes once a frame.
   Settings settings;
-  std::optional<Ref> hovered;  // under the mouse in the picture
-  // Its items were changed since other atoms line what is chosen: that is no entry of the history,
-  // which takes this back.
+  std::optional<Ref> hovered;  // thing under the mouse in the picture
+  // The selection followed the atoms that line the chosen cavities. The history makes no entry of
+  // such a change, and resets this flag.
   bool selection_followed = false;
   WindowSettings window;
   Playback playback;
@@ -140,47 +141,50 @@ struct ViewState {
   ContextMemory context;
 
   MoleculeInfo molecule;
-  std::shared_ptr<const Answer> result;   // on screen; null: none. The controls may be ahead
-  std::string pending;                    // what is computed and still being drawn; empty: nothing
-  ColdAndWarm ours, cgal, cgal_parallel;  // the last: with all threads
-  std::shared_ptr<const BallReferences> references;  // of the balls on screen; null: none
-  std::string picked_text;                           // how many are selected; empty: none
-  std::size_t picked_missing = 0;                    // of them, those not in the picture
+  std::shared_ptr<const Answer> result;  // on screen; null: none. Settings may be newer
+  std::string pending;  // the complex that is computed and still being drawn; empty: none
+  ColdAndWarm ours, cgal, cgal_parallel;             // cgal_parallel: with all threads
+  std::shared_ptr<const BallReferences> references;  // to the balls on screen; null: none
+  std::string picked_text;                           // number of selected items; empty: none
+  std::size_t picked_missing = 0;  // number of selected items that are not in the picture
   BadgeInfo badge;
   BenchmarkControls benchmark_controls;
   BenchmarkInfo benchmark;
-  // Of the folder in the file dialog, or of the one before while that is being read; null: none
+  // The folder in the file dialog. While a folder is being read, this is the one before. Null: none
   // yet.
   std::shared_ptr<const FolderListing> listing;
-  BusyInfo busy, saving;  // saving: a picture, a table or an export, which hold nothing up
+  BusyInfo busy, saving;  // saving: a picture, a table or an export, which run beside other work
   BackgroundInfo background;
-  Layers layers;                 // that the panels want drawn; filled anew in each frame
-  bool measures_wanted = false;  // areas and volumes are shown; said anew in each frame
+  Layers layers;                 // layers that the panels want drawn; made anew in each frame
+  bool measures_wanted = false;  // areas and volumes are shown; set anew in each frame
   ViewportInfo viewport;
   std::string device_text;       // "CPU · 2 threads"
-  std::optional<GpuDevice> gpu;  // nothing: still being looked for
-  std::string engine_note;       // why another engine than hoped for was used; may be empty
+  std::optional<GpuDevice> gpu;  // empty: the search has not ended
+  std::string engine_note;       // why another engine than the expected one was used; may be empty
   std::string version;
-  ProgramName program;                             // for what is written
-  std::size_t memory_bytes = 0;                    // of the whole program
-  std::uint64_t free_bytes = 0;                    // that the machine could still give; 0: unknown
-  std::optional<SelectionError> expression_error;  // why what was typed was not taken
-  std::string error_title, error;                  // shown as a dialog until dismissed
-  std::deque<std::pair<std::string, std::string>> more_errors;  // titles and texts that come next
+  ProgramName program;           // as files that are written name it
+  std::size_t memory_bytes = 0;  // memory of the whole program
+  std::uint64_t free_bytes = 0;  // memory that the machine could still give; 0: unknown
+  std::optional<SelectionError> expression_error;  // why the typed expression was refused
+  std::string error_title, error;                  // shown in a dialog until dismissed
+  // Titles and texts of the errors that come next.
+  std::deque<std::pair<std::string, std::string>> more_errors;
   std::string compute_error;  // why the present alpha has no complex; one line over the view
-  // Lines that say which of several dropped files is open; until dismissed, or another is opened.
+  // Lines that name the opened one of several dropped files. They stay until they are dismissed or
+  // another file is opened.
   std::string drop_note;
-  std::string notice;                // one line in the status bar, "saved /tmp/a.png"
-  std::string undo_text, redo_text;  // what would change, "alpha"; empty: nothing
+  std::string notice;                // one line in the status bar: "saved /tmp/a.png"
+  std::string undo_text, redo_text;  // the change in words: "alpha"; empty: none
   std::vector<SampleMolecule> samples;
   std::vector<std::filesystem::path> recent;  // files, the latest first
   std::optional<SessionProblem> session_problem;
-  std::filesystem::path session_file;  // that was opened or saved last, of this molecule; or empty
+  // The session opened or saved last for this molecule; may be empty.
+  std::filesystem::path session_file;
 
   PanelMemory memory;
 
-  // Shows an error, after those that are not dismissed yet. For what the user asked for once; what
-  // follows a slider must not open a dialog at each step.
+  // Shows an error in a dialog, after earlier ones that are not dismissed yet. To be used for
+  // single requests of the user, since a slider must not open a dialog at each step.
   void tell(const std::string& title, const std::string& text) {
     const std::pair<std::string, std::string> news{title, text};
     if (error.empty()) {
@@ -191,7 +195,7 @@ struct ViewState {
   }
 };
 
-// One was found that engines can use.
+// Whether a GPU was found that engines can use.
 inline bool has_gpu(const ViewState& state) {
   return state.gpu && state.gpu->usable;
 }

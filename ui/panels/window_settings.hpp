@@ -1,5 +1,5 @@
-// How the window is arranged, and what it remembers of its dialogs: saved with a session or as a
-// preference, and left alone by undo.
+// The arrangement of the window, and choices in its dialogs. Sessions and preferences keep them,
+// and undo leaves them alone.
 #pragma once
 
 #include <set>
@@ -13,19 +13,19 @@ namespace alphascope {
 
 struct WindowSettings {
   Theme theme = Theme::dark;
-  double control_scale = 0;     // of fonts and controls; 0: as the display says
-  bool presenter_size = false;  // everything larger than that, to be read on a projector
-  bool auto_compare = false;    // with CGAL, after each change
+  double control_scale = 0;     // size of fonts and controls; 0: as the display says
+  bool presenter_size = false;  // everything larger than control_scale, for a projector
+  bool auto_compare = false;    // compare with CGAL after each change
 
   std::string page;                               // id of the page below the view; empty: the first
   float page_height = 0;                          // pixels at scale 1; 0: default
-  std::set<std::string> closed_sections{"look"};  // of the left side
+  std::set<std::string> closed_sections{"look"};  // ids of closed sections at the left
   AlphaSlider alpha_slider;
-  bool clip_handle = true;  // shown in the picture, while there is a clip
-  bool why_marks = true;    // the page Why? draws the orthosphere and what decides
+  bool clip_handle = true;  // shows the handle in the picture while there is a clip
+  bool why_marks = true;    // the page Why? draws the orthosphere and the balls that decide
 
-  PictureOptions picture;   // of the dialog that saves pictures
-  RecordChoices recording;  // of the dialog that records
+  PictureOptions picture;   // choices in the dialog that saves a picture
+  RecordChoices recording;  // choices in the dialog that records
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// What mouse and keys do: the keys from the list of commands.
+// The dialog that lists what mouse and keys do. The keys come from the list of commands.
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -13,7 +13,7 @@ namespace {
 constexpr float kMouseWidth = 180, kKeysWidth = 115, kWhatWidth = 195;
 constexpr float kWidth = 2 * (kKeysWidth + kWhatWidth);
 
-// The mouse has no commands.
+// Actions of the mouse, which are not commands.
 constexpr std::pair<const char*, const char*> kMouse[] = {
     {"Drag", "Turn the view"},
     {"Middle drag, Shift+drag", "Pan the view"},
@@ -29,7 +29,7 @@ struct Row {
   std::string keys, what;
 };
 
-// What no command does: where the keyboard is.
+// Keys that move through fields and menus, which are not commands either.
 const Row kPlaces[] = {{"Tab, Shift+Tab", "Next, previous field or button"},
                        {"Space, Enter", "Press it"},
                        {"Alt, F10", "Menu bar"}};
@@ -67,7 +67,7 @@ void add_command(const CommandSpec& spec, std::vector<Row>& rows) {
   for (const Shortcut& shortcut : spec.shortcuts) {
     if (shortcut.arguments.empty()) continue;
     const std::string unit = spec.parameters.empty() ? "" : spec.parameters[0].unit();
-    std::string argument = shortcut.arguments;  // as it is typed
+    std::string argument = shortcut.arguments;  // in the form that users type
     if (argument.starts_with('-')) argument.replace(0, 1, "−");
     rows.push_back({shortcut.keys, title + " " + argument + (unit.empty() ? "" : " " + unit)});
   }

@@ -1,5 +1,5 @@
-// Ctrl+P: any command by a few letters of its name, with its arguments. Arguments that are missing
-// are asked for in the same field, one after the other.
+// The command palette (Ctrl+P): finds a command by a few letters of its name, and runs it with
+// arguments. It asks for missing arguments one after the other, in the same field.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -17,8 +17,8 @@ constexpr float kWidth = 660, kHelpAt = 210, kGap = 14;  // pixels at scale 1
 constexpr std::size_t kMostRows = 10;
 
 struct Row {
-  std::string name;              // of the widget
-  std::string title, arguments;  // the latter as typed; of a switch: how it is now
+  std::string name;              // name of the widget
+  std::string title, arguments;  // arguments as typed; for a switch its present state
   std::string help, keys;
   bool enabled = true;
 };
@@ -31,14 +31,15 @@ PaletteMemory& memory(PanelContext& ctx) {
   return ctx.state.palette;
 }
 
-// True when Enter was pressed in it.
+// Draws the field. Returns whether Enter was pressed in it.
 bool field(PanelContext& ctx, const std::string& hint) {
   PaletteMemory& p = memory(ctx);
   const std::string before = p.typed;
-  // Also after Enter and after a click on a row that did not run.
+  // The field gets the focus back after Enter, and after a click on a row that did not run.
   if (on_top(ctx) && !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(width(ctx));
-  ImGui::PushID(static_cast<int>(p.words.size()));  // fields of their own: ImGui keeps their text
+  // ImGui keeps a field's text, so each question has a field of its own.
+  ImGui::PushID(static_cast<int>(p.words.size()));
   ImGui::PushID(p.asking.c_str());
   const bool entered = ImGui::InputTextWithHint("##field", hint.c_str(), &p.typed,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
@@ -52,7 +53,7 @@ bool field(PanelContext& ctx, const std::string& hint) {
   return entered;
 }
 
-// True when the choice moved.
+// Moves the choice by Up and Down. Returns whether it moved.
 bool choose_by_keys(PanelContext& ctx, std::size_t count) {
   PaletteMemory& p = memory(ctx);
   p.chosen = count == 0 ? 0 : std::min(p.chosen, count - 1);
@@ -64,7 +65,7 @@ bool choose_by_keys(PanelContext& ctx, std::size_t count) {
   return down || up;
 }
 
-// Draws the text and moves x behind it.
+// Draws the text, and moves `at` behind it.
 void put(ImVec2& at, ImU32 colour, const std::string& text) {
   ImGui::GetWindowDrawList()->AddText(at, colour, text.c_str());
   at.x += ImGui::CalcTextSize(text.c_str()).x;
@@ -89,11 +90,11 @@ void row_texts(PanelContext& ctx, const Row& row, ImVec2 low, ImVec2 high) {
   ImGui::PopFont();
 }
 
-// The row that was clicked; rows.size(): none. Says `none` where there are no rows.
+// Draws the rows, or the text `none` if there are none. Returns the clicked row, else rows.size().
 std::size_t list(PanelContext& ctx, const std::vector<Row>& rows, const char* none) {
   const bool moved = choose_by_keys(ctx, rows.size());
-  if (rows.empty()) {  // a child without a height would take all of the window's, which grows with
-                       // it
+  // Without a height, a child would take all of the window's, which grows with it.
+  if (rows.empty()) {
     muted_text(ctx, none);
     record(ctx, "palette.none");
     return 0;
@@ -121,7 +122,7 @@ void ask_for_arguments(PaletteMemory& p, const CommandSpec& spec, std::vector<st
   p = {.show = true, .asking = spec.id, .words = std::move(words)};
 }
 
-// Runs it, asks for what is missing, or says what is wrong.
+// Runs the command, asks for the next missing argument, or notes an error.
 void submit(PanelContext& ctx, const CommandSpec& spec, const CommandLine& line) {
   PaletteMemory& p = memory(ctx);
   p.error = line.error.empty() ? spec.reason_against() : line.error;
@@ -215,7 +216,7 @@ void close_or_go_back(PanelContext& ctx) {
   if (!on_top(ctx)) return;
   const bool outside =
       ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
-  // Not escape_pressed(): here text is typed all the time.
+  // escape_pressed() would not do, since the field here always takes text.
   const bool escape = ImGui::IsKeyPressed(key::kEscape, false);
   if (outside || (escape && p.asking.empty())) {
     p = {};

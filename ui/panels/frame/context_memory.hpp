@@ -1,4 +1,4 @@
-// What the menu of the right mouse button is about. Plain data.
+// The state of the context menu, which the right mouse button opens. Plain data.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace alphascope {
 struct ContextMemory {
   bool opens = false;       // with the next frame
   bool open = false;        // in the last frame
-  std::optional<Ref> what;  // none: the mouse was beside everything
-  std::string title;        // of it: "A:HIS 87:NE2"
+  std::optional<Ref> what;  // the thing it is about; none: no thing was under the mouse
+  std::string title;        // name of that thing: "A:HIS 87:NE2"
 };
 
 }  // namespace alphascope

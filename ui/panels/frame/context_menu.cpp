@@ -1,5 +1,5 @@
-// The menu of the right mouse button: the window's commands on the atom or simplex that it was
-// opened on, or on nothing.
+// The context menu of the right mouse button. It offers commands on the atom or simplex under the
+// mouse, or on the whole view.
 #include <imgui.h>
 
 #include <cstdio>
@@ -15,9 +15,9 @@ namespace {
 constexpr float kTitleWidth = 300;  // pixels at scale 1
 
 struct Entry {
-  std::string name;  // of the widget: "context.select"
+  std::string name;  // name of the widget: "context.select"
   std::string label;
-  std::string id = {};  // of the command
+  std::string id = {};  // id of the command
   std::vector<std::string> words = {};
 };
 
@@ -30,7 +30,7 @@ void entry(PanelContext& ctx, const Entry& e) {
   if (clicked) run_command(ctx, *spec, e.words);
 }
 
-// Of a command whose first parameter is a choice.
+// Entries for the choices of a command whose first parameter is a choice.
 void choices(PanelContext& ctx, const Entry& e) {
   const CommandSpec* const spec = ctx.commands.find(e.id);
   for (const Choice& choice : spec->parameters.front().choices()) {
@@ -76,7 +76,7 @@ void submenu(PanelContext& ctx, const char* name, const char* label,
   ImGui::EndMenu();
 }
 
-// To how many atoms it is measured is seen before it is.
+// Names the measure by the number of atoms selected, so that the user knows which one is made.
 const char* measure_label(const PanelContext& ctx, const Ref& what) {
   const Selection& picked = ctx.state.settings.selection;
   const std::size_t from = picked.items.size() - (picked.items.contains(what) ? 1 : 0);
@@ -144,7 +144,7 @@ void of_nothing(PanelContext& ctx) {
 void draw_context_menu(PanelContext& ctx) {
   ContextMemory& menu = ctx.state.context;
   if (std::exchange(menu.opens, false)) ImGui::OpenPopup("##context");
-  // The view has no padding, which its popups would inherit.
+  // The view has no padding, and its popups would inherit that.
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ctx.px(10), ctx.px(8)});
   menu.open = ImGui::BeginPopup("##context");
   ImGui::PopStyleVar();

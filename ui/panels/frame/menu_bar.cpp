@@ -55,7 +55,7 @@ void menu_item(PanelContext& ctx, const CommandSpec& spec) {
   if (clicked && !needed) run_command(ctx, spec);
 }
 
-// True: it is open.
+// Draws a menu. Returns whether it is open.
 bool menu(PanelContext& ctx, std::string_view title) {
   std::vector<const CommandSpec*> specs;
   for (const CommandSpec& spec : ctx.commands.all()) {
@@ -75,7 +75,8 @@ bool menu(PanelContext& ctx, std::string_view title) {
   return true;
 }
 
-// F10 opens the first menu; Left and Right lead from the open one to the next, round about.
+// F10 opens the first menu. Left and Right lead from the open menu to its neighbour, and around the
+// ends.
 void open_by_key(PanelContext& ctx) {
   KeyMemory& keys = ctx.state.memory.keys;
   constexpr int kCount = static_cast<int>(kMenus.size());
@@ -94,7 +95,7 @@ bool pressed(const Shortcut& shortcut) {
   return chord && key::pressed(*chord);
 }
 
-// True when a command took a key from others.
+// Runs the command that takes the pressed key before all others. Returns whether there is one.
 bool keys_before_others(PanelContext& ctx) {
   for (const CommandSpec& spec : ctx.commands.all()) {
     for (const Shortcut& shortcut : spec.keys_before_others) {
@@ -106,7 +107,7 @@ bool keys_before_others(PanelContext& ctx) {
   return false;
 }
 
-// A slider that the keyboard is at takes the arrow keys.
+// A slider with the keyboard focus takes the arrow keys.
 bool taken_by_slider(const PanelContext& ctx, const Shortcut& shortcut) {
   if (ctx.state.memory.keys.slid.empty()) return false;
   const auto chord = key::read_chord(shortcut.keys);

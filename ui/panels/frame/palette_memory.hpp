@@ -1,4 +1,4 @@
-// What the command palette remembers between frames. Plain data.
+// The state of the command palette between frames. Plain data.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@ namespace alphascope {
 
 struct PaletteMemory {
   bool show = false;
-  std::string asking = {};              // id of the command whose arguments are asked for, if any
-  std::vector<std::string> words = {};  // those that were given already
+  std::string asking = {};              // id of the command that lacks arguments; empty: none
+  std::vector<std::string> words = {};  // arguments given so far
   std::string typed = {};
   std::size_t chosen = 0;  // row of the list
-  std::string error = {};  // why what was typed did not run
+  std::string error = {};  // why the typed command did not run
 };
 
 }  // namespace alphascope

@@ -1,4 +1,5 @@
-// Counts, Euler number, hash, device and memory of the result on screen, in one line.
+// The status bar: counts, Euler characteristic, hash, device and memory of the result on screen, in
+// one line.
 #include <algorithm>
 
 #include "ui/panels/panels.hpp"
@@ -51,7 +52,7 @@ void counts(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(16));
 }
 
-// In the place of device and memory.
+// Names the thing under the mouse, in the place of device and memory. Returns whether there is one.
 bool under_mouse(PanelContext& ctx) {
   const std::string& line = ctx.state.viewport.under_mouse_line;
   if (line.empty()) return false;

@@ -1,4 +1,4 @@
-// See the header. Also the words at places of the picture.
+// Draws scale bar, legends and labels over the view, with ImGui.
 #include "ui/panels/frame/view_marks.hpp"
 
 #include <algorithm>
@@ -73,12 +73,12 @@ void legend(PanelContext& ctx, const ColourLegend& legend, const LegendLayout& l
   for (const MarkText& text : layout.texts) mark_text(ctx, corner, text, ink);
 }
 
-// Returns how high they are, in pixels from the bottom.
+// Draws the legends. Returns their height above the view's bottom, pixels.
 float legends(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const auto& all = ctx.state.viewport.legends;
   const auto layouts = lay_out_legends(all, size.x, size.y, mark_type(ctx));
   if (layouts.empty()) return 0;
-  // Those that have no room are the first ones.
+  // If room is short, the layout leaves out the first legends.
   const std::size_t skipped = all.size() - layouts.size();
   WidgetRect whole{size.x, size.y, 0, 0, true};
   for (std::size_t i = 0; i < layouts.size(); ++i) {

@@ -5,10 +5,12 @@
 
 namespace alphascope {
 
-// `corner` and `size` of the view, pixels. Returns how high the legends are, from its bottom.
+// Draws scale bar and legends. `corner` and `size` of the view are in pixels. Returns the height of
+// the legends above the view's bottom, pixels.
 float draw_view_marks(PanelContext& ctx, ImVec2 corner, ImVec2 size);
 
-// What is to be written there can be read on anything: its rim, in the colour of the background.
+// Draws an outline of the text in the colour of the background, so that the text is legible on
+// anything.
 void draw_rim(const PanelContext& ctx, ImVec2 place, const std::string& text);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// The 3-D view's frame: shows the picture, collects the mouse, and lays progress, notes and the
-// empty state over it. Draws no molecule itself; marks are in view_marks.cpp.
+// The 3-D view: shows the picture, collects events of the mouse, and lays progress and notes over
+// the picture. The renderer draws the molecule, and view_marks.cpp the marks.
 #include <algorithm>
 #include <cmath>
 
@@ -16,8 +16,8 @@
 namespace alphascope {
 namespace {
 
-// The picture is opaque although its alpha channel says otherwise: the scene's texture reads as
-// one.
+// Draws the scene's texture as an opaque picture. Its alpha channel reads as one, whatever is
+// stored there.
 void picture(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};
@@ -62,14 +62,15 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   }
   bool any_down = false;
   for (int b = 0; b < 3; ++b) {
-    // The menu of another place closes with a press, and that of this one opens with the release.
+    // A press of the right button closes a menu opened elsewhere, and its release opens the menu
+    // here.
     if ((hovered || (beside_menu && b == 1)) && ImGui::IsMouseClicked(b)) {
       event(PointerEvent::Kind::move, b, 0);
       event(PointerEvent::Kind::press, b, 0);
       dragging = true;
     } else if (dragging && ImGui::IsMouseReleased(b)) {
       event(PointerEvent::Kind::release, b, 0);
-      // Farther than a hand trembles, it was a drag.
+      // A hand that trembles moves less than this; farther, it was a drag.
       const float reach = ctx.px(4);
       if (b != 2 && io.MouseDragMaxDistanceSqr[b] <= reach * reach) {
         event(PointerEvent::Kind::click, b, 0);
@@ -85,7 +86,7 @@ void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   if (!ctx.state.result) return;
   const ViewState& s = ctx.state;
   const std::string text = caption_text(*s.result);
-  // Progress is told at the right.
+  // At the right there must be room for progress.
   const float room = size.x - ctx.px(s.busy.active || s.saving.active ? 260 : 32);
   ImVec2 place{corner.x + ctx.px(16), corner.y + ctx.px(14)};
   for (const std::string& line : {text, s.pending}) {
@@ -113,8 +114,8 @@ void end_overlay() {
   ImGui::PopStyleVar(2);
 }
 
-// Below the caption and what is pending, and below `top` (pixels of the view). A picture that lacks
-// atoms must say so. Returns where it ends.
+// Says that atoms are hidden, since the picture lacks them. The note is below the caption and the
+// pending complex, and below `top` (pixels of the view). Returns the y of its lower end.
 float hidden_note(PanelContext& ctx, ImVec2 corner, float top) {
   const ViewState& s = ctx.state;
   const std::size_t hidden = s.viewport.hidden_balls;
@@ -132,7 +133,8 @@ float hidden_note(PanelContext& ctx, ImVec2 corner, float top) {
   return y + height + ctx.px(6);
 }
 
-// For work whose share is not known: a piece that goes to and fro, which no one takes for a share.
+// Progress of work whose share done is unknown. A piece moves to and fro, so that nobody takes it
+// for a share.
 void busy_bar(PanelContext& ctx, float width, double seconds) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight(), piece = width / 5;
@@ -154,7 +156,7 @@ void busy_bar(PanelContext& ctx, float width, double seconds) {
   record(ctx, "view.busy_bar");
 }
 
-// Only for what takes long enough to be read; short work would flicker.
+// Shows progress of work that takes long enough to read it; short work would flicker.
 void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const BusyInfo& b = ctx.state.busy;
   constexpr double kShowAfterSeconds = 0.25;
@@ -162,7 +164,7 @@ void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   begin_overlay(ctx, "##progress", {corner.x + size.x - ctx.px(14), corner.y + ctx.px(12)}, {1, 0});
   ImGui::TextUnformatted(fitted_text(b.what, ctx.px(250)).c_str());
   if (b.share >= 0) {
-    ImGui::SameLine();  // on the bar's colour it would be hard to read
+    ImGui::SameLine();  // the text would be hard to read on the bar's colour
     ImGui::TextUnformatted((number_text(b.share * 100, 0) + " %").c_str());
     ImGui::ProgressBar(static_cast<float>(b.share), {ctx.px(220), 0}, "");
   } else {
@@ -173,14 +175,14 @@ void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   end_overlay();
 }
 
-// Below the place of the line above, which may come and go.
+// Progress of saving. It leaves room for the line of progress() above, which may come and go.
 void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const BusyInfo& b = ctx.state.saving;
   if (!b.active) return;
   const float row = ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y;
   begin_overlay(ctx, "##saving",
                 {corner.x + size.x - ctx.px(14), corner.y + ctx.px(24) + 1.7f * row}, {1, 0});
-  // As wide whatever it says, or it would jump with each step.
+  // A fixed width, else the window would jump with each step.
   const float width = ctx.px(220), left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(fitted_text(b.what, width).c_str());
@@ -196,7 +198,8 @@ void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   end_overlay();
 }
 
-// A view that shows nothing looks like a broken picture. Below `top`, pixels of the view.
+// Explains a view that shows nothing, which would look broken. Placed below `top`, pixels of the
+// view.
 void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size, float top) {
   const ViewportInfo& v = ctx.state.viewport;
   if (v.problem == ViewProblem::none || !ctx.state.molecule.loaded || v.outdated) return;
@@ -225,7 +228,7 @@ void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size, float top) {
   end_overlay();
 }
 
-// Above the legends.
+// Names the opened one of several dropped files, above the legends.
 void drop_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_height) {
   std::string& note = ctx.state.drop_note;
   if (note.empty()) return;
@@ -268,7 +271,7 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   end_overlay();
 }
 
-// Whether it is said.
+// Says that the selection left no atom. Returns whether it does.
 bool nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const MoleculeInfo& m = ctx.state.molecule;
   if (!m.loaded || m.balls > 0 || ctx.state.busy.active) return false;
@@ -280,7 +283,7 @@ bool nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   return true;
 }
 
-// Below the caption.
+// Says below the caption that the picture belongs to older settings.
 void outdated_note(PanelContext& ctx, ImVec2 corner) {
   if (!ctx.state.viewport.outdated) return;
   const float below = ctx.px(18) + ImGui::GetTextLineHeight();
@@ -291,8 +294,9 @@ void outdated_note(PanelContext& ctx, ImVec2 corner) {
   record(ctx, "view.outdated");
 }
 
-// In the same place; a newer computation is under way when there is a picture of an older one.
-// Returns where it ends, pixels of the view.
+// Shows why alpha has no complex, in the place of outdated_note(). The two never meet, since an
+// older picture means that a newer computation runs. Returns the y of its lower end, pixels of the
+// view.
 float compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const ViewState& s = ctx.state;
   const float top = ctx.px(18) + ImGui::GetTextLineHeight();
@@ -308,7 +312,7 @@ float compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_height) {
   const ViewportInfo& v = ctx.state.viewport;
   if (v.not_drawn.empty() || !ctx.state.molecule.loaded || v.outdated) return;
-  // Between the legend and the scale bar, or above them.
+  // The note is between legend and scale bar if it has room there, else above both.
   const float between = size.x - ctx.px(600);
   const bool above = between < ctx.px(300), empty = !(v.angstrom_per_pixel > 0);
   const float width = above ? size.x - ctx.px(56) : std::min(between, ctx.px(640));
@@ -333,7 +337,7 @@ void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends
 
 std::string caption_text(const Answer& answer) {
   CaptionParts parts = usual_caption();
-  parts.set(CaptionPart::counts, false);  // they have a place of their own
+  parts.set(CaptionPart::counts, false);  // counts are in the status bar
   const AlphaComplex& c = answer.complex;
   std::string text;
   for (const std::string& word : caption_words(answer, *answer.molecule, {}, parts)) {
@@ -345,7 +349,7 @@ std::string caption_text(const Answer& answer) {
   }
   const int dimension = dimension_of_centres(*answer.balls);
   if (dimension == 3) return text + "   no tetrahedra at this alpha";
-  return text + "   balls " + lie_text(dimension);  // then there are none at any alpha
+  return text + "   balls " + lie_text(dimension);  // so there are none at any alpha
 }
 
 std::string hidden_text(std::size_t atoms) {
@@ -381,7 +385,7 @@ void draw_viewport(PanelContext& ctx) {
   if (!flat) problem(ctx, corner, size, top);
   drop_note(ctx, corner, size, legends_height);
   empty_state(ctx, corner, size);
-  // What is not drawn of nothing is no news.
+  // Without atoms, a note about things not drawn would say nothing.
   if (!nothing_left(ctx, corner, size)) not_drawn_note(ctx, corner, size, legends_height);
   draw_context_menu(ctx);
 }

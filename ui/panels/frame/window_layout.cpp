@@ -1,5 +1,6 @@
-// Fixed places of the panels: menu on top, controls at the left, lessons at the right of the view,
-// timings below it, status at the bottom. Only the timings' height can be dragged.
+// The fixed layout of the window. The menu is on top, sections are at the left, and lessons at the
+// right of the view. Pages are below the view, and the status bar is at the bottom. The user can
+// drag the height of the pages only.
 #include "ui/panels/frame/window_layout.hpp"
 
 #include <algorithm>
@@ -22,8 +23,8 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
 constexpr float kRightWidth = 340;
 constexpr float kLeftWidth = 320, kBottomHeight = 262, kStatusHeight = 27;
 constexpr float kLeastBottom = 76, kLeastView = 180;
-// Beside a lesson. Where less is left, the controls give way, and the page below takes no more than
-// this share of the height.
+// Limits beside a lesson. If less width is left for the view, the sections at the left disappear.
+// The page below then takes at most this share of the height.
 constexpr float kLeastViewBesideLesson = 360, kBottomBesideLesson = 0.34f;
 
 struct Area {
@@ -37,7 +38,7 @@ void begin(const char* id, const Area& place, ImGuiWindowFlags extra = 0) {
 }
 
 void hairline(PanelContext& ctx, ImVec2 from, ImVec2 to) {
-  // Windows clip what touches their padding; these lines run from edge to edge.
+  // Windows clip drawings at their padding, and these lines run from edge to edge.
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRectFullScreen();
   draw->AddLine(from, to, to_u32(ctx.palette.border), 1);
@@ -52,12 +53,13 @@ std::vector<PanelSpec> panels_at(Place place) {
   return found;
 }
 
-// Names all sections where they do not fit, and says where those are that scrolling hides.
+// Buttons for all sections, drawn if the sections do not fit. Arrows mark sections scrolled out of
+// sight.
 void section_buttons(PanelContext& ctx, const WidgetRects& last) {
   const std::vector<PanelSpec> sections = panels_at(Place::left);
   const float gap = ctx.px(4), count = static_cast<float>(sections.size());
   ImGui::PushFont(ctx.fonts.small);
-  // Each as wide as its title with an arrow, whether or not it has one, and all share the rest.
+  // Each button has room for its title with an arrow, drawn or not. All share the remaining width.
   const auto text_width = [](const PanelSpec& s) {
     return ImGui::CalcTextSize((s.title + std::string(" ↓")).c_str()).x;
   };
@@ -84,18 +86,19 @@ void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float hei
   bool& overflow = ctx.state.memory.sections_overflow;
   const float room = ImGui::GetContentRegionAvail().y;
   if (overflow) section_buttons(ctx, last);
-  // The scroll bar may appear at any time; what is beside it must not jump.
+  // The child keeps its width when its scroll bar appears, so nothing beside it jumps.
   ImGui::BeginChild("sections", {0, 0}, false);
   ImGui::PushItemWidth(-1);
   for (const PanelSpec& s : panels_at(Place::left)) ctx.panels.of(s).draw(ctx);
   ImGui::PopItemWidth();
-  overflow = ImGui::GetCursorPosY() > room;  // whether or not the buttons are there
+  // Independent of the buttons, which would otherwise come and go.
+  overflow = ImGui::GetCursorPosY() > room;
   ImGui::EndChild();
   hairline(ctx, {ctx.px(kLeftWidth) - 1, top}, {ctx.px(kLeftWidth) - 1, top + height});
   ImGui::End();
 }
 
-// Beside the view, while there is something in it; its width in pixels.
+// Draws lessons beside the view. Returns their width in pixels; 0 if they are closed.
 float right_panel(PanelContext& ctx, float top, float height) {
   if (!ctx.state.lessons.shown) return 0;
   const float width = ctx.px(kRightWidth), left = ImGui::GetIO().DisplaySize.x - width;
@@ -107,7 +110,7 @@ float right_panel(PanelContext& ctx, float top, float height) {
 }
 
 float bottom_height(PanelContext& ctx, float available) {
-  float& height = ctx.state.window.page_height;  // where the window has room for it
+  float& height = ctx.state.window.page_height;  // the height wanted; a small window has less
   if (height <= 0) height = kBottomHeight;
   height = std::max(height, kLeastBottom);
   return ctx.px(std::min(height, std::max(kLeastBottom, available / ctx.scale - kLeastView)));
@@ -130,8 +133,7 @@ void splitter(PanelContext& ctx, const Area& below) {
   }
 }
 
-// How the names of pages fit into one line: their padding in pixels, and in a small font where they
-// must.
+// Padding (pixels) and font with which the names of pages fit into one line.
 struct NameFit {
   float padding = 0;
   bool small = false;
@@ -155,7 +157,7 @@ NameFit fit_names(const PanelContext& ctx, const std::vector<PanelSpec>& pages, 
   return {std::clamp(padding_in(ctx.fonts.small), ctx.px(1), usual), true};
 }
 
-// The pages below the view by name, when there are several; the page goes on in the same line where
+// Draws the names of pages as buttons, if there are several. The page goes on in the same line if
 // there is room.
 const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pages) {
   std::string& shown = ctx.state.window.page;
@@ -166,7 +168,7 @@ const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pa
     ImGui::AlignTextToFramePadding();
     strong_text(ctx, page->title);
   }
-  // What stands beside the names needs room, too.
+  // Controls of the page beside the names need room, too.
   const bool narrow = ImGui::GetContentRegionAvail().x < ctx.px(820);
   const ImVec2 padding = ImGui::GetStyle().FramePadding;
   const NameFit fit = fit_names(ctx, pages, narrow ? ctx.px(4) : padding.x);
@@ -204,9 +206,9 @@ void bottom_panel(PanelContext& ctx, const Area& area) {
   ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
   const std::vector<PanelSpec> pages = panels_at(Place::bottom);
   ctx.panels.of(*bottom_tabs(ctx, pages)).draw(ctx);
-  // What lines chosen cavities is marked in the picture on whatever page.
+  // Atoms that line chosen cavities are marked in the picture, whatever page is open.
   if (!ctx.state.settings.selection.cavities.empty()) follow_cavities(ctx);
-  ImGui::SetScrollX(0);  // there is no bar that would tell of it
+  ImGui::SetScrollX(0);  // no scroll bar would show a shift
   ImGui::EndChild();
   ImGui::End();
 }
@@ -224,7 +226,7 @@ void status(PanelContext& ctx, float y, float width, float height) {
 
 void note_mouse(PanelMemory& memory) {
   const ImGuiIO& io = ImGui::GetIO();
-  // Not MouseDelta, which is zero where the mouse enters the window.
+  // MouseDelta would be zero when the mouse enters the window.
   const bool moved = io.MousePos.x != memory.mouse_x || io.MousePos.y != memory.mouse_y;
   const bool busy = moved || ImGui::IsAnyMouseDown();
   memory.mouse_x = io.MousePos.x;
@@ -245,7 +247,7 @@ PanelContext context_of(const WindowParts& parts, const PanelFonts& fonts, float
 
 void draw_over_picture(const WindowParts& parts, const PanelFonts& fonts, float scale) {
   PanelContext ctx = context_of(parts, fonts, scale);
-  ImGui::Begin(kView);  // the same window once more: ImGui adds to it
+  ImGui::Begin(kView);  // ImGui adds to the window of that name
   draw_view_labels(ctx);
   ImGui::End();
 }

@@ -1,4 +1,4 @@
-// The one call that draws the whole window for a frame. Includes no ImGui.
+// The two calls that draw the window for a frame. Includes no ImGui.
 #pragma once
 
 #include "core/document/commands/commands.hpp"
@@ -16,17 +16,18 @@ struct Inputs;
 // All that the panels see and change.
 struct WindowParts {
   ViewState& state;
-  WidgetRects& rects;  // cleared and filled
+  WidgetRects& rects;  // cleared, then filled
   const Commands& commands;
-  Store& store;          // of derived results
-  const Inputs& inputs;  // that they are made of
-  const Calls& calls;    // what the program is asked to do
+  Store& store;          // makes derived results
+  const Inputs& inputs;  // the present inputs of derived results
+  const Calls& calls;    // calls to the program
   PanelSet& panels;
 };
 
-// Between ImGui's NewFrame and Render.
+// Draws everything but labels over the picture. To be called between ImGui's NewFrame and Render.
 void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale);
-// What lies over the picture that the view shows in this frame; after it is drawn.
+// Draws the labels over the view's picture. To be called after that picture is drawn, since labels
+// belong to one view.
 void draw_over_picture(const WindowParts& parts, const PanelFonts& fonts, float scale);
 
 }  // namespace alphascope

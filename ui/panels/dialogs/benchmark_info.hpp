@@ -1,5 +1,4 @@
-// The benchmark page's data: what is to be measured, and what has been. Plain; the program fills
-// it.
+// Plain data of the benchmark page: the settings of a run, and its results so far.
 #pragma once
 
 #include <set>
@@ -11,18 +10,19 @@
 
 namespace alphascope {
 
-// As the user types and ticks it; the program makes the suite's options of it when it starts.
+// The settings as the user types and ticks them. The program turns them into the suite's options
+// when a run starts.
 struct BenchmarkControls {
   std::string alphas = "0, 1.4, 3";  // Å², as typed
-  // Of those that can run here; CGAL is always measured.
+  // Engines to be measured, if they can run here. CGAL is always measured.
   std::set<EngineChoice> engines = [] {
     const auto all = suite_engines();
     return std::set(all.begin(), all.end());
   }();
   bool ablation = true;
   int runs = 5, seconds_per_row = 10;
-  std::string folder = "alphascope-benchmark";  // to export into
-  bool charts = false;                          // shown instead of the table
+  std::string folder = "alphascope-benchmark";  // folder to export into
+  bool charts = false;                          // charts are shown instead of the table
 };
 
 struct BenchmarkInfo {
@@ -31,14 +31,14 @@ struct BenchmarkInfo {
   double share = 0;      // 0 to 1
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  // grow while it runs
-  std::vector<bool> differs;                   // the row's result is another than CGAL's
-  std::vector<std::string> lines;              // machine; where CGAL overtakes
+  std::vector<bool> differs;                   // for each row: its result differs from CGAL's
+  std::vector<std::string> lines;              // the machine, and where CGAL overtakes
   std::vector<Chart> charts;
-  bool complete = false;    // every row is there
-  bool can_export = false;  // some are
-  std::string cancelled;    // what became of a cancelled run
-  std::string error;        // why it failed, or could not be exported
-  std::string exported;     // where to
+  bool complete = false;    // every row is measured
+  bool can_export = false;  // at least one row is measured
+  std::string cancelled;    // a sentence on a cancelled run
+  std::string error;        // why the run or the export failed
+  std::string exported;     // names the folder of the exported files
 };
 
 }  // namespace alphascope

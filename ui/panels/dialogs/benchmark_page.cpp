@@ -1,5 +1,5 @@
-// The benchmark page: the thesis' table and figures for the open molecule. Modal, so that nothing
-// else takes the cores while it measures.
+// The benchmark page: measures the open molecule, and shows the thesis' table and figures of it. It
+// is modal, so that no other work takes the cores meanwhile.
 #include <imgui.h>
 
 #include <algorithm>
@@ -143,7 +143,7 @@ void run_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
   BenchmarkInfo& b = s.benchmark;
   row_label(ctx, "");
-  // Never where Run was: a second click there must not cancel.
+  // Cancel has a place of its own, so that a second click on Run does not cancel.
   ImGui::BeginDisabled(!b.running);
   if (button(ctx, "benchmark.cancel", "Cancel", {ctx.px(100), 0})) {
     ctx.calls.jobs.cancel(Job::benchmark);
@@ -167,14 +167,15 @@ void run_row(PanelContext& ctx) {
                                     : "Open a molecule first.");
 }
 
-// The last word of a name, most often its unit, goes below the others: numbers need less room.
+// Puts the last word of a name, most often a unit, below the others. Numbers need less width.
 std::string header_text(std::string name) {
   const std::size_t blank = name.rfind(' ');
   if (blank != std::string::npos) name[blank] = '\n';
   return name;
 }
 
-// What the other columns leave to the last one, the notes: sentences, which may be broken.
+// Returns the width that other columns leave to the last one, pixels. It holds notes: sentences,
+// which can be wrapped.
 float note_width(PanelContext& ctx, float table_width) {
   const BenchmarkInfo& b = ctx.state.benchmark;
   const ImGuiStyle& style = ImGui::GetStyle();

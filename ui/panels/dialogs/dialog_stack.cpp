@@ -1,4 +1,5 @@
-// See the header.
+// The list of all dialogs, and functions that open, nest and close them and lead keys to the
+// topmost.
 #include "ui/panels/dialogs/dialog_stack.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ struct Entry {
   void (*draw)(PanelContext& ctx);
 };
 
-// By DialogKind.
+// PanelMemory::dialogs holds indices into this list.
 constexpr std::array kDialogs{
     Entry{[](const ViewState& s) { return s.memory.show_benchmark; }, draw_benchmark_page},
     Entry{[](const ViewState& s) { return s.memory.show_browser; }, draw_file_browser},
@@ -68,7 +69,7 @@ bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size, DialogPlace
 
 void end_dialog(PanelContext& ctx) {
   if (!wanted(ctx.state, ctx.state.memory.dialogs[ctx.dialog])) {
-    ImGui::CloseCurrentPopup();  // and those above it, which open again in the next frame
+    ImGui::CloseCurrentPopup();  // also closes dialogs above it, which open again in the next frame
   } else {
     ++ctx.dialog;
     draw_level(ctx);

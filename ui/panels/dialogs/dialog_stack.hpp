@@ -1,30 +1,30 @@
-// The one owner of the dialogs: which are open, and which is above which. ImGui replaces a modal
-// window by the next that is opened beside it; here each is opened inside the one below.
+// The stack of dialogs: which are open, and in what order they lie. ImGui replaces a modal window
+// by the next one that opens beside it. So each dialog is opened inside the one below it.
 #pragma once
 
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 
-// Between begin_dialog() and end_dialog(): the dialog's contents. False: draw nothing, and do not
-// end it. `size` in pixels; {0, 0} fits the contents.
-// At the top: without a title bar.
+// The contents of a dialog are drawn between begin_dialog() and end_dialog(). If begin_dialog()
+// returns false, draw nothing and do not call end_dialog(). `size` is in pixels; {0, 0} fits the
+// contents. A dialog placed at the top has no title bar.
 enum class DialogPlace : std::uint8_t { centre, top };
 bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size = {0, 0},
                   DialogPlace place = DialogPlace::centre);
-void end_dialog(PanelContext& ctx);  // closes it when the state no longer wants it
+void end_dialog(PanelContext& ctx);  // closes the dialog if the state no longer wants it
 
-// Keys belong to the topmost dialog.
+// Whether the present dialog is the topmost one, which alone gets keys.
 bool on_top(const PanelContext& ctx);
-// On top, and nothing in it has the keys: no list is open, and no text is typed, which Escape takes
-// back first and Enter confirms.
+// Whether the topmost dialog itself gets the keys. An open list or typed text takes them first, so
+// that Escape takes that back and Enter confirms it.
 bool has_keys(const PanelContext& ctx);
 bool escape_pressed(const PanelContext& ctx);
 bool enter_pressed(const PanelContext& ctx);
 
-// At the right end of a line that is `width` pixels wide: what does nothing at the left, what does
-// something at the right, in every dialog. Enter confirms, Escape cancels. `entered`: Enter was
-// pressed in a field. While a number of the dialog is wrong, nothing is confirmed.
+// Draws the two buttons of a dialog at the right end of a line of `width` pixels. In every dialog
+// cancel is at the left and confirm at the right. Enter confirms and Escape cancels. `entered`:
+// Enter was pressed in a field. While a number in the dialog is invalid, nothing is confirmed.
 enum class DialogAnswer : std::uint8_t { none, cancel, confirm };
 struct DialogButton {
   const char* name;
@@ -34,10 +34,10 @@ DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
                             DialogButton confirm, bool can_confirm = true, bool entered = false);
 bool close_button(PanelContext& ctx, float width, DialogButton close);
 
-// All dialogs that are wanted; what was wanted last is on top.
+// Draws all dialogs that the state wants. The one wanted last is on top.
 void draw_dialogs(PanelContext& ctx);
 
-// The dialogs themselves.
+// The dialogs, each in a source of its own or in dialogs.cpp and session_dialogs.cpp.
 void draw_benchmark_page(PanelContext& ctx);
 void draw_file_browser(PanelContext& ctx);
 void draw_save_picture(PanelContext& ctx);

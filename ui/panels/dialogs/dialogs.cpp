@@ -1,4 +1,4 @@
-// Error, about, and whether a large assembly is to be expanded.
+// The dialogs for errors, for “About”, and for the question whether to expand a large assembly.
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace alphascope {
 namespace {
 
-constexpr float kWidth = 440;  // pixels at scale 1, of most dialogs
+constexpr float kWidth = 440;  // width of most dialogs, in pixels at scale 1
 
 }  // namespace
 
@@ -91,7 +91,7 @@ void draw_error(PanelContext& ctx) {
       (s.error_title.empty() ? "That did not work" : s.error_title) + "###error";
   if (!begin_dialog(ctx, title.c_str())) return;
   ImGui::Dummy({ctx.px(kWidth), 0});
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(kWidth));  // for long paths
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(kWidth));  // wraps long paths
   ImGui::TextUnformatted(broken_lines(s.error, ctx.px(kWidth)).c_str());
   ImGui::PopTextWrapPos();
   ImGui::Dummy({0, ctx.px(6)});

@@ -1,5 +1,5 @@
-// The dialog that writes a complex for another program. Name and format follow each other: the
-// ending says the format.
+// The dialog that writes a complex for another program. The ending of the name decides the format,
+// and choosing a format changes the ending.
 #include <imgui.h>
 
 #include "core/text/as_sentence.hpp"

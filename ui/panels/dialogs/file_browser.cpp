@@ -1,5 +1,5 @@
-// The dialog for opening a molecule or a table of radii: folders and files that look like one, and
-// a path to type.
+// The file dialog: opens a molecule, a session or a table of radii, or finds a place to save to. It
+// lists folders and suitable files, and has a field for a path.
 #include <imgui.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ const char* title(const PanelMemory& m) {
   return "Open a molecule";
 }
 
-// Absolute, and without a slash at the end.
+// Returns the absolute path, without a slash at the end.
 fs::path as_folder(const fs::path& folder) {
   std::error_code error;
   const fs::path absolute = fs::absolute(folder, error);
@@ -62,7 +62,7 @@ void enter(PanelMemory& m, const fs::path& folder) {
   m.browser_jump.clear();
 }
 
-// The folder that one comes from is chosen, so that Enter leads back.
+// Enters the parent folder. The folder left behind is chosen there, so that Enter leads back.
 void enter_above(PanelMemory& m) {
   const fs::path from = m.browser_folder;
   enter(m, from.parent_path());
@@ -88,7 +88,7 @@ void close(PanelMemory& m) {
   if (for_saving(m)) m.browser_folder = m.saving.opens_from;
 }
 
-// In the dialog that asks for a place. A folder is one for the name that was typed there.
+// Takes the path for the dialog that looks for a place. A folder keeps the file name typed there.
 void save_there(PanelMemory& m, const fs::path& path) {
   std::error_code ignored;
   const bool folder = fs::is_directory(path, ignored);
@@ -101,7 +101,7 @@ void save_there(PanelMemory& m, const fs::path& path) {
   close(m);
 }
 
-// The dialog stays when the file cannot be opened, and says why.
+// Opens the file. If it cannot be opened, the dialog stays and says why.
 void open(PanelContext& ctx, const fs::path& file) {
   ViewState& s = ctx.state;
   if (for_saving(s.memory)) return save_there(s.memory, file);
@@ -121,7 +121,7 @@ void open(PanelContext& ctx, const fs::path& file) {
   close(s.memory);
 }
 
-// A folder is entered, anything else is opened.
+// Enters a folder, and opens anything else.
 void accept(PanelContext& ctx, const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
@@ -131,7 +131,7 @@ void accept(PanelContext& ctx, const fs::path& path) {
   }
 }
 
-// The whole path; empty where nothing is typed.
+// Returns the whole path; empty if nothing is typed.
 fs::path browsed_path(const PanelMemory& m) {
   return typed_path(m.browser_typed, m.browser_base);
 }
@@ -140,15 +140,15 @@ void accept_typed(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const fs::path path = browsed_path(s.memory);
   if (path.empty()) return;
-  // The folder that is shown is not gone into: it is chosen.
+  // The folder on show is taken as the place, since entering it would do nothing.
   if (for_saving(s.memory) && as_folder(path) == s.memory.browser_folder) {
     return save_there(s.memory, s.memory.browser_folder);
   }
   accept(ctx, path);
 }
 
-// While a path is typed: the folder that it has come to is listed, and the first of its names that
-// begins so is chosen.
+// Follows a path that is being typed. It lists the last folder in the path, and chooses the first
+// entry that begins with the rest.
 void follow_typed(PanelMemory& m) {
   m.browser_by_hand = true;
   m.browser_error.clear();
@@ -209,7 +209,7 @@ std::size_t selected_index(const PanelMemory& m, const FolderListing& list) {
   return static_cast<std::size_t>(found - list.entries.begin());
 }
 
-// Where the arrow keys and their like lead; the present entry when none is pressed.
+// Returns the entry to which the pressed arrow or page key leads; `now` if none is pressed.
 std::size_t key_target(std::size_t now, std::size_t count, std::size_t page) {
   const auto pressed = [](int code) { return ImGui::IsKeyPressed(code); };
   const std::size_t last = count - 1;
@@ -223,7 +223,8 @@ std::size_t key_target(std::size_t now, std::size_t count, std::size_t page) {
   return now;
 }
 
-// Letters typed in quick succession make up the beginning of a name.
+// Returns the entry whose name begins with the typed letters. Letters typed in quick succession
+// make one beginning.
 std::size_t jump_target(PanelMemory& m, const FolderListing& list, std::size_t now) {
   constexpr double kPauseSeconds = 1;
   const ImGuiIO& io = ImGui::GetIO();
@@ -234,13 +235,13 @@ std::size_t jump_target(PanelMemory& m, const FolderListing& list, std::size_t n
   }
   m.browser_jump_seconds = ImGui::GetTime();
   if (m.browser_jump.empty()) return now;
-  // The same letter again leads on to the next name.
+  // Typing the same letter again leads to the next name.
   const bool on = m.browser_jump.size() == 1 && now < list.entries.size();
   const std::size_t found = find_entry(list, m.browser_jump, on ? now + 1 : 0);
   return found < list.entries.size() ? found : now;
 }
 
-// Up and Down lead from the path into the list. True: nothing is being typed any more.
+// Up and Down lead from the path into the list. Returns whether no text is being typed any more.
 bool leaves_path(const PanelContext& ctx) {
   if (!ImGui::IsAnyItemActive()) return true;
   constexpr int kInto[] = {key::kDown, key::kUp, key::kPageDown, key::kPageUp};
@@ -251,7 +252,8 @@ bool leaves_path(const PanelContext& ctx) {
   return leaves;
 }
 
-// What begins as a path is one, and no name to jump to; so is what is pasted. It is typed on.
+// Text that begins like a path, and pasted text, goes into the field for the path. Other letters
+// jump to a name.
 void begin_path(PanelContext& ctx) {
   PanelMemory& m = ctx.state.memory;
   const ImGuiIO& io = ImGui::GetIO();
@@ -274,8 +276,8 @@ void begin_path(PanelContext& ctx) {
   type_into(ctx, "browser.path");
 }
 
-// While nothing is being typed and no dialog is above. Returns true when the folder is another one
-// now.
+// Handles keys for the list, while nothing is typed and no dialog is above. Returns whether another
+// folder is shown now.
 bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
   PanelMemory& m = ctx.state.memory;
   if (!on_top(ctx) || m.keys.list_open || m.keys.begins || !leaves_path(ctx)) return false;
@@ -302,7 +304,7 @@ bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
   return false;
 }
 
-// The first whose name begins as what is typed. The path stays as it is typed.
+// Chooses the first entry whose name begins like the typed text. The typed path stays.
 void choose_begun(PanelMemory& m, const FolderListing& list) {
   const std::string begun = std::exchange(m.browser_begun, {});
   if (begun.empty()) return;
@@ -312,7 +314,7 @@ void choose_begun(PanelMemory& m, const FolderListing& list) {
   m.browser_scroll = true;
 }
 
-// The chosen entry, when a key has chosen it.
+// Scrolls to the chosen entry, if a key has chosen it.
 void scroll_to_selected(PanelMemory& m, const FolderListing& list, float row) {
   if (!std::exchange(m.browser_scroll, false)) return;
   const std::size_t index = selected_index(m, list);
@@ -322,7 +324,7 @@ void scroll_to_selected(PanelMemory& m, const FolderListing& list, float row) {
   if (top + 2 * row > ImGui::GetScrollY() + height) ImGui::SetScrollY(top + 2 * row - height);
 }
 
-// Only the rows in sight: a folder can have many thousands.
+// Draws only the rows in sight, since a folder can have many thousands.
 void entries(PanelContext& ctx, const std::shared_ptr<const FolderListing>& list) {
   const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const float page = std::max(1.0f, ImGui::GetWindowHeight() / row - 2);
@@ -351,7 +353,7 @@ std::string nothing_listed(const FolderListing& list) {
 
 void listing(PanelContext& ctx, float height) {
   const PanelMemory& m = ctx.state.memory;
-  const auto list = ctx.state.listing;  // kept for this frame
+  const auto list = ctx.state.listing;  // keeps the listing alive for this frame
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui(ctx.palette.panel));
   // Each folder has a scroll position of its own.
   ImGui::BeginChild(("entries" + m.browser_folder.string()).c_str(), {0, height}, true);
@@ -368,7 +370,8 @@ void listing(PanelContext& ctx, float height) {
   ImGui::PopStyleColor();
 }
 
-// What is wrong with the path, else what the keys do: always one line, so that nothing moves.
+// Shows what is wrong with the path, else what keys do. It is always one line, so that nothing
+// moves.
 void message_row(PanelContext& ctx) {
   const PanelMemory& m = ctx.state.memory;
   const float width = ImGui::GetContentRegionAvail().x;

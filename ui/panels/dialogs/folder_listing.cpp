@@ -1,4 +1,4 @@
-// See the header.
+// Lists folders, and chooses among dropped files.
 #include "ui/panels/dialogs/folder_listing.hpp"
 
 #include <unistd.h>
@@ -43,7 +43,8 @@ bool is_shown(const fs::directory_entry& found, const FolderQuery& query, Folder
   return true;
 }
 
-// Names in small letters are made once: a comparison each would make them dozens of times.
+// Sorts folders before files, each by name. Names in small letters are made once, since each
+// comparison would make them again.
 void sort_entries(std::vector<FolderEntry>& entries) {
   std::vector<std::pair<std::string, std::size_t>> order;
   order.reserve(entries.size());

@@ -1,4 +1,4 @@
-// See the header.
+// The rows for size, legend, scale bar and caption of a picture.
 #include "ui/panels/dialogs/picture_fields.hpp"
 
 #include <imgui.h>
@@ -23,7 +23,7 @@ void size_preset(PanelContext& ctx, const std::string& dialog, const char* name,
   ImGui::SameLine(0, ctx.px(4));
 }
 
-// Its parts and, below them, how it will read.
+// Draws the parts of the caption as check boxes, and below them the caption.
 void caption_parts_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options) {
   constexpr int kOnOneLine = 4;
   int column = 0;
@@ -92,7 +92,8 @@ void marks_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& 
     options.caption = caption ? usual_caption() : CaptionParts();
   }
   tooltip(ctx, "Words at the top left, such as the file and alpha.");
-  ImGui::BeginDisabled(!options.caption.any());  // there all the same, or the dialog would jump
+  // Greyed instead of hidden, else the dialog would jump.
+  ImGui::BeginDisabled(!options.caption.any());
   caption_parts_fields(ctx, dialog, options);
   ImGui::EndDisabled();
 }

@@ -1,4 +1,4 @@
-// What dialogs ask of a picture: its size and what is drawn over it.
+// Fields that several dialogs have for a picture: its size, and the marks drawn over it.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace alphascope {
 
-// Names of the fields begin with `dialog` and a dot.
+// The widgets' names begin with `dialog` and a dot.
 void size_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);
 void marks_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);
 

@@ -1,4 +1,4 @@
-// What is asked of saved pictures and recordings, and what their dialogs remember.
+// Requests for saved pictures and recordings, and what the dialog for recordings remembers.
 #pragma once
 
 #include <filesystem>
@@ -15,17 +15,19 @@ struct ScreenshotRequest {
 };
 
 struct RecordRequest {
-  std::filesystem::path path;  // as FrameNames takes it, or a movie
+  // Pattern for the names of frames (FrameNames), or the path of a movie.
+  std::filesystem::path path;
   Recording recording;
   PictureOptions options;
-  // The open lesson in place of the recording, each step for so long.
+  // Seconds for each step of the open lesson. If given, the lesson is recorded instead of
+  // `recording`.
   std::optional<double> lesson_seconds = {};
 };
 
 struct RecordMemory : RecordChoices {
   bool show = false;
   std::string path;
-  std::optional<bool> has_ffmpeg;  // looked for when the dialog opens
+  std::optional<bool> has_ffmpeg;  // found out when the dialog opens
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Completes typed paths: home folder, base folder and ending.
 #include "ui/panels/dialogs/picture_path.hpp"
 
 #include <cstdlib>

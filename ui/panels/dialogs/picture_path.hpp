@@ -1,4 +1,4 @@
-// Where a picture, a table or a session is saved to.
+// Paths that users type to save pictures, tables and sessions.
 #pragma once
 
 #include <filesystem>
@@ -6,12 +6,13 @@
 
 namespace alphascope {
 
-// The whole path of what was typed, without blanks at its ends: "~" is the home folder, and all
-// else is in `base`, or in the present folder. Empty where nothing was typed.
+// Returns the whole path of the typed text, without blanks at its ends. "~" is the home folder.
+// Relative paths start in `base`, or in the present folder if `base` is empty. The result is empty
+// if nothing was typed.
 std::filesystem::path typed_path(const std::string& typed, const std::filesystem::path& base = {});
 
-// The same with this ending (".csv"), where a name has none. One with another ending stays, and
-// fault_of_ending() says what is wrong with it. A folder stays a folder.
+// Returns the same path, with this ending (".csv") if the name has none. A name with another ending
+// stays, and fault_of_ending() names the fault. The path of a folder stays.
 std::filesystem::path path_to_save(const std::string& typed, const std::string& ending);
 
 inline constexpr const char* kPictureEnding = ".png";

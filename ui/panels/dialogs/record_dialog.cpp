@@ -1,5 +1,5 @@
 // The dialog that records a sweep of alpha, a turntable or the open lesson. The ending of the name
-// says whether pictures or a movie are written.
+// decides whether pictures or a movie are written.
 #include <imgui.h>
 
 #include <optional>
@@ -31,7 +31,8 @@ void error_lines(PanelContext& ctx, const char* name, const std::string& text) {
   two_small_lines(ctx, name, ctx.palette.error, as_sentence(text));
 }
 
-// By the name's ending; none: no such format, or no place for numbers, which is told.
+// Returns the format by the name's ending. If there is none, or no place for numbers, `why_not`
+// says so.
 std::optional<RecordingFormat> format_of(const fs::path& path, std::string& why_not) {
   try {
     const RecordingFormat format = recording_format(path);
@@ -58,7 +59,7 @@ void choose_format(PanelContext& ctx, std::optional<RecordingFormat> format) {
   m.path = (path.parent_path() / (stem + kEndings[chosen])).string();
 }
 
-// True when the recording can be written there.
+// Draws the rows for file and format. Returns whether the recording can be written there.
 bool target(PanelContext& ctx) {
   RecordMemory& m = ctx.state.memory.record;
   const fs::path path = typed_path(m.path);
@@ -153,12 +154,13 @@ void lesson_fields(PanelContext& ctx) {
       ctx,
       "How long a movie shows each step, and each answer. As pictures, each is one. The text is "
       "beside the picture.");
-  constexpr int kRowsOfOthers = 3;  // more than here: the dialog keeps its size
+  // Rows that other kinds have in addition; the dialog keeps its size.
+  constexpr int kRowsOfOthers = 3;
   for (int n = 0; n < kRowsOfOthers; ++n) ImGui::Dummy({0, ImGui::GetFrameHeight()});
   error_lines(ctx, "record.no_lesson", lesson ? "" : "Open a lesson first: Help, Lessons…");
 }
 
-// What is chosen of the three.
+// Draws the choice of sweep, turntable or lesson, and the fields of the chosen one.
 void kind_fields(PanelContext& ctx) {
   RecordMemory& m = ctx.state.memory.record;
   int kind = m.of_lesson ? 2 : static_cast<int>(m.recording.kind);

@@ -1,4 +1,4 @@
-// What all dialogs that write a file remember together.
+// The state that all dialogs share that write a file.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,14 @@
 namespace alphascope {
 
 struct SaveMemory {
-  std::filesystem::path folder;  // of the file that was saved last; empty: none yet
-  // What was typed last for this molecule, by the dialog: without the folder.
+  std::filesystem::path folder;  // folder of the file saved last; empty: none yet
+  // For each dialog the file name typed last for this molecule, without its folder.
   std::map<std::string, std::string> names;
-  // The file dialog looks for a place to save to, for this field, and what was found.
+  // While the file dialog looks for a place to save to: the field that it serves. Then the field
+  // for which `found` was chosen.
   std::string browses_for, found_for;
   std::filesystem::path found;
-  std::filesystem::path opens_from;  // where the file dialog was before
+  std::filesystem::path opens_from;  // folder that the file dialog showed before
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Prepares tables for saving: their dialog, the origin of their numbers, and their file names.
 #include "ui/panels/dialogs/save_parts.hpp"
 
 #include <algorithm>
@@ -10,7 +10,8 @@ namespace alphascope {
 
 void ask_to_save(PanelContext& ctx, TableToSave table) {
   TableMemory& memory = ctx.state.memory.save_table;
-  // The last format, where this has it: of tables only, since others are for one purpose.
+  // The last format stays if it is a table's and this table has it. Other formats serve one
+  // purpose.
   memory.format = table.json && memory.format == kJsonFormat ? kJsonFormat : kCsvFormat;
   memory.path.clear();
   memory.table = std::make_shared<const TableToSave>(std::move(table));

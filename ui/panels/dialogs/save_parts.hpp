@@ -1,4 +1,4 @@
-// What pages ask for to have a table saved.
+// Functions with which pages ask for a table to be saved.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace alphascope {
 
-// A format for other programs.
+// Makes an entry for a format that is not a table's.
 FormatToSave format_to_save(const ShapeExportInfo& info, Definition<FileWriter> writer);
 // Opens the dialog that saves a table.
 void ask_to_save(PanelContext& ctx, TableToSave table);
-// Where its numbers come from: what is on screen. Not without ViewState::references.
+// Returns the source of the numbers on screen. ViewState::references must not be null.
 RecordSource source_on_screen(const PanelContext& ctx);
-// The same and the program's version, as lines above a table: "radii: CASTp".
+// Returns the same source and the program's version as lines above a table: "radii: CASTp".
 std::vector<std::string> comments_on_screen(const PanelContext& ctx);
-// "4hhb-cavities", of the file that is open.
+// Returns a file name for the open file: "4hhb-cavities".
 std::string file_name_for(const PanelContext& ctx, const char* what);
 
 }  // namespace alphascope

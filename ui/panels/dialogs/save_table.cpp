@@ -1,4 +1,4 @@
-// The dialog that saves the table of a page.
+// The dialog that saves the table of a page, as CSV, JSON or a format for another program.
 #include <imgui.h>
 
 #include <filesystem>
@@ -42,8 +42,8 @@ std::vector<int> formats(const TableToSave& table) {
   return all;
 }
 
-// The ending that is typed says the format; without one, that of the format comes behind the name.
-// What is wrong with another, or empty.
+// Chooses the format by the typed ending. A name without one keeps the format, whose ending is
+// added later. Returns the fault of an unknown ending; empty: none.
 std::string follow_ending(TableMemory& memory) {
   std::vector<std::string> endings;
   std::vector<std::string_view> views;
@@ -65,7 +65,7 @@ std::vector<std::filesystem::path> targets(const TableMemory& memory) {
   return other ? other->files(target(memory)) : std::vector{target(memory)};
 }
 
-// The name keeps its stem: "a.csv" becomes "a.json".
+// Changes the format and the name's ending with it: "a.csv" becomes "a.json".
 void choose_format(TableMemory& memory, int format) {
   std::filesystem::path path = memory.path;
   if (output_ending(path) == ending(*memory.table, memory.format)) {
@@ -99,7 +99,7 @@ void format_row(PanelContext& ctx, TableMemory& memory) {
   ImGui::EndCombo();
 }
 
-// What the format holds; of several files, which.
+// Describes the contents of the format. If it is several files, names the others too.
 std::string content_text(const TableMemory& memory) {
   const FormatToSave* other = other_format(*memory.table, memory.format);
   if (!other) return "All digits, and file, selection, radii, alpha and program with them.";

@@ -1,4 +1,4 @@
-// See the header.
+// The row for a file's path, its proposal, and the notes on whether and where it can be written.
 #include "ui/panels/dialogs/save_target.hpp"
 
 #include <unistd.h>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr float kTextWidth = 340;  // pixels at scale 1
 
-// The samples of the program are in a folder of its own.
+// Returns the folder to propose. A sample's folder belongs to the program, so it is not proposed.
 fs::path folder_to_offer(const ViewState& s) {
   std::error_code ignored;
   if (fs::is_directory(s.memory.saving.folder, ignored)) return s.memory.saving.folder;
@@ -96,7 +96,7 @@ void two_small_lines(PanelContext& ctx, const char* name, const Colour& colour,
   const std::size_t end = std::min(lines.find('\n'), lines.size());
   std::string rest = lines.substr(std::min(end + 1, lines.size()));
   std::replace(rest.begin(), rest.end(), '\n', ' ');
-  if (rest.empty()) rest = " ";  // ImGui counts no empty last line
+  if (rest.empty()) rest = " ";  // ImGui does not count an empty last line
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(colour));
   ImGui::TextUnformatted(
       (fitted_text(lines.substr(0, end), width) + "\n" + fitted_text(rest, width)).c_str());

@@ -1,4 +1,4 @@
-// What a dialog says below the name of a file that it will write.
+// Rows that dialogs share for the file that they will write: its path, and notes below it.
 #pragma once
 
 #include <filesystem>
@@ -9,28 +9,29 @@
 
 namespace alphascope {
 
-// One rule for all dialogs that write a file. The folder that is offered is that of the file that
-// was saved last, else that of the molecule where one may write there, else the present one. The
-// name is what was typed last for this molecule in this dialog, else `name`. To be called before
-// the dialog `title` is drawn; a path that is there already stays.
+// Proposes a path in `path`, by one rule for all dialogs that write a file. The folder is that of
+// the file saved last. Else it is the molecule's folder if that can be written, else the present
+// folder. The name is the one typed last for this molecule in this dialog, else `name`. To be
+// called before the dialog `title` is drawn. A path that is not empty stays.
 void propose_file(PanelContext& ctx, const char* title, const std::string& dialog,
                   std::string& path, const std::string& name);
-// "4hhb" and this ending.
+// Returns the stem of the open file with this ending: "4hhb.png".
 std::string name_of_file(const PanelContext& ctx, const std::string& ending);
-// The dialog is closed: what it remembers. Without a name of the dialog, the folder only.
+// Notes the folder and the name of a dialog that closes, and clears `path`. Without a name of the
+// dialog only the folder is noted.
 void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved);
-// The path, and a button that looks for it. True: Enter was pressed in it.
+// Draws the field for the path and a button that browses. Returns whether Enter was pressed.
 bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path);
 
-// Behind an empty label: room for two lines, whether or not it says anything, so that nothing
-// moves. What does not fit is cut; its tooltip has all. The widget's name may be empty.
+// Draws a text of at most two lines behind an empty label. Room for both is kept even for an empty
+// text, so nothing moves. A longer text is cut, and its tooltip has all of it. The widget's name
+// may be empty.
 void two_small_lines(PanelContext& ctx, const char* name, const Colour& colour,
                      const std::string& text);
 
-// Where `files`, in one folder, will be, whatever folder the program was started in, and what
-// becomes of what is there. False where they cannot be written. `fault`: what else is wrong with
-// the name, without full stop, as of fault_of_ending(); or empty. Widgets are named by `dialog`:
-// "save.replaces".
+// Shows where `files`, all in one folder, will be, and whether files there are replaced. Returns
+// false if they cannot be written. `fault` names another fault of the name without a full stop, as
+// fault_of_ending() does; it may be empty. Names of widgets begin with `dialog`: "save.replaces".
 bool save_target(PanelContext& ctx, const std::string& dialog,
                  const std::vector<std::filesystem::path>& files, const std::string& fault = {});
 

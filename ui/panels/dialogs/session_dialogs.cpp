@@ -1,4 +1,5 @@
-// Saving a session, and what to do when the molecule of one is not where it was or has changed.
+// Two dialogs on sessions: one saves a session, and one asks what to do if its files are missing or
+// have changed.
 #include <imgui.h>
 
 #include "core/files/output_ending.hpp"
@@ -48,7 +49,7 @@ void draw_session_problem(PanelContext& ctx) {
     return;
   const SessionProblem problem = s.session_problem.value_or(SessionProblem());
   ImGui::Dummy({ctx.px(kWidth), 0});
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(kWidth));  // for long paths
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(kWidth));  // wraps long paths
   muted_text(ctx, problem.session);
   ImGui::TextUnformatted(broken_lines(problem.text, ctx.px(kWidth)).c_str());
   ImGui::PopTextWrapPos();

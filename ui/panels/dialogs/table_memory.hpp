@@ -1,4 +1,4 @@
-// A table of a page that is to be written to a file.
+// The table of a page that is to be saved, and what the dialog for it remembers.
 #pragma once
 
 #include <filesystem>
@@ -13,26 +13,27 @@
 
 namespace alphascope {
 
-// Another format than those of tables: for other programs.
+// A format for other programs, beside those of tables.
 struct FormatToSave {
-  std::string ending, name, what;  // ".glb", "GLB: surfaces"; what is in it: a phrase
-  // All files that it is, when the first has this name.
+  std::string ending, name, what;  // ".glb", "GLB: surfaces"; the contents as a phrase
+  // Returns the paths of all files of this format, if the first has this path.
   std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> files;
   Definition<FileWriter> writer;
 };
 
 struct TableToSave {
   std::string what;       // "Cavities": the title of the dialog, "Save: Cavities"
-  std::string file_name;  // that is offered, without ending: "4hhb-cavities"
+  std::string file_name;  // name to offer, without ending: "4hhb-cavities"
   Definition<std::string> csv;
   std::optional<Definition<std::string>> json;
-  // Of what is on screen when it is asked for. Where `of_the_picture`, no other is saved.
+  // Inputs of the data on screen at the time of the request. If `of_the_picture`, data of other
+  // inputs are not saved.
   Inputs inputs;
   bool of_the_picture = true;
   std::vector<FormatToSave> more = {};
 };
 
-// Of what can be saved: 0 CSV, 1 JSON, then those of TableToSave::more.
+// Numbers of the formats: 0 CSV, 1 JSON, then those of TableToSave::more.
 inline constexpr int kCsvFormat = 0, kJsonFormat = 1, kFirstOfMore = 2;
 
 struct SaveTableRequest {
@@ -41,10 +42,10 @@ struct SaveTableRequest {
   std::filesystem::path path;
 };
 
-// The dialog.
+// State of the dialog.
 struct TableMemory {
-  std::shared_ptr<const TableToSave> table;  // null: it is closed
-  std::string path;                          // as it is typed
+  std::shared_ptr<const TableToSave> table;  // null: the dialog is closed
+  std::string path;                          // as the user types it
   int format = kCsvFormat;
 };
 

@@ -1,12 +1,12 @@
-// What a page remembers of one molecule ends with the next.
+// Replaces what a panel remembers of one molecule when another is open.
 #pragma once
 
 #include <string>
 
 namespace alphascope {
 
-// Where `memory` is of another molecule than this one (SHA-256 of its file), what `fresh` makes of
-// it takes its place. True: it did.
+// If `memory` belongs to another molecule than this one (SHA-256 of its file), replaces it by
+// `fresh(memory)`. Returns whether it did.
 template <class Memory, class Fresh>
 bool begin_anew(Memory& memory, const std::string& molecule, const Fresh& fresh) {
   if (memory.molecule == molecule) return false;

@@ -1,4 +1,4 @@
-// The section on the molecule: what its rows remember between frames.
+// The state of the section on the molecule between frames.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 namespace alphascope {
 
 struct MoleculeMemory {
-  std::string residues_of;   // SHA-256 of the molecule whose list of residues was shown last
-  std::string chain_filter;  // part of the names of the chains that are listed
-  int radius_editing = -1;   // row of MoleculeInfo::radius_rows whose text is being typed
+  std::string residues_of;   // SHA-256 of the molecule whose residues were listed last
+  std::string chain_filter;  // chains whose names contain this text are listed
+  int radius_editing = -1;   // row of MoleculeInfo::radius_rows in which the user types; −1: none
   std::string radius_typed;
-  std::string radius_error;  // why the typed text is no radius
+  std::string radius_error;  // why the typed text is not a valid radius
 };
 
 }  // namespace alphascope

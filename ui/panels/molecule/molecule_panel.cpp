@@ -1,4 +1,5 @@
-// What is open, what was used of it and what was dropped.
+// The section on the molecule: opens files, and shows the name, dropped atoms and notes. It also
+// draws the rows of the other sources of this folder.
 #include "ui/panels/molecule/molecule_memory.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
@@ -79,7 +80,7 @@ void draw_molecule(PanelContext& ctx, MoleculeMemory& memory) {
     muted_text(ctx, fitted_text(m.title, width));
     tooltip(ctx, m.title.c_str());
   }
-  constexpr int kSummaryLines = 2;  // of most molecules, whatever is selected
+  constexpr int kSummaryLines = 2;  // enough for most molecules, whatever is selected
   const float top = ImGui::GetCursorPosY();
   ImGui::BeginGroup();
   wrapped_text(m.summary);

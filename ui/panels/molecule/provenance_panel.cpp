@@ -1,4 +1,4 @@
-// Where the numbers come from, complete enough for a paper, and to be copied.
+// The list of the numbers' provenance, in full for a paper, with a button that copies it.
 #include <algorithm>
 
 #include "ui/panels/panels.hpp"

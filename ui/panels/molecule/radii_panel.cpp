@@ -1,4 +1,5 @@
-// The radii set, and the list of atoms that it does not know: each radius can be typed.
+// The choice of the radii set, and the list of atoms without a radius in it. The user can type a
+// radius for each row of the list.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -21,7 +22,7 @@ std::string number(std::size_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
-// What stands behind a set, for people who choose one.
+// Returns the source of a radii set, to help users choose.
 std::string source_text(const RadiiSetInfo& info) {
   if (info.set == RadiiSet::automatic) {
     return "The file's own radii when it has any; else ProtOr for proteins and nucleic acids "
@@ -80,7 +81,7 @@ void set_row(PanelContext& ctx) {
   }
 }
 
-// --- the list
+// --- list of radii
 
 std::string title(const std::vector<RadiusRow>& rows) {
   std::size_t guessed = 0, by_hand = 0, none = 0;
@@ -196,7 +197,7 @@ void radius_list(PanelContext& ctx, MoleculeMemory& memory) {
                   warn ? ctx.palette.warning : ctx.palette.text_muted)) {
     return;
   }
-  ImGui::Unindent();  // the width is needed
+  ImGui::Unindent();  // the table needs the width
   ImGui::PushFont(ctx.fonts.small);
   muted_wrapped(
       ctx, "The radii set has no value for these atoms. Type a better radius if you know one.");

@@ -1,5 +1,5 @@
-// What each residue was taken for and why, in the words of `info --residues`: each line can be
-// treated otherwise.
+// The list of residues: their kind and the reason for it, in the words of `info --residues`. The
+// user can choose another kind for each line.
 #include <imgui.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::string count_text(const ResidueGroup& group) {
   return residues_text(group) + ", " + counted(group.atoms, "atom", "atoms");
 }
 
-// "HEM", "HEM.2": in the names of widgets.
+// Returns the group's part of widgets' names: "HEM", or "HEM.2" for the second group of that name.
 std::string widget_part(const ResidueGroup& group) {
   return group.nth == 1 ? group.name : group.name + "." + std::to_string(group.nth);
 }
@@ -124,7 +124,7 @@ void group_line(PanelContext& ctx, const ResidueGroup& group, int index) {
   ImGui::PopID();
 }
 
-// Two lines of text each, and only those in sight.
+// Draws the lines in sight only. Each is two lines of text high.
 void group_lines(PanelContext& ctx, const std::vector<ResidueGroup>& groups) {
   const float line = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
   const float height = line * static_cast<float>(std::min(groups.size(), kLinesInSight));
@@ -146,7 +146,8 @@ void draw_residue_rows(PanelContext& ctx, MoleculeMemory& memory) {
   const std::shared_ptr<const ResidueGroups> groups = s.molecule.residues;
   if (!groups || groups->of.empty()) return nothing_to_disclose(ctx, "Residues: none are known.");
   const std::string decisions = decisions_text(*groups), kinds = kinds_text(groups->kinds);
-  // Open where there is something to judge; from then on as the user leaves it.
+  // A new molecule's list opens if there are guesses to judge. Later it stays as the user leaves
+  // it.
   if (memory.residues_of != s.molecule.sha256) {
     memory.residues_of = s.molecule.sha256;
     ImGui::SetNextItemOpen(groups->guessed > 0);
@@ -157,9 +158,9 @@ void draw_residue_rows(PanelContext& ctx, MoleculeMemory& memory) {
                  groups->guessed > 0 ? ctx.palette.warning : ctx.palette.text_muted);
   tooltip(ctx, ("Residues, of the model that is used: " + kinds).c_str());
   if (!open) return;
-  ImGui::Unindent();  // the width is needed
+  ImGui::Unindent();  // the list needs the width
   ImGui::PushFont(ctx.fonts.small);
-  if (kinds != decisions) muted_wrapped(ctx, kinds);  // else they are in the line above
+  if (kinds != decisions) muted_wrapped(ctx, kinds);  // else the line above has them
   group_lines(ctx, groups->of);
   ImGui::PopFont();
   ImGui::Indent();

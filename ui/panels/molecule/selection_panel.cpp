@@ -1,4 +1,5 @@
-// Which atoms become balls: one control for every rule.
+// The rows that choose which atoms become balls: kinds, hydrogens, alternatives, chains and an
+// expression.
 #include <imgui.h>
 
 #include <algorithm>
@@ -114,7 +115,7 @@ void chain_line(PanelContext& ctx, const ChainContents& chain, float width) {
   }
 }
 
-// Only what is in sight is drawn: an assembly can have thousands of chains.
+// Draws the lines in sight only, since an assembly can have thousands of chains.
 void chain_lines(PanelContext& ctx, MoleculeMemory& memory) {
   const ViewState& s = ctx.state;
   const std::string& filter = memory.chain_filter;
@@ -184,19 +185,19 @@ constexpr const char* kExpressionHelp =
     "name CA and (chain A or chain B)\n\n"
     "The toggles above still apply: to pick waters, keep them.";
 
-// Points at the column at fault, below the field.
+// Marks the column of the error at the lower edge of the field.
 void mark_column(PanelContext& ctx, const std::string& text, std::size_t column) {
   const WidgetRect field = ctx.rects["molecule.expression"];
   const std::size_t before = std::min(column - 1, text.size());
   const float left = field.x0 + ImGui::GetStyle().FramePadding.x;
   const float x = left + ImGui::CalcTextSize(text.substr(0, before).c_str()).x;
-  if (x > field.x1) return;  // scrolled out; the message names the column
+  if (x > field.x1) return;  // the column is scrolled out of sight; the message names it
   ImGui::GetWindowDrawList()->AddRectFilled({x, field.y1 - ctx.px(3)},
                                             {std::min(x + ctx.px(8), field.x1), field.y1},
                                             to_u32(ctx.palette.error));
 }
 
-// Has its room even when there is nothing to say.
+// Shows the error. Its line has room even without one, so that nothing moves.
 void expression_message(PanelContext& ctx, bool pending) {
   const auto& fault = ctx.state.expression_error;
   ImGui::PushFont(ctx.fonts.small);
@@ -217,7 +218,8 @@ void expression_message(PanelContext& ctx, bool pending) {
 void expression(PanelContext& ctx) {
   ViewState& s = ctx.state;
   PanelMemory& m = s.memory;
-  if (s.settings.open.balls.selection != m.expression_shown) {  // another file, or taken back
+  // The file is another, or the user took the expression back.
+  if (s.settings.open.balls.selection != m.expression_shown) {
     m.expression_shown = m.expression_typed = s.settings.open.balls.selection;
   }
   row_label(ctx, "Only", 30);
@@ -230,7 +232,7 @@ void expression(PanelContext& ctx) {
     s.settings.open.balls.selection = m.expression_shown = m.expression_typed;
     m.expression_entered = true;
   } else if (std::exchange(m.expression_entered, false) && s.expression_error) {
-    type_into(ctx, "molecule.expression");  // to be mended
+    type_into(ctx, "molecule.expression");  // so that the user can mend it
   }
   if (s.expression_error) mark_column(ctx, m.expression_typed, s.expression_error->column());
   ImGui::SameLine(0, ctx.px(4));

@@ -1,4 +1,4 @@
-// Which copies of the file's atoms are looked at: the biological assembly, and the model.
+// The rows that choose the biological assembly and the model.
 #include <algorithm>
 #include <cmath>
 
@@ -11,14 +11,14 @@
 namespace alphascope {
 namespace {
 
-// Larger assemblies take seconds to minutes and gigabytes; they are asked about first.
+// Larger assemblies take seconds to minutes and gigabytes, so a dialog asks first.
 constexpr std::uint64_t kAskFromAtoms = 300'000;
 
 std::string number(std::uint64_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
-// Atoms are counted in all models, since all are copied.
+// Counts atoms of all models, since an assembly copies all of them.
 std::string atoms_text(const ViewState& s, std::uint64_t atoms) {
   const std::size_t models = s.molecule.models.size();
   return counted(atoms, "atom", "atoms") + (models > 1 ? " in " + number(models) + " models" : "");
@@ -28,7 +28,7 @@ std::string copies_text(const AssemblyInfo& a) {
   return number(a.copies) + (a.copies == 1 ? " copy" : " copies");
 }
 
-// Of everything, not of the atoms alone.
+// Returns the memory for atoms, complex and picture, not for the atoms alone.
 std::string memory_text(std::uint64_t atoms) {
   const auto [least, most] = assembly_memory(atoms);
   return bytes_text(least) + " to " + bytes_text(most) + " of memory";
@@ -83,7 +83,7 @@ void assembly_row(PanelContext& ctx) {
 void play_button(PanelContext& ctx) {
   bool& playing = ctx.state.playback.models;
   if (button(ctx, "molecule.play", playing ? "Stop" : "Play", {ctx.px(44), 0})) playing = !playing;
-  if (!playing) {  // then it would be in the way
+  if (!playing) {  // while playing, a tooltip would be in the way
     tooltip(ctx, "Show the models one after the other, each with its complex at this alpha");
   }
   ImGui::SameLine(0, ctx.px(6));
@@ -104,7 +104,8 @@ void model_slider(PanelContext& ctx) {
   int& model = s.settings.open.balls.model;
   const bool every = model == kAllModels;
   int shown = every ? 1 : model + 1;
-  // Beside the slider, whose grab would cover it; as wide as the longest, so that nothing jumps.
+  // The text is beside the slider, whose grab would cover it. Its room fits the longest text, so
+  // nothing jumps.
   const std::string all = number(s.molecule.models.size());
   const float text_width = ImGui::CalcTextSize((all + " of " + all).c_str()).x;
   const float left_for_slider = ImGui::GetContentRegionAvail().x - text_width - ctx.px(8);
@@ -125,7 +126,7 @@ void model_slider(PanelContext& ctx) {
   record(ctx, "molecule.model.text");
 }
 
-// Models per second.
+// Draws the speed in models per second.
 void speed_drag(PanelContext& ctx) {
   float& speed = ctx.state.playback.models_per_second;
   double value = speed;

@@ -1,4 +1,4 @@
-// What the alpha panel remembers between frames.
+// The state of the section on alpha between frames.
 #pragma once
 
 #include "core/document/alpha/alpha_slider.hpp"
@@ -6,7 +6,8 @@
 namespace alphascope {
 
 struct AlphaMemory {
-  // Of a drag in which Shift was pressed: from where on the mouse moves alpha, and how finely.
+  // State of a drag in which Shift was pressed: the place and the pixel from which the mouse moves
+  // alpha, and whether it moves it finely.
   bool relative = false, fine = false;
   double from_place = 0;
   float from_x = 0;  // pixels

@@ -1,5 +1,5 @@
-// Alpha and the solvent radius: two separate controls, each with its unit, and what they do to the
-// radii.
+// The section on alpha: controls for alpha and the solvent radius, each with its unit, and the
+// grown radii.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double kPresets[] = {0, 1.4, 3, 10};
 constexpr double kWater = 1.4;  // Å, radius of a water molecule
 
-// Of the track that the grab's middle moves on.
+// The track on which the middle of the slider's grab moves.
 struct Track {
   float from, to, top, bottom;  // pixels
   float x(double place) const { return from + static_cast<float>(place) * (to - from); }
@@ -40,9 +40,10 @@ void draw_preset_ticks(PanelContext& ctx, const AlphaSlider& s, const Track& tra
   }
 }
 
-// Where simplices appear: a column of pixels each, the higher the more do.
+// Marks where on the slider simplices appear. Each column of pixels is a bar, and more simplices
+// make it higher.
 void draw_critical_values(PanelContext& ctx, const AlphaSlider& s, const Track& track) {
-  // More balls have critical values at every pixel, and sorting theirs takes memory.
+  // Larger molecules have critical values at every pixel, and sorting them takes memory.
   constexpr std::size_t kMostBalls = 50000;
   const float height = ctx.px(6);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -67,8 +68,8 @@ void draw_critical_values(PanelContext& ctx, const AlphaSlider& s, const Track& 
   }
 }
 
-// While Shift is down the grab follows the mouse ten times as finely; from the first time on, it
-// goes on from where it is.
+// While Shift is down, the grab follows the mouse ten times as finely. After that the drag
+// continues from the grab's place.
 void drag_finely(AlphaMemory& m, const AlphaSlider& s, double alpha, const Track& track,
                  double& place, bool& fine) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -100,7 +101,8 @@ void alpha_slider(PanelContext& ctx, AlphaMemory& memory) {
                                 ImGuiSliderFlags_NoInput);
   ImGui::PopID();
   record(ctx, "alpha.slider");
-  key_stop(ctx, "alpha.slider", KeyStop::number);  // the arrow keys are alpha's everywhere
+  // KeyStop::slide is not needed, since the arrow keys change alpha wherever the focus is.
+  key_stop(ctx, "alpha.slider", KeyStop::number);
   const Track track = track_of_last_item();
   bool fine = false;
   drag_finely(memory, scale, alpha, track, place, fine);
@@ -133,7 +135,7 @@ void slider(PanelContext& ctx, AlphaMemory& memory) {
   draw_critical_values(ctx, scale, track);
 }
 
-// --- how the slider looks and plays, which few change often
+// --- settings of slider and playback, which few users change often
 
 void scale_row(PanelContext& ctx, AlphaSlider& s) {
   row_label(ctx, "Scale");
@@ -143,7 +145,7 @@ void scale_row(PanelContext& ctx, AlphaSlider& s) {
 }
 
 void range_row(PanelContext& ctx, AlphaSlider& s) {
-  constexpr double kApart = 0.001;  // Å², at least
+  constexpr double kApart = 0.001;  // Å², least distance of the ends
   row_label(ctx, "From, to (Å²)");
   const float fit = ctx.px(34), gap = ctx.px(4);
   const float each = (ImGui::GetContentRegionAvail().x - fit - 2 * gap) / 2;
@@ -238,13 +240,13 @@ std::string grown_text(const GrownRadius& r) {
   return number_text(r.radius, 2) + " → " + (r.grown > 0 ? number_text(r.grown, 2) : "empty");
 }
 
-// Which atoms: an element may have several radii.
+// Names the atoms too, since an element may have several radii.
 std::string balls_text(const GrownRadius& r) {
   return with_separators(static_cast<long long>(r.balls)) + (r.balls == 1 ? " ball" : " balls") +
          (r.atoms.empty() ? "" : ": " + r.atoms);
 }
 
-// "C 1.70 → 2.07", two columns.
+// Draws lines such as "C 1.70 → 2.07", in two columns.
 void grown_radii(PanelContext& ctx) {
   const auto& radii = ctx.state.molecule.radii;
   if (radii.empty()) return;

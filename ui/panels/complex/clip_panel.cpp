@@ -1,5 +1,5 @@
-// Cutting the picture open: a plane or a slab, where it is, and the handle in the picture by which
-// the mouse moves and turns it.
+// The section on the clip: a plane or a slab, its position, and the handle in the picture that
+// moves and turns it.
 #include "ui/panels/complex/clip_panel.hpp"
 #include "ui/panels/panel.hpp"
 
@@ -15,8 +15,9 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr float kHandleReach = 6;    // pixels at scale 1 beside the handle that still take it
-constexpr double kSliderStep = 0.1;  // Å; typed values are taken as they are
+// Pixels at scale 1; the mouse takes the handle within this distance.
+constexpr float kHandleReach = 6;
+constexpr double kSliderStep = 0.1;  // Å; typed values are not rounded
 
 Vector towards_viewer(const ViewState& state) {
   const RealPoint& into = state.viewport.into_view;
@@ -25,7 +26,7 @@ Vector towards_viewer(const ViewState& state) {
 
 double stepped(double value) {
   const double rounded = std::round(value / kSliderStep) * kSliderStep;
-  return rounded == 0 ? 0 : rounded;  // no minus zero in the text
+  return rounded == 0 ? 0 : rounded;  // avoids "-0.0" in the text
 }
 
 void kind_row(PanelContext& ctx) {
@@ -51,7 +52,7 @@ void across_row(PanelContext& ctx) {
   set_clip_across(s, chosen < 3 ? normal : towards_viewer(s));
 }
 
-// A length that a slider changes in steps and that may be typed.
+// A row for a length. A slider changes it in steps, and the user may type any value.
 void length_row(PanelContext& ctx, const char* name, const char* label, double& length,
                 const std::array<double, 2>& range, const NumberRule& rule) {
   row_label(ctx, label);
@@ -94,7 +95,7 @@ void draw_clip(PanelContext& ctx) {
   ViewState& s = ctx.state;
   ImGui::BeginDisabled(!s.molecule.loaded);
   kind_row(ctx);
-  // Rows that do not apply stay, greyed: what is below must not move.
+  // Rows that do not apply are greyed, not hidden, so that nothing below moves.
   ImGui::BeginDisabled(!s.settings.clip.on());
   across_row(ctx);
   length_row(ctx, "clip.position", "Position", s.settings.clip.position, clip_range(s),

@@ -1,4 +1,4 @@
-// What the clip's panel, its commands and its handle in the picture share.
+// Functions that the clip's panel, its commands and its handle in the picture share.
 #pragma once
 
 #include <array>
@@ -7,14 +7,15 @@
 
 namespace alphascope {
 
-// The first time, the cut goes through the middle of what is drawn and faces the viewer.
+// Sets the kind of cut. The first cut goes through the middle of the drawn balls and faces the
+// viewer.
 void set_clip_kind(ViewState& state, Clip::Kind kind);
-// Through the middle of what is drawn, with this normal (of any length but 0).
+// Puts the cut through the middle of the drawn balls. The normal may have any length but 0.
 void set_clip_across(ViewState& state, const std::array<double, 3>& normal);
-// Positions between which the cut meets what is drawn, Å.
+// Returns the range of positions in which the cut meets the drawn balls, Å.
 std::array<double, 2> clip_range(const ViewState& state);
 
-// The mouse on the handle: true while it holds it, or is above it and may take it.
+// Lets the mouse move and turn the handle. Returns whether it holds the handle or could take it.
 bool clip_handle_mouse(PanelContext& ctx, ImVec2 corner, bool view_hovered);
 void draw_clip_handle(PanelContext& ctx);
 

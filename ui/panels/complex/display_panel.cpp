@@ -1,4 +1,4 @@
-// What of the complex is drawn, and how.
+// The sections “Display” and “Light”: which parts of the complex are drawn, and how.
 #include <cmath>
 #include <string>
 
@@ -31,7 +31,8 @@ void presets(PanelContext& ctx) {
   }
 }
 
-// Where a page draws what must not be hidden, the slider is not what one sees.
+// Draws the slider for opacity. If a page fades balls and simplices, a note says that they are
+// paler.
 void opacity_row(PanelContext& ctx, const char* name, float& opacity) {
   row_label(ctx, "Opacity");
   percent_slider(ctx, name, opacity, 0.05f, 1.0f);
@@ -49,7 +50,7 @@ void opacity_row(PanelContext& ctx, const char* name, float& opacity) {
 void balls(PanelContext& ctx) {
   DisplayControls& d = ctx.state.settings.display;
   checkbox(ctx, "display.balls", "Balls", d.balls);
-  // Rows that do not apply stay, greyed: what is below must not move.
+  // Rows that do not apply are greyed, not hidden, so that nothing below moves.
   ImGui::BeginDisabled(!d.balls);
   ImGui::Indent();
   row_label(ctx, "Size");
@@ -104,7 +105,7 @@ void complex(PanelContext& ctx) {
   ImGui::Indent();
   const bool applies = d.triangles || d.edges;
   ImGui::BeginDisabled(!applies);
-  // In the place of the switch, which says nothing then.
+  // The note takes the place of the check box, which has no effect then.
   if (only_tetrahedra && applies) {
     ImGui::AlignTextToFramePadding();
     muted_text(ctx, "Not computed, because “Tetrahedra only” is on.");
@@ -124,7 +125,8 @@ void complex(PanelContext& ctx) {
              d.complex_paint);
 }
 
-// Kinds that the options leave out of the body. A kind of which nothing is left out stays, greyed.
+// Check boxes for atoms that the selection leaves out of the body. Kinds without such atoms are
+// greyed.
 void beside_body(PanelContext& ctx) {
   AtomsBesideBody& shown = ctx.state.settings.display.beside;
   const SelectionReport* report =

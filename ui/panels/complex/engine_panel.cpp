@@ -1,5 +1,5 @@
-// Which engine computes, on what, with which of the thesis' optimisations, and whether CGAL is
-// asked to agree.
+// The section on the engine: the choice of engine, its device, the thesis' optimisations, and
+// whether CGAL compares each result.
 #include <algorithm>
 
 #include "ui/panels/panel.hpp"
@@ -37,7 +37,7 @@ void engine_choice(PanelContext& ctx) {
   ImGui::EndCombo();
 }
 
-// "NVIDIA H200, 139 GB, CUDA driver 13.0, compute capability 9.0".
+// Returns a text such as "GPU: NVIDIA H200, 139 GB, CUDA driver 13.0, compute capability 9.0".
 std::string gpu_text(const GpuDevice& gpu) {
   if (!gpu.usable) return "No GPU in use. " + gpu.why_not;
   return "GPU: " + gpu.name + ", " + bytes_text(gpu.memory_bytes) + ", " + gpu.driver +
@@ -145,7 +145,7 @@ void draw_engine(PanelContext& ctx) {
           "Computes the tetrahedra of the complex without its triangles, edges and vertices: the "
           "thesis' sub-complex.");
   auto_compare(ctx);
-  // Last what comes and goes: nothing that one clicks is below it.
+  // Rows that come and go are last, so no control below them moves.
   tuple_switches(ctx);
   device(ctx);
 }

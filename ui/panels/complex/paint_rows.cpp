@@ -1,4 +1,4 @@
-// See the header.
+// The rows for scheme, colour map, single colour and range.
 #include "ui/panels/complex/paint_rows.hpp"
 
 #include <cmath>
@@ -60,7 +60,7 @@ void one_colour_row(PanelContext& ctx, const PaintRows& rows, Paint& paint) {
   ImGui::EndDisabled();
 }
 
-// What is typed makes the range one's own. One end cannot pass the other.
+// Draws the range. A typed end replaces the automatic range, and no end can pass the other.
 void range_row(PanelContext& ctx, const PaintRows& rows, Paint& paint) {
   const SchemeInfo& scheme = scheme_info(paint.by);
   const std::string name = rows.name + "_range";
@@ -70,7 +70,7 @@ void range_row(PanelContext& ctx, const PaintRows& rows, Paint& paint) {
   const float each =
       (ImGui::GetContentRegionAvail().x - ctx.px(kButton) - ctx.px(kTo) - 2 * gap) / 2;
   ColourRange range = paint.range.value_or(rows.drawn.value_or(ColourRange{0, 100}));
-  if (!paint.range) {  // such as the least alpha value, which has many digits
+  if (!paint.range) {  // values such as the least alpha value have many digits
     const auto rounded = [](double x) { return std::round(x * 1000) / 1000; };
     range = {rounded(range.low), rounded(range.high)};
   }

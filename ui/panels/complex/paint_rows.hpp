@@ -1,4 +1,4 @@
-// The rows of the display panel that say what something is coloured by.
+// The rows of the display panel that choose colours.
 #pragma once
 
 #include <string>
@@ -9,14 +9,15 @@
 namespace alphascope {
 
 struct PaintRows {
-  std::string name;  // of the widgets: "display.ball"
+  std::string name;  // beginning of the widgets' names: "display.ball"
   Painted what = Painted::balls;
-  std::optional<ColourRange> drawn;  // of the colours in the picture; none: of no quantity
-  Rgb8 usual;                        // where all is in one colour and none is chosen
+  // Range of the colours in the picture; none: colours show no quantity.
+  std::optional<ColourRange> drawn;
+  Rgb8 usual;  // the colour used if there is one colour and the user has chosen none
 };
 
-// Scheme; map, or the one colour; range. Rows that do not apply stay, greyed: what is below must
-// not move.
+// Draws three rows: the scheme, its map or its one colour, and the range. Rows that do not apply
+// are greyed, not hidden, so that nothing below moves.
 void paint_rows(PanelContext& ctx, const PaintRows& rows, Paint& paint);
 
 }  // namespace alphascope

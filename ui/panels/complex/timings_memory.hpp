@@ -1,4 +1,4 @@
-// The page of timings: which run of the engines it shows.
+// The state of the page of timings between frames: the run that it shows.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 namespace alphascope {
 
 struct TimingsMemory {
-  std::string molecule;  // SHA-256 of its file
-  bool cold = true;      // the first run of the molecule, set-up included
-  bool pinned = false;   // the user has chosen which
+  std::string molecule;  // SHA-256 of the molecule's file
+  bool cold = true;      // shows the first run of the molecule, with its set-up
+  bool pinned = false;   // the user has chosen the run
 };
 
 }  // namespace alphascope

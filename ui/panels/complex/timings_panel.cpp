@@ -1,4 +1,4 @@
-// Our engine's time beside CGAL's, and whether both agree.
+// The page of timings: our engine's times beside CGAL's, and whether both complexes are equal.
 #include <optional>
 
 #include "ui/panels/complex/timings_memory.hpp"
@@ -11,7 +11,7 @@
 namespace alphascope {
 namespace {
 
-// Shorter comparisons end before a button could be hit.
+// Shorter comparisons end before a user could press Cancel.
 constexpr double kCancelAfterSeconds = 1;
 
 struct BadgeLook {
@@ -62,8 +62,8 @@ std::string badge_help(const ViewState& s) {
   return text;
 }
 
-// "✓ identical to CGAL", or its first word, where there is no room for the numbers; the tooltip has
-// them.
+// Shortens "✓ identical to CGAL: 16,445 of …" to the part before the colon or to its first word.
+// The tooltip has the numbers.
 std::string badge_text(const std::string& full, float room) {
   const auto fits = [room](const std::string& text) {
     return ImGui::CalcTextSize(text.c_str()).x <= room;
@@ -85,14 +85,14 @@ void badge(PanelContext& ctx) {
   tooltip(ctx, (full + badge_help(ctx.state)).c_str());
 }
 
-// How many times faster than CGAL, for the run that is shown.
+// Shows how many times faster than CGAL the run on show is.
 void speed(PanelContext& ctx, bool cold) {
   const ViewState& s = ctx.state;
   const std::optional<double> found = speed_up(s, cold);
   if (!found) return;
   const double ratio = *found;
   ImGui::SameLine();
-  // Warm, CGAL has its whole triangulation already and only filters it.
+  // In a warm run CGAL has its whole triangulation already, and only filters it.
   const std::string whom = cold ? "CGAL" : "CGAL's filter";
   const bool even = ratio > 0.95 && ratio < 1.05;
   const std::string text = even         ? "as fast as " + whom
@@ -129,8 +129,8 @@ void compare_button(PanelContext& ctx) {
 
 void title(PanelContext& ctx, TimingsMemory& m) {
   begin_anew(m, ctx.state.molecule.sha256);
-  // Until the user chooses: the first computation, then what the slider does. Never an empty chart;
-  // a choice without times is explained (missing_times()).
+  // Until the user chooses, the page shows the first run, and then warm runs. So it is never empty.
+  // If the user chooses a run without times, missing_times() explains it.
   const bool warm = ctx.state.ours.warm.has_value();
   if (!m.pinned) m.cold = !warm;
   int run = m.cold ? 0 : 1;

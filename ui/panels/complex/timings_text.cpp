@@ -1,4 +1,4 @@
-// See the header.
+// The texts of the page of timings, and the speed-up against CGAL.
 #include "ui/panels/complex/timings_text.hpp"
 
 #include "ui/widgets/format.hpp"
@@ -10,15 +10,15 @@ bool lacks_cold(const ColdAndWarm& timings) {
   return timings.any() && !timings.cold;
 }
 
-// Of fewer balls both times are those of starting threads and asking the clock, and which is less
-// changes from run to run.
+// With fewer balls, both times are mostly those of starting threads and reading the clock. Then the
+// faster engine changes from run to run.
 constexpr std::size_t kLeastBalls = 100;
 
 bool too_few_balls(const ViewState& state) {
   return state.molecule.balls < kLeastBalls;
 }
 
-// Both were timed, but at different tasks, or at one that is too small.
+// Says why two measured times cannot be compared; empty if they can, or if one is missing.
 std::string incomparable(const ViewState& state, bool cold) {
   if (!state.ours.any() || !state.cgal.any()) return {};
   const auto& ours = cold ? state.ours.cold : state.ours.warm;

@@ -1,4 +1,4 @@
-// What the timings say in words. No ImGui.
+// The texts of the page of timings. No ImGui.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,19 @@
 
 namespace alphascope {
 
-// Why times are missing from the chart of cold or warm runs, and how to get them: a sentence for
-// each engine, or one on why there are none at all. Empty when nothing is missing.
+// Says why times are missing from the chart of cold or warm runs, and how to get them. The result
+// has a sentence for each engine, or one if there are no times at all. It is empty if nothing is
+// missing.
 std::vector<std::string> missing_times(const ViewState& state, bool cold);
 
-// An engine has been timed, but not with its set-up.
+// Whether an engine has been timed, but not with its set-up.
 bool lacks_cold_time(const ViewState& state);
 
-// CGAL's time by the engine's, of the cold or of the warm run. Nothing where they cannot be
-// compared.
+// Returns CGAL's time divided by the engine's, for the cold or the warm run. The result is empty if
+// the times cannot be compared.
 std::optional<double> speed_up(const ViewState& state, bool cold);
 
-// "5.10 ms", or that it was not measured.
+// Returns "5.10 ms", or "not measured".
 std::string wall_text(const std::optional<MeasuredRun>& run);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// The waterfall of the timings: one line a stage, each starting where the last one ended, our
-// engine above CGAL, on one time axis.
+// The waterfall of the timings. Each stage is one line and starts where the previous one ended. Our
+// engine is above CGAL, on one time axis.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,8 +12,8 @@
 namespace alphascope {
 namespace {
 
-// Width of the names, in pixels at scale 1; wide with headings that end in "tetrahedra only". Not
-// as the text needs it: the chart would jump while alpha moves.
+// Width of the names in pixels at scale 1. The wide one is for headings that end in "tetrahedra
+// only". A width that followed the text would make the chart jump while alpha moves.
 constexpr float kGutter = 250, kWideGutter = 350;
 
 struct Line {
@@ -41,7 +41,7 @@ void add_lines(std::vector<Line>& lines, const EngineInfo& engine, const Measure
   }
 }
 
-// 1, 2 or 5 times a power of ten, so that at most `most` ticks cover `range`.
+// Returns 1, 2 or 5 times a power of ten, so that at most `most` ticks cover `range`.
 double tick_step(double range, int most) {
   double step = std::pow(10.0, std::floor(std::log10(std::max(range, 1e-9))) - 1);
   for (const double factor : {2.0, 2.5, 2.0, 2.0, 2.5, 2.0, 2.0}) {
@@ -99,7 +99,7 @@ class Waterfall {
                    to_u32(line.heading ? ctx_.palette.text : ctx_.palette.text_muted),
                    label.c_str());
     if (line.heading) {
-      // The whole: a thin rail under which the stages hang.
+      // The whole run is a thin rail, and its stages hang below it.
       const float middle = std::round(y + row_ / 2);
       draw_->AddRectFilled({start, middle - ctx_.px(2)}, {end, middle + ctx_.px(2)},
                            to_u32(line.colour, 0.45f), ctx_.px(2));
@@ -148,7 +148,8 @@ void draw_waterfall(PanelContext& ctx, bool cold, float height) {
   bool only_tetrahedra = false;
   if (const MeasuredRun* run = shown_run(s.ours, cold)) {
     add_lines(lines, s.ours.engine, *run, p.bar_ours, p.bar_ours_setup);
-    range = std::max(range, lines.back().start + lines.back().length);  // beyond it: the picture
+    // Stages of the picture end after the wall time.
+    range = std::max(range, lines.back().start + lines.back().length);
     range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
   }

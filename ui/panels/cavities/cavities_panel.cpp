@@ -1,5 +1,5 @@
-// The page of voids and pockets of the complex on screen: totals, what CASTp would say differently,
-// filters, the table, and what is chosen in it.
+// The page of cavities: totals, differences from CASTp, filters, and the table of voids and pockets
+// with the chosen ones beside it.
 #include <string>
 #include <utility>
 
@@ -20,11 +20,12 @@ namespace alphascope {
 namespace {
 
 constexpr NumberRule kLeastVolumeRule{"The least volume", 0, 1e9, "Å³"};
-constexpr float kPaneWidth = 230;      // pixels at scale 1, of what is said of the chosen ones
-constexpr double kStaleSeconds = 0.3;  // older rows are grey
-constexpr double kGiantBelow = 0.5;    // Å, solvent radius
+constexpr float kPaneWidth = 230;      // pixels at scale 1, width of the pane on chosen cavities
+constexpr double kStaleSeconds = 0.3;  // rows of an earlier picture turn grey after this time
+// Å; below this solvent radius a note warns of one giant pocket.
+constexpr double kGiantBelow = 0.5;
 
-// --- what is known
+// --- results
 
 template <class T>
 void take(CavityPage& page, std::shared_ptr<const T>& to, const Derived<T>& from) {
@@ -37,7 +38,7 @@ bool is_shown(const CavityPage& page, CavityColumn column) {
   return page.columns[static_cast<std::size_t>(column)];
 }
 
-// What follows in the background, for columns that are shown.
+// Takes the results that come after the lines, for the columns that are shown.
 void take_what_follows(PanelContext& ctx, CavityPage& page) {
   const auto shown = [&](CavityColumn column) { return is_shown(page, column); };
   take(page, page.rows.exact, ctx.store.want(cavity_volumes(), ctx.inputs));
@@ -111,7 +112,7 @@ std::vector<FormatToSave> exports_of(const CavityRowsWanted& rows, const RecordS
   return formats;
 }
 
-// Those that the filter shows, with all columns.
+// Offers to save the rows that the filter shows, with all columns.
 void save_button(PanelContext& ctx, const CavityPage& page, bool current) {
   ImGui::BeginDisabled(!current || page.order.empty() || !ctx.inputs.complex);
   if (button(ctx, "cavities.save", "Save…")) {
@@ -168,9 +169,9 @@ void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
   record(ctx, "cavities.shown");
 }
 
-// --- what a stranger would wonder about
+// --- notes that answer likely questions
 
-// With hardly any probe, nearly all empty space of a protein is connected.
+// With hardly any probe radius, nearly all empty space of a protein is connected.
 void giant_line(PanelContext& ctx, const CavityPage& page) {
   if (ctx.inputs.solvent_radius_angstrom >= kGiantBelow) return;
   const auto& lines = page.rows.lines->of;
@@ -190,7 +191,7 @@ void giant_line(PanelContext& ctx, const CavityPage& page) {
   tooltip(ctx, "The radius of a water molecule: cavities that water fits in.");
 }
 
-// Why there is nothing in the table.
+// Says why the table is empty.
 std::string empty_text(const CavityPage& page) {
   if (page.rows.table().ground->triangulation->dimension < 3) {
     return "All centres lie in one plane or on one line: a flat set has no cavities.";
@@ -203,7 +204,7 @@ std::string empty_text(const CavityPage& page) {
          "widens outwards is none: the page Channels says how wide a way is.";
 }
 
-// Why there is no table yet.
+// Says why there is no table yet.
 std::string waiting_text(const PanelContext& ctx, const Derived<CavityLines>& table) {
   if (!ctx.state.molecule.loaded) return "Open a molecule: its cavities appear here.";
   if (table.state == DerivedState::no_room || table.state == DerivedState::failed) {
@@ -212,7 +213,7 @@ std::string waiting_text(const PanelContext& ctx, const Derived<CavityLines>& ta
   return "Cavities appear here when the triangulation of all balls is there.";
 }
 
-// The table, and at its right what is chosen.
+// Draws the table, and the chosen cavities at its right.
 void body(PanelContext& ctx, CavityPage& page, bool current) {
   if (page.rows.size() == 0) {
     muted_wrapped(ctx, empty_text(page));
@@ -226,7 +227,8 @@ void body(PanelContext& ctx, CavityPage& page, bool current) {
   draw_chosen_cavities(ctx, page);
 }
 
-// Rows of another alpha than the picture's are grey, unless they follow at once.
+// Whether rows of another alpha than the picture's are grey. They are not if the next ones follow
+// at once.
 bool is_grey(CavityPage& page, bool current) {
   const double now = ImGui::GetTime();
   if (current) {
@@ -237,7 +239,7 @@ bool is_grey(CavityPage& page, bool current) {
   return !current && now - page.stale_since_seconds > kStaleSeconds;
 }
 
-// What a command asked for before the table was there.
+// Chooses the row that a command asked for before there was a table.
 void choose_wanted_row(PanelContext& ctx, CavityPage& page) {
   const auto row = std::exchange(ctx.state.cavities.wanted_row, std::nullopt);
   if (!row) return;
@@ -256,7 +258,8 @@ void draw_cavities(PanelContext& ctx) {
     take_what_follows(ctx, page);
     choose_wanted_row(ctx, page);
   } else if (is_shown(page, CavityColumn::holds)) {
-    ctx.store.want(cavity_contents(), ctx.inputs);  // made with the lines, it comes with them
+    // Made in one job with the lines, so that both come together.
+    ctx.store.want(cavity_contents(), ctx.inputs);
   }
   if (!page.rows.lines) {
     muted_wrapped(ctx, waiting_text(ctx, followed.wanted));

@@ -1,4 +1,4 @@
-// The table of the page of cavities: columns that are shown by choice, rows in sight only.
+// The table of cavities. The user chooses its columns, and only rows in sight are drawn.
 #include <algorithm>
 #include <string>
 
@@ -12,7 +12,7 @@ namespace {
 
 const int kColumnCount = static_cast<int>(cavity_columns().size());
 
-// Pixels.
+// Returns the first width of a column, pixels.
 float column_width(const PanelContext& ctx, const CavityColumnSpec& spec) {
   return std::max(ctx.px(spec.width), title_width(spec.title));
 }
@@ -43,7 +43,7 @@ void draw_headers(PanelContext& ctx) {
   }
 }
 
-// The table has a menu of its own, by a right click on a title.
+// Exchanges the choice of columns with the table, whose own menu opens by a right click on a title.
 void follow_columns(CavityPage& page) {
   const bool tell = std::exchange(page.columns_changed, false);
   for (int n = 0; n < kColumnCount; ++n) {
@@ -71,7 +71,8 @@ void follow_order(CavityPage& page) {
   page.order = ordered_rows(page.rows, page.filter);
 }
 
-// Before the word, in the colour of its surface in the view: as text it would be hard to read.
+// Draws a mark in the colour of the cavity's surface before the word. Text in that colour would be
+// hard to read.
 void kind_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
   const CavityLine& line = page.rows.lines->of[row];
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -94,7 +95,7 @@ void kind_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
   if (!why.empty()) tooltip(ctx, why.c_str());
 }
 
-// The tooltip has all of what does not fit.
+// Cuts a text that does not fit; the tooltip then has all of it.
 void text_cell(PanelContext& ctx, const std::string& text) {
   const std::string fitted = fitted_text(text, ImGui::GetContentRegionAvail().x);
   ImGui::TextUnformatted(fitted.c_str());
@@ -106,7 +107,7 @@ void name_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
   text_cell(ctx, name);
 }
 
-// True when it was clicked.
+// Draws a row. Returns whether it was clicked.
 bool draw_row(PanelContext& ctx, CavityPage& page, std::size_t row) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -139,7 +140,7 @@ HowChosen how_chosen() {
   return io.KeyCtrl ? HowChosen::toggled : HowChosen::alone;
 }
 
-// Of the columns that are shown, at their first widths.
+// Returns the width of the columns on show, at their first widths.
 float least_width(PanelContext& ctx, const CavityPage& page) {
   float width = 0;
   for (const CavityColumnSpec& spec : cavity_columns()) {

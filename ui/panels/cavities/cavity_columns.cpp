@@ -1,4 +1,4 @@
-// See the header.
+// The list of the table's columns, the texts and values of their cells, and the order of rows.
 #include "ui/panels/cavities/cavity_columns.hpp"
 
 #include <algorithm>
@@ -75,22 +75,22 @@ double exact_volume(const CavityRows& rows, std::size_t row) {
   return rows.exact->of[rows.table().order[row]].volume_sa_angstrom3;
 }
 
-// Å².
+// Returns the alpha at which the cavity is born or gone, Å².
 double life_value(const CavityRows& rows, C column, std::size_t row) {
   const CavityLife& life = rows.lives->of(rows.table().cavity(row).deepest_sink);
   return rows.table().ground->balls->lattice.square_angstrom(column == C::born ? life.born
                                                                                : life.gone);
 }
 
-// Exact volumes that differ are marked: CASTp's sum is not the volume of a pocket through whose
-// mouth a ball pokes.
+// Marks an exact volume that differs much from CASTp's sum. If a ball pokes through the mouth of a
+// pocket, the sum is not its volume.
 std::string exact_text_of(const CavityRows& rows, std::size_t row) {
   const double exact = exact_volume(rows, row);
   const bool doubtful = is_doubtful(rows.lines->of[row].volume_sa_angstrom3, exact);
   return measure_text(exact) + (doubtful ? " *" : "  ");
 }
 
-// Null: of a cavity that is not among the largest.
+// Returns null if the cavity is not among the largest.
 const Bottleneck* bottleneck_of(const CavityRows& rows, std::size_t row) {
   const auto& known = rows.bottlenecks->rows;
   return row < known.size() ? &known[row] : nullptr;
@@ -161,7 +161,7 @@ double cavity_value(const CavityRows& rows, C column, std::size_t row) {
       const Bottleneck* b = bottleneck_of(rows, row);
       return b && b->is_open() ? b->radius_angstrom : kUnknown;
     }
-    case C::holds:  // how many
+    case C::holds:  // number of things held
       return static_cast<double>(rows.contents->of[rows.table().order[row]].size());
     default:
       return static_cast<double>(row);
@@ -208,7 +208,7 @@ std::vector<std::size_t> ordered_rows(const CavityRows& rows, const CavityFilter
   const CavityTable* table = rows.lines ? rows.lines->table.get() : nullptr;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     if (filter.descending) std::swap(a, b);
-    // Names by their atoms, in the order of the file.
+    // Sinks follow the order of atoms in the file, and names are made of these atoms.
     return column == CavityColumn::name ? table->sink(a) < table->sink(b) : values[a] < values[b];
   });
   return order;

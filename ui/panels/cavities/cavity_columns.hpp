@@ -1,4 +1,4 @@
-// The columns of the table of cavities: titles, what they mean, what is in them.
+// The columns of the table of cavities: their titles, their help, and the values of their cells.
 #pragma once
 
 #include <cstddef>
@@ -30,21 +30,23 @@ enum class CavityColumn : std::uint8_t {
 
 struct CavityColumnSpec {
   CavityColumn column;
-  const char* id;     // of its widgets: "cavities.column.volume"
+  const char* id;     // part of its widgets' names: "cavities.column.volume"
   const char* title;  // with its unit
   const char* help;   // one sentence or two
-  float width;        // pixels at scale 1; the least one of the name
+  float width;        // pixels at scale 1; for the name, the least width
   bool shown_first;
 };
 std::span<const CavityColumnSpec> cavity_columns();  // in the order of CavityColumn
 
-// What rows are sorted by; less than all others where it is not known yet. Of a name: nothing.
+// Returns the value by which rows are sorted. Unknown values are less than all others. Names are
+// not sorted by it.
 double cavity_value(const CavityRows& rows, CavityColumn column, std::size_t row);
 
-// As it is shown; "…" where it is not known yet. Of rank, kind and name: nothing.
+// Returns the text of a cell; "…" while its value is unknown. Rank, kind and name have no such
+// text.
 std::string cavity_text(const CavityRows& rows, CavityColumn column, std::size_t row);
 
-// Rows that the filter shows, in its order.
+// Returns the rows that the filter lets through, in its order.
 std::vector<std::size_t> ordered_rows(const CavityRows& rows, const CavityFilter& filter);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// Which cavity is which while alpha or the solvent radius moves, and which rows are chosen: for the
-// page of cavities, and for those that show what is chosen there.
+// Follows cavities while alpha or the solvent radius moves, and finds the rows of the chosen ones.
+// The page of cavities and others that show chosen cavities use it.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -13,7 +13,7 @@
 namespace alphascope {
 namespace {
 
-// Of another molecule nothing stays but how the page looks.
+// For another molecule the page keeps only its appearance.
 void begin_page(CavityPage& page, const std::string& molecule) {
   begin_anew(page, molecule, [](const CavityPage& old) {
     CavityPage fresh;
@@ -29,7 +29,7 @@ void begin_page(CavityPage& page, const std::string& molecule) {
   for (const CavityColumnSpec& spec : cavity_columns()) page.columns.push_back(spec.shown_first);
 }
 
-// What has happened to cavities in one movement of a slider stays marked until the next one.
+// Notes splits and merges of cavities. They stay marked until the next movement of a slider.
 void note_changes(CavityPage& page, const CavityNumbers& numbers) {
   constexpr double kMovementSeconds = 1;
   const double now = ImGui::GetTime();
@@ -46,7 +46,7 @@ void note_changes(CavityPage& page, const CavityNumbers& numbers) {
 void take_lines(CavityPage& page, const std::shared_ptr<const CavityLines>& lines) {
   const bool other_balls = !page.rows.lines || page.rows.table().ground != lines->table->ground;
   const auto lives = other_balls ? nullptr : page.rows.lives;
-  // Another way of listing them moves nothing.
+  // Rows that are only listed in another way have not moved.
   const bool listed_anew = page.rows.lines && page.rows.table().question.split_networks !=
                                                   lines->table->question.split_networks;
   page.rows = {};
@@ -61,15 +61,15 @@ void take_lines(CavityPage& page, const std::shared_ptr<const CavityLines>& line
   }
 }
 
-// Whether the rows are of the picture. Their numbers go on from those on screen, so nothing is
-// asked for while they are.
+// Returns whether the rows belong to the picture. New rows continue the numbers of those on screen,
+// so no rows are wanted while these fit.
 bool follow_lines(PanelContext& ctx, CavityPage& page, Derived<CavityLines>& wanted) {
   if (page.rows.lines && page.rows.lines->is_of(ctx.inputs)) return true;
   const bool same_body = page.rows.lines && page.body_key == ctx.inputs.body_key;
   const auto before = same_body ? page.rows.lines->numbers : nullptr;
   wanted = ctx.store.want(cavity_lines(before), ctx.inputs);
   if (!wanted.value || wanted.have.balls != wanted.wanted.balls) return false;
-  // One that was begun before the rows on screen does not go on from them.
+  // Lines that were begun before those on screen do not continue their numbers.
   const std::uint64_t steps = wanted.value->numbers->steps;
   if (before ? steps != before->steps + 1 : steps != 0) return false;
   page.body_key = ctx.inputs.body_key;
@@ -88,7 +88,8 @@ std::string rows_text(const std::vector<std::size_t>& rows) {
   return text;
 }
 
-// In the line of the status too: another page may be shown. Only when it happens.
+// Says in the status bar that cavities have merged or parted, since another page may be open. It
+// says so once.
 void tell_of_merging(PanelContext& ctx, const CavityPage& page, bool merged_before) {
   const bool merged = !page.merged_into.empty();
   if (merged && !merged_before) {
@@ -98,8 +99,8 @@ void tell_of_merging(PanelContext& ctx, const CavityPage& page, bool merged_befo
   }
 }
 
-// The selection, too, unless the user has selected something else meanwhile. What is selected at
-// another alpha was right there: after an undo it is what the history says.
+// The selection follows the lining atoms, unless the user has selected other items meanwhile. After
+// an undo it holds the history's items. They were right at their alpha, so they stay.
 void follow_lining(PanelContext& ctx, CavityPage& page) {
   RefSet lining = lining_of(page, page.chosen_rows);
   RefSet& selected = ctx.state.settings.selection.items;

@@ -1,4 +1,4 @@
-// What other panels may know of the page of cavities. Plain data.
+// The part of the cavity page's state that other panels may see. Plain data.
 #pragma once
 
 #include <memory>
@@ -12,11 +12,12 @@ namespace alphascope {
 struct CavityPage;  // cavity_page.hpp
 
 struct CavityMemory {
-  // Of what is chosen (Selection::cavities), the deepest sinks that those cavities have in the
-  // table on screen; the one that was clicked last comes last.
+  // The deepest sinks of the chosen cavities (Selection::cavities), as the table on screen has
+  // them. The sink of the cavity clicked last comes last.
   std::vector<SimplexRef> chosen;
-  std::optional<std::size_t> wanted_row;  // to be chosen, from 0, as soon as the table is there
-  std::shared_ptr<CavityPage> page;       // null until it is first drawn
+  // Row to be chosen as soon as there is a table, counted from 0.
+  std::optional<std::size_t> wanted_row;
+  std::shared_ptr<CavityPage> page;  // null until the page is drawn first
 };
 
 }  // namespace alphascope

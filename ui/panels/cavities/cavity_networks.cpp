@@ -1,5 +1,5 @@
-// What the page of cavities says of networks: where one falls apart, and the choice to list them as
-// their parts.
+// The notes on networks: the solvent radius at which one falls apart, and the choice to list its
+// parts.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@
 namespace alphascope {
 namespace {
 
-// The network that is chosen, else the largest.
+// Returns the chosen network, else the largest.
 std::optional<std::size_t> network_row(const CavityPage& page) {
   const std::vector<CavityLine>& lines = page.rows.lines->of;
   if (page.chosen_rows.size() == 1 && lines[page.chosen_rows.front()].is_network) {
@@ -31,7 +31,7 @@ Derived<FoundNetworkEnd> want_end(PanelContext& ctx, const CavityPage& page, std
   return ctx.store.want(network_end(page.rows.table().sink(row)), ctx.inputs);
 }
 
-// A few words on a network, and a button.
+// Says at which solvent radius the network falls apart, with a button that sets it.
 void end_of_network(PanelContext& ctx, const CavityPage& page, std::size_t row) {
   const Derived<FoundNetworkEnd> found = want_end(ctx, page, row);
   const std::string number = grouped(row + 1);

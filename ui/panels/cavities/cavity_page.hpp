@@ -1,4 +1,4 @@
-// What the page of cavities remembers between frames. Plain data.
+// The state of the page of cavities between frames. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@
 
 namespace alphascope {
 
-// All that is known of the rows of one table, as the columns show it.
+// All values of the rows of one table.
 struct CavityRows {
   std::shared_ptr<const CavityLines> lines;  // null: no table yet
-  // These follow, each null until it is there.
+  // Results that come after the lines. Each is null until it is ready.
   std::shared_ptr<const ExactVolumes> exact;
   std::shared_ptr<const CavityDepths> depths;
   std::shared_ptr<const CavityLives> lives;
@@ -31,11 +31,12 @@ struct CavityRows {
   std::size_t size() const { return lines ? lines->of.size() : 0; }
 };
 
-// Which rows are shown, and in which order.
+// The filter of rows, and their order.
 struct CavityFilter {
-  int kind = 0;                       // 0 all, 1 voids, 2 pockets
-  double least_volume_angstrom3 = 0;  // SA; 0: all, negative ones as well
-  int sort_column = 0;                // CavityColumn
+  int kind = 0;  // 0 all, 1 voids, 2 pockets
+  // SA volume; 0 shows all cavities, also those of negative volume.
+  double least_volume_angstrom3 = 0;
+  int sort_column = 0;  // CavityColumn
   bool descending = false;
   friend bool operator==(const CavityFilter&, const CavityFilter&) = default;
 
@@ -47,48 +48,51 @@ struct CavityFilter {
 };
 
 struct CavityPage {
-  std::string molecule;  // SHA-256 of its file
+  std::string molecule;  // SHA-256 of the molecule's file
 
   CavityFilter filter;
-  std::vector<bool> columns;    // that are shown; empty: the first ones
-  bool columns_changed = true;  // by other means than the table's own menu
-  CavityParts parts;            // of what is chosen, what is drawn
-  bool fades_rest = true;       // all else is pale
+  std::vector<bool> columns;    // for each column: it is shown; empty: not set up yet
+  bool columns_changed = true;  // by anything but the table's own menu
+  CavityParts parts;            // the parts of chosen cavities that are drawn
+  bool fades_rest = true;       // balls and simplices are pale
 
   CavityRows rows;
-  bool rows_are_old = true;         // `order` is of others
-  CavityFilter ordered_by;          // ... or by another filter
-  std::vector<std::size_t> order;   // rows that are shown
-  double stale_since_seconds = -1;  // ImGui's time; negative: the rows are of the picture
+  bool rows_are_old = true;         // `order` belongs to earlier rows
+  CavityFilter ordered_by;          // the filter by which `order` was made
+  std::vector<std::size_t> order;   // rows that are shown, in order
+  double stale_since_seconds = -1;  // by ImGui's clock; negative: the rows belong to the picture
 
   std::uint64_t body_key = 0;  // Inputs::body_key of the rows
-  // What has happened to cavities, by their numbers, while alpha or the solvent radius moved last.
+  // Splits and merges of cavities, by cavity number, during the last movement of alpha or the
+  // solvent radius.
   struct Change {
     std::uint32_t parted_from = CavityMatch::kNone, merged = 0;
   };
   std::map<std::uint32_t, Change> changes;
-  double changed_at_seconds = 0;  // ImGui's time
+  double changed_at_seconds = 0;  // by ImGui's clock
 
-  // Selection::cavities, and the lines in which `chosen_rows` are those.
+  // A copy of Selection::cavities, and the lines to which `chosen_rows` refer.
   RefSet chosen;
   std::shared_ptr<const CavityLines> chosen_in;
   std::vector<std::size_t> chosen_rows;  // ascending
-  std::vector<std::size_t> merged_into;  // of them, those that a chosen cavity has merged into
-  RefSet lining;  // of the chosen rows; while it is what is selected, the selection follows it
-  std::optional<std::size_t> anchor;  // row that was clicked last; Shift+click reaches from it
+  // Those of chosen_rows into which a chosen cavity has merged.
+  std::vector<std::size_t> merged_into;
+  // Lining atoms of the chosen rows; the selection follows it until the user selects other items.
+  RefSet lining;
+  std::optional<std::size_t> anchor;  // row clicked last, from which Shift+click reaches
   struct Choice {
-    CavitySinks sinks;  // of the rows; ascending
+    CavitySinks sinks;  // sinks of the chosen rows, ascending
     CavityParts parts;
-    std::uint64_t key = 0;  // another one for other sinks or parts
+    std::uint64_t key = 0;  // changes with the sinks or the parts
   } choice;
-  std::shared_ptr<const ChosenCavities> drawn;  // what `layers` are made of
+  std::shared_ptr<const ChosenCavities> drawn;  // the cavities from which `layers` are made
   Layers layers;
   std::shared_ptr<const BallSet> layers_of;  // Layer::balls
   std::uint64_t layers_key = 0;
   bool layers_are_old = true;
-  AtomsBesideBody beside;  // by which atoms are among them, as the next
+  AtomsBesideBody beside;  // dropped atoms that `layers` may show; then hidden atoms
   AtomSet hidden;
-  Theme theme = Theme::dark;  // that their colours are for
+  Theme theme = Theme::dark;  // for which their colours were chosen
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// The parts of the page of cavities.
+// Functions that the sources of the page of cavities share with each other and with other pages.
 #pragma once
 
 #include "ui/panels/cavities/cavity_columns.hpp"
@@ -8,59 +8,61 @@ namespace alphascope {
 
 // --- cavity_following.cpp
 
-// Takes in the table on screen and what of it is chosen; to be called in each frame by a page that
-// shows either. Makes CavityMemory::page.
+// Brings CavityMemory::page up to date with the table on screen and the chosen cavities. Makes the
+// page if it is missing. Each page that shows either calls this in each frame.
 struct FollowedCavities {
-  bool current = false;         // the rows are of the picture
-  Derived<CavityLines> wanted;  // where they are not
+  bool current = false;         // the rows belong to the picture
+  Derived<CavityLines> wanted;  // the table that is being made, if they do not
 };
 FollowedCavities follow_cavities(PanelContext& ctx);
-// What lines these rows, to be selected: at most Selection::kMostItems.
+// Returns the atoms that line these rows, at most Selection::kMostItems.
 RefSet lining_of(const CavityPage& page, const std::vector<std::size_t>& rows);
-// "The chosen cavity has merged into cavity 3."; empty: none has.
+// Returns a sentence such as "The chosen cavity has merged into cavity 3."; empty if none has
+// merged.
 std::string merged_text(const CavityPage& page);
 
 // --- cavities_table.cpp
 
-// A button that opens a list of the columns.
+// Draws a button that opens a list of the columns.
 void cavity_columns_button(PanelContext& ctx, CavityPage& page);
-// `current`: the rows are of the picture; else a click does nothing.
+// Draws the table. `current`: the rows belong to the picture; otherwise clicks do nothing.
 void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool current);
 
 // --- chosen_cavities_pane.cpp
 
-// How a click on a row chooses: it alone, it as well or no more, all from the last one to it.
+// A click chooses a row alone, adds or removes it, or chooses all from the last clicked row to it.
 enum class HowChosen : std::uint8_t { alone, toggled, range };
 void choose_cavity(PanelContext& ctx, CavityPage& page, std::size_t row, HowChosen how);
-void choose_all_cavities(PanelContext& ctx, CavityPage& page);  // that are shown
+void choose_all_cavities(PanelContext& ctx, CavityPage& page);  // all that the filter shows
 void choose_no_cavities(PanelContext& ctx);
 
-// What is chosen, in the view; in each frame in which it is to be seen.
+// Draws the chosen cavities in the view. To be called in each frame in which they are visible.
 void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current);
 void draw_chosen_cavities(PanelContext& ctx, CavityPage& page);
-// A button that opens a list of what can be drawn of them.
+// Draws a button that opens a list of the parts that can be drawn.
 void cavity_parts_button(PanelContext& ctx, CavityPage& page);
 
-// The colour of its surface in the view, and of its mark in the table.
+// Returns the colour of the cavity's surface in the view, and of its mark in the table.
 Colour cavity_colour(const CavityPage& page, std::size_t row);
 
-// A sentence where it is no ordinary cavity of one body and chain; empty: it is. `chains`: names of
-// those that line it, "A and D"; empty: unknown.
+// Returns a sentence if the cavity lies between bodies or chains; empty if it does not. `chains`
+// names the chains that line it, "A and D"; empty if they are unknown.
 std::string between_text(const CavityLine& line, const std::string& chains);
 
 // --- cavity_networks.cpp
 
-// Where there are networks: the choice to split them, and a button that sets the solvent radius at
-// which the chosen one, else the largest, falls apart. `current`: the rows are of the picture.
+// If there are networks, draws the choice to split them. A button sets the solvent radius at which
+// the chosen network, else the largest, falls apart. `current`: the rows belong to the picture.
 void networks_line(PanelContext& ctx, const CavityPage& page, bool current);
-// The same of a chosen network in sentences, when it is known.
+// Says the same about a chosen network in sentences, once it is known.
 void network_end_sentences(PanelContext& ctx, const CavityPage& page, std::size_t row);
-// A sentence of a part of a network; empty: it is none.
+// Returns a sentence about a part of a network; empty if the cavity is no such part.
 std::string part_text(const CavityLine& line);
 
-// --- chosen_cavities_pane.cpp again
+// --- chosen_cavities_pane.cpp
 
-// Sentences where it has split off or merged while alpha or the solvent radius moved; or empty.
+// Returns sentences if the cavity split off or merged in the last movement of alpha or the solvent
+// radius; else empty.
 std::string change_text(const CavityPage& page, std::size_t row);
 
 }  // namespace alphascope

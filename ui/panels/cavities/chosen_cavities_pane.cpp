@@ -1,4 +1,5 @@
-// What is chosen in the table of cavities: how it becomes so, what is drawn of it, what lines it.
+// The pane on the chosen cavities: how rows are chosen, how cavities are drawn, and their lining
+// residues.
 #include <algorithm>
 #include <string>
 
@@ -13,7 +14,7 @@
 namespace alphascope {
 namespace {
 
-// More would say nothing, in the picture or in the list of residues.
+// More cavities would tell nothing, neither in the picture nor in the list of residues.
 constexpr std::size_t kMostChosen = 1000;
 
 std::string count_text(std::size_t n, const char* one, const char* many) {
@@ -22,7 +23,8 @@ std::string count_text(std::size_t n, const char* one, const char* many) {
 
 // --- choosing
 
-// The atoms that line what is chosen become the selection, in the same entry of the history.
+// Chooses these rows. The atoms that line them become the selection, in the same entry of the
+// history.
 void choose_rows(PanelContext& ctx, CavityPage& page, std::vector<std::size_t> rows) {
   if (rows.size() > kMostChosen) {
     ctx.state.notice = "No more than " + with_separators(kMostChosen) +
@@ -38,18 +40,19 @@ void choose_rows(PanelContext& ctx, CavityPage& page, std::vector<std::size_t> r
   if (!rows.empty()) ctx.calls.view.zoom_to_selection();
 }
 
-// From the anchor to `row`, as they are shown.
+// Returns the rows from the anchor to `row`, in the order shown.
 std::vector<std::size_t> range_to(const CavityPage& page, std::size_t row) {
   auto from = std::find(page.order.begin(), page.order.end(), page.anchor.value_or(row));
   auto to = std::find(page.order.begin(), page.order.end(), row);
-  if (from == page.order.end()) from = to;  // the filter hides it
+  if (from == page.order.end()) from = to;  // the filter hides the anchor
   if (to < from) std::swap(from, to);
   return {from, to + 1};
 }
 
 // --- layers
 
-// Where the picture is of another solvent radius already, the same atoms are at the same places.
+// Returns the balls to which layers belong. A picture of another solvent radius has other balls,
+// but the same atoms at the same places.
 std::shared_ptr<const BallSet> balls_of_layers(const PanelContext& ctx, const CavityPage& page) {
   const auto& shown = ctx.state.result;
   const bool same_atoms = shown && shown->prepared.get() == &page.rows.lines->atoms->prepared();
@@ -80,7 +83,7 @@ void add_layers(PanelContext& ctx, CavityPage& page, const ChosenCavity& cavity)
   if (!cavity.rims.empty()) {
     Layer& rims = add("mouths", ctx.palette.text);
     rims.edges = cavity.rims;
-    rims.body = true;  // or those of the far side would show through
+    rims.body = true;  // else rims of the far side would show through
     rims.fades_rest = page.fades_rest;
   }
   if (page.choice.parts.numbers) {
@@ -89,13 +92,13 @@ void add_layers(PanelContext& ctx, CavityPage& page, const ChosenCavity& cavity)
   }
 }
 
-// Å, as drawn.
+// Returns the radius in which held atoms are drawn, Å.
 double held_radius(DropReason kind) {
   return kind == DropReason::ion ? 0.7 : 0.45;
 }
 
-// Of what the cavities hold, what is drawn beside the body at all. Cavity and molecule would hide
-// it; where the rest does not fade, it is where it is.
+// Draws the contents of the cavities once more, if they are drawn beside the body. Otherwise cavity
+// and molecule would hide them. If the rest does not fade, they stay where they are.
 void add_held(CavityPage& page) {
   if (!page.fades_rest) return;
   const BallReferences& references = *page.rows.lines->atoms;
@@ -326,7 +329,7 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
            " opaque, whatever is set under Display, so that they do not hide the cavity; what it "
            "holds is drawn over all else.")
               .c_str());
-  ImGui::Dummy({ctx.px(240), 0});  // the slider takes what width there is
+  ImGui::Dummy({ctx.px(240), 0});  // a width, since the slider takes all there is
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Opacity");
   ImGui::SameLine(0, ctx.px(10));

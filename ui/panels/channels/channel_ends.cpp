@@ -1,4 +1,4 @@
-// Where a channel begins and where it leads: the controls, and the question that they make.
+// The rows that choose where a channel begins and ends, and the question that follows from them.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +30,7 @@ constexpr const char* kToHelp[] = {
     "The widest place in one mouth of the chosen cavity.", "Coordinates in Å, as in the file."};
 constexpr const char* kAxes[] = {"the main axis", "x", "y", "z", "the line of sight"};
 
-// True when an entry was clicked, even the one that was chosen.
+// Draws a list of choices. Returns whether an entry was clicked, even the one already chosen.
 template <class Choice, std::size_t N>
 bool combo(PanelContext& ctx, const char* name, const char* const (&labels)[N],
            const char* const (&help)[N], Choice& chosen, float width) {
@@ -67,7 +67,7 @@ void point_fields(PanelContext& ctx, const std::string& name, RealPoint& point) 
   }
 }
 
-// As many digits as are looked at.
+// Rounds a point to as many digits as users read.
 RealPoint to_type(const RealPoint& p) {
   const auto rounded = [](double value) { return std::round(1000 * value) / 1000; };
   return {rounded(p.x), rounded(p.y), rounded(p.z)};
@@ -122,7 +122,7 @@ RealPoint axis_of(const ChannelMemory& memory) {
   return memory.main_axis.axis;
 }
 
-// A place, or why there is none.
+// A place, or the reason why there is none.
 struct Place {
   std::optional<RealPoint> at;
   ChannelQuestion none;
@@ -162,7 +162,7 @@ Place not_yet(const Derived<T>& cavities) {
   return no_place("The cavities are being computed.", true);
 }
 
-// `mouth`: counted from 1; 0 is the cavity itself.
+// Returns the widest place in the chosen cavity (`mouth` 0) or in one of its mouths, from 1.
 Place of_cavity(PanelContext& ctx, int mouth) {
   const auto& chosen = ctx.state.cavities.chosen;
   if (!ctx.state.settings.selection.cavities.empty()) {
@@ -223,7 +223,7 @@ void draw_channel_ends(PanelContext& ctx, ChannelMemory& memory) {
   const auto beside = [&] { ImGui::SameLine(0, ctx.px(6)); };
   label(ctx, "From");
   combo(ctx, "channels.from", kFrom, kFromHelp, memory.from, 170);
-  // A point begins where the last channel began, to be moved from there.
+  // A typed point starts at the start of the last channel, so that the user can move it from there.
   if (memory.from != from && memory.from == ChannelFrom::point) {
     memory.from_point = to_type(memory.last_from);
   }

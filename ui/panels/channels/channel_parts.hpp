@@ -1,4 +1,4 @@
-// The parts of the page of channels.
+// Functions that the sources of the page of channels share.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,23 @@
 
 namespace alphascope {
 
-// From where to where, as it is set; or why there is no such channel yet, with the remedy.
+// The ends of a channel as the user set them. Without ends, `why` gives the reason and the remedy.
 struct ChannelQuestion {
   std::optional<ChannelEnds> ends;
   std::string why;
-  bool waiting = false;       // for something that is computed
-  bool wants_cavity = false;  // one has to be chosen on its page
+  bool waiting = false;       // a result that is needed is being computed
+  bool wants_cavity = false;  // the user has to choose a cavity on its page
 };
 ChannelQuestion channel_question(PanelContext& ctx, ChannelMemory& memory);
-// Two rows: from where, to where.
+// Draws the two rows that choose both ends.
 void draw_channel_ends(PanelContext& ctx, ChannelMemory& memory);
-// A line for each way through the molecule; a click takes it.
+// Draws a line for each way through the molecule. A click chooses the way.
 void draw_ways(PanelContext& ctx, ChannelMemory& memory, const FoundWays& ways);
 
-// Radius against length, in the room that is left; sets the cursor.
+// Draws radius against length in the remaining room, and sets the cursor.
 void draw_channel_profile(PanelContext& ctx, ChannelMemory& memory, const Channel& channel);
 
-// The tube, the bottleneck's label and the place under the cursor, as layers of the view.
+// Draws the tube, the bottleneck's label and the place under the cursor as layers of the view.
 void show_channel(PanelContext& ctx, ChannelMemory& memory);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// The profile of a channel: radius against the length of its line.
+// The plot of a channel's radius against the length of its line.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -26,7 +26,7 @@ struct Plot {
   }
 };
 
-// 1, 2 or 5 times a power of ten, so that about `most` fit.
+// Returns 1, 2 or 5 times a power of ten, so that about `most` ticks fit.
 double tick_step(double range, double most) {
   const double least = range / std::max(1.0, most);
   const double power = std::pow(10, std::floor(std::log10(least)));
@@ -44,7 +44,7 @@ ImU32 band_colour(WaterBand band, int alpha) {
   return IM_COL32(c.r, c.g, c.b, alpha);
 }
 
-// The limits of HOLE's colours, as areas behind the curve.
+// Draws the limits of HOLE's colours as areas behind the curve.
 void draw_bands(const Plot& plot) {
   const double limits[] = {plot.low, kOneWaterAngstrom, kTwoWatersAngstrom, plot.high};
   const WaterBand bands[] = {WaterBand::none, WaterBand::one, WaterBand::several};
@@ -98,7 +98,7 @@ void draw_titles(PanelContext& ctx, const Plot& plot) {
       muted, kAlong);
 }
 
-// What the colours mean, right of "radius"; in fewer words where there is less room.
+// The meaning of the colours, at the right of "radius". Less room makes it shorter.
 struct LegendEntry {
   WaterBand band;
   std::string text;
@@ -156,7 +156,8 @@ void draw_curve(PanelContext& ctx, const Plot& plot, const Channel& channel) {
   for (const ChannelSample& sample : channel.samples) points.push_back(place(sample));
   draw->AddPolyline(points.data(), static_cast<int>(points.size()), to_u32(ctx.palette.text), 0,
                     ctx.px(1.8f));
-  // The bottleneck with its radius, above the curve where there is room.
+  // The bottleneck has a line, a dot and its radius. The radius is at the right of the line, or at
+  // its left where room is short.
   const ImVec2 at = place(channel.narrowest());
   draw->AddLine({at.x, plot.from.y}, {at.x, plot.to.y}, to_u32(ctx.palette.accent, 0.6f));
   draw->AddCircleFilled(at, ctx.px(4), to_u32(ctx.palette.accent));
@@ -184,7 +185,7 @@ int sample_at(const Channel& channel, double along) {
   return n;
 }
 
-// The value under the mouse, here and in the view.
+// Shows the value under the mouse, here and in the view.
 void draw_cursor(PanelContext& ctx, ChannelMemory& memory, const Plot& plot,
                  const Channel& channel) {
   const int before = memory.cursor;

@@ -1,4 +1,4 @@
-// A channel in the view: spheres along its line as a tube in the colours of the profile's bands.
+// The channel in the view: a tube of spheres along its line, in the colours of the profile's bands.
 #include <algorithm>
 #include <utility>
 
@@ -8,7 +8,7 @@
 namespace alphascope {
 namespace {
 
-// Where the way is narrower, or closed, a thread shows where it goes.
+// A thread of this radius shows the course of the way where it is narrower or closed.
 constexpr double kThinnest = 0.15;  // Å
 
 Colour colour_of(WaterBand band) {
@@ -23,7 +23,7 @@ LayerSphere sphere_of(const ChannelSample& sample) {
 }
 
 std::shared_ptr<Layer> new_layer(const char* id, const ChannelMemory& memory) {
-  static std::uint64_t key = 0;  // another number for each
+  static std::uint64_t key = 0;  // each layer gets a new key
   auto layer = std::make_shared<Layer>();
   layer->id = id;
   layer->key = ++key;
@@ -34,7 +34,7 @@ std::shared_ptr<Layer> new_layer(const char* id, const ChannelMemory& memory) {
 void make_layers(ChannelMemory& memory) {
   const Channel& channel = *memory.shown->channel;
   auto layer = new_layer("channels.tube", memory);
-  layer->body = true;  // what is around it fades
+  layer->body = true;  // balls and simplices around it fade
   auto& tube = layer->tubes.emplace_back();
   for (const ChannelSample& sample : channel.samples) tube.push_back(sphere_of(sample));
   const std::string text = number_text(channel.narrowest().radius_angstrom, 3) + " Å";
@@ -43,7 +43,7 @@ void make_layers(ChannelMemory& memory) {
   memory.layers = {std::move(layer)};
 }
 
-// The place under the mouse: a ball around the tube, not part of pictures.
+// Marks the place under the mouse by a ball around the tube. Saved pictures leave it out.
 void make_cursor(ChannelMemory& memory, const Colour& colour) {
   auto layer = new_layer("channels.cursor", memory);
   const auto& samples = memory.shown->channel->samples;
@@ -59,7 +59,8 @@ void make_cursor(ChannelMemory& memory, const Colour& colour) {
 
 void show_channel(PanelContext& ctx, ChannelMemory& memory) {
   if (!memory.shown || !memory.shown->channel || !ctx.state.result) return;
-  // Layers are drawn with the complex of their balls only. The tube is the same for all of them.
+  // Layers are drawn only with the complex of their balls. The tube is the same for each alpha and
+  // solvent radius.
   if (memory.layers.empty() || memory.layers_of != ctx.state.result->balls) {
     memory.layers_of = ctx.state.result->balls;
     make_layers(memory);

@@ -1,4 +1,4 @@
-// The list of ways through a molecule.
+// The table of ways through a molecule.
 #include <string>
 
 #include "core/text/grouped_number.hpp"

@@ -1,5 +1,5 @@
-// The page of channels: from where to where, how large a sphere passes, where it gets stuck, and
-// the profile of its way.
+// The page of channels: both ends, the radius of the largest sphere that passes, the bottleneck,
+// and the profile.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -20,12 +20,12 @@
 namespace alphascope {
 namespace {
 
-// found_channel()'s and found_ways()'s id.
+// Returns the id of found_channel() or found_ways(), whichever is shown.
 const char* id_of(const ChannelMemory& memory) {
   return memory.from == ChannelFrom::ways ? "channel.ways" : "channel";
 }
 
-// Of more it takes minutes; they are asked about first.
+// Channels of larger molecules take minutes, so the user starts them by a button.
 constexpr std::size_t kMostBallsUnasked = 200'000;
 
 void take_balls(PanelContext& ctx, ChannelMemory& memory) {
@@ -37,7 +37,7 @@ void take_balls(PanelContext& ctx, ChannelMemory& memory) {
   memory.main_axis = main_axis(*prepared.balls);
 }
 
-// Who has just chosen a cavity wants the way out of it.
+// A user who has just chosen a cavity wants the way out of it.
 void take_choice(const PanelContext& ctx, ChannelMemory& memory) {
   const RefSet& chosen = ctx.state.settings.selection.cavities;
   if (chosen == memory.cavities) return;
@@ -70,21 +70,21 @@ void take_answer(const PanelContext& ctx, ChannelMemory& memory,
   }
 }
 
-// Across the line from one sample to another.
+// Turns the view across the line from one sample to another.
 void look_across(PanelContext& ctx, const Channel& channel, std::size_t from, std::size_t to) {
   const RealPoint line =
       channel.samples[to].position_angstrom - channel.samples[from].position_angstrom;
   if (line != RealPoint{}) ctx.calls.view.look_across(unit_vector(line));
 }
 
-// Seen from an end, what is outside hides it.
+// Looks across the channel, since atoms outside would hide the bottleneck from an end.
 void look_across_bottleneck(PanelContext& ctx, const Channel& channel) {
   constexpr std::size_t kNear = 20;  // samples
   const std::size_t at = channel.bottleneck, last = channel.samples.size() - 1;
   look_across(ctx, channel, at - std::min(at, kNear), std::min(at + kNear, last));
 }
 
-// The whole line is to be seen, if it is about the middle of the view.
+// Looks across the whole line, and zooms out if it does not fit around the view's middle.
 void look_across_line(PanelContext& ctx, const Channel& channel) {
   const ChannelSample &begin = channel.samples.front(), &end = channel.samples.back();
   look_across(ctx, channel, 0, channel.samples.size() - 1);
@@ -106,9 +106,9 @@ void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
   look_across_bottleneck(ctx, *memory.shown->channel);
 }
 
-// --- what is drawn
+// --- results
 
-// In the line of the tabs.
+// Draws the result in the line of the pages' names.
 void headline(PanelContext& ctx, const FoundChannel& found) {
   const Channel& channel = *found.channel;
   const double radius = channel.narrowest().radius_angstrom;
@@ -149,7 +149,7 @@ void limit_line(PanelContext& ctx, const Channel& channel) {
   muted_wrapped(ctx, std::string("Narrowest ") + channel_limit_text(channel.limit) + ".");
 }
 
-// What is in a pore of a crystal closes it, although it may not stay there.
+// An ion, ligand or water in the pore of a crystal closes it, although it may not stay there.
 struct Guest {
   AtomKind kind;
   const char *one, *some;
@@ -176,7 +176,7 @@ void guest_line(PanelContext& ctx, const std::vector<BallIndex>& touching, bool 
   }
 }
 
-// Which part of the molecule it covers, and what is in it.
+// Says which part of the molecule the channel covers, and what is in it.
 void cover_lines(PanelContext& ctx, const FoundChannel& found) {
   std::string text = "covers " + cover_text(*found.cover);
   if (found.way) {
@@ -285,7 +285,7 @@ void column_of_results(PanelContext& ctx, ChannelMemory& memory, const Derived<F
   ImGui::PopStyleVar();
 }
 
-// False while a large one has not been asked for.
+// Returns whether the question may be computed. A large one waits until the user starts it.
 bool may_begin(PanelContext& ctx, ChannelMemory& memory, const AnyDefinition& wanted) {
   const std::size_t balls = memory.prepared->balls->size();
   if (balls <= kMostBallsUnasked) return true;
@@ -298,7 +298,7 @@ bool may_begin(PanelContext& ctx, ChannelMemory& memory, const AnyDefinition& wa
   return memory.asked_for == key.number();
 }
 
-// The chosen way, as if it were what was asked for; there is no value where there is none.
+// Returns the chosen way like an answer to found_channel(); without a value if there are no ways.
 Derived<FoundChannel> want_way(PanelContext& ctx, ChannelMemory& memory, Derived<FoundWays>& ways) {
   ways = ctx.store.want(found_ways(), inputs_as_they_are(memory));
   Derived<FoundChannel> found;
@@ -379,7 +379,7 @@ void page(PanelContext& ctx, ChannelMemory& memory) {
 void draw_channels(PanelContext& ctx, ChannelMemory& memory) {
   begin_anew(memory, ctx.state.molecule.sha256, [](const ChannelMemory& old) {
     ChannelMemory fresh;
-    fresh.balls_key = old.balls_key;  // which no two sets of balls may share
+    fresh.balls_key = old.balls_key;  // no two sets of balls may share a key
     return fresh;
   });
   if (!ctx.state.molecule.loaded || !ctx.state.references ||

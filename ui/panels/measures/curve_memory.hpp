@@ -1,4 +1,4 @@
-// What the page of curves remembers between frames. Plain data.
+// The state of the page of curves between frames. Plain data.
 #pragma once
 
 #include <memory>
@@ -14,32 +14,32 @@
 namespace alphascope {
 
 struct CurveMemory {
-  static constexpr int kLives = 3;  // a quantity that is none of those of curves
+  static constexpr int kLives = 3;  // not a CurveQuantity
 
   int axis = 1;          // a CurveAxis
   int quantity = 0;      // a CurveQuantity, or kLives
-  std::string molecule;  // SHA-256 of its file
-  // Molecules whose curves take long are asked about: for which axis and quantity they were asked
-  // for; -1: none.
+  std::string molecule;  // SHA-256 of the molecule's file
+  // Curves of large molecules take long, so the user starts them. This is the axis and the quantity
+  // for which the user did; −1: none.
   std::pair<int, int> asked_for{-1, -1};
 
-  // What is plotted, and of what it was made.
+  // The chart, and the results from which it was made.
   CavityChart chart;
-  std::vector<Rgb8> colours;  // of each series
+  std::vector<Rgb8> colours;  // one for each series
   CurveAxis chart_axis = CurveAxis::alpha;
   std::shared_ptr<const void> curves, links;
-  std::shared_ptr<const CavityLines> lines;  // null: nothing is chosen
-  std::vector<std::size_t> rows;             // of them, those that are plotted
+  std::shared_ptr<const CavityLines> lines;  // null: no cavity is chosen
+  std::vector<std::size_t> rows;             // rows of `lines` that are plotted
   int chart_quantity = -1;
 
-  // The longest lives, of what they were made, and which row of the table each is now.
+  // The longest lives, the results from which they were made, and their rows in the table now.
   struct Lives {
     static constexpr std::size_t kNoRow = ~std::size_t{0};
     CavityBars bars;
     std::shared_ptr<const CavityLives> of;
     double from_angstrom2 = 0;
     std::shared_ptr<const CavityLines> lines;
-    std::vector<std::size_t> rows;  // of each bar; kNoRow: it is not there
+    std::vector<std::size_t> rows;  // for each bar; kNoRow: its cavity is not in the table
   } lives;
 };
 

@@ -1,5 +1,5 @@
-// Curves of cavities against alpha, solvent radius and model: of those that are chosen on the page
-// of cavities, or of all voids and all pockets.
+// The page of curves: cavities against alpha, solvent radius or model. It plots the chosen
+// cavities, or the totals of voids and pockets.
 #include <algorithm>
 #include <cmath>
 
@@ -21,10 +21,10 @@
 namespace alphascope {
 namespace {
 
-constexpr double kAlphaStep = 0.01;   // Å², as the slider's
-constexpr double kSolventStep = 0.1;  // Å, as the samples'
+constexpr double kAlphaStep = 0.01;   // Å², as the slider's step
+constexpr double kSolventStep = 0.1;  // Å, as the samples' step
 constexpr std::size_t kMostLines = kCavityColours;
-constexpr double kMostSecondsUnasked = 60;  // of one thread, for one curve
+constexpr double kMostSecondsUnasked = 60;  // on one thread, for one curve
 
 using Curves = Derived<CavityCurves>;
 
@@ -44,9 +44,9 @@ const Definition<CavityCurves>& definition_of(const CurveMemory& memory) {
                                       : curves_over_models(numbers);
 }
 
-// --- what is plotted
+// --- the chart
 
-// `lines`: null for the totals.
+// Makes the chart. `lines` is null for the totals.
 void make_chart(CurveMemory& memory, const CavityCurves& curves, const CurveLinks* links,
                 const CavityLines* lines, const std::vector<std::size_t>& rows) {
   memory.chart_axis = curves.axis;
@@ -62,19 +62,20 @@ void make_chart(CurveMemory& memory, const CavityCurves& curves, const CurveLink
     const Cavity& cavity = table.cavity(row);
     const char* kind = cavity.is_void() ? "void " : cavity.is_part() ? "part " : "pocket ";
     chosen.push_back({table.order[row], kind + std::to_string(row + 1)});
-    // As in the view.
+    // The colour is the same as in the view.
     memory.colours.push_back(cavity_colour(lines->numbers->of[table.order[row]]));
   }
   memory.chart = chart_of_cavities(curves, quantity_of(memory), *links, chosen);
 }
 
-// Keeps the chart that there is until the next one can be made. True: it is of what is on screen.
+// Makes the next chart as soon as it can be made, and keeps the present one until then. Returns
+// whether the chart belongs to the picture.
 bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
   std::shared_ptr<const CurveLinks> links;
   std::shared_ptr<const CavityLines> lines;
   std::vector<std::size_t> rows;
   if (!ctx.state.settings.selection.cavities.empty()) {
-    // Also while there are no curves: no step of a slider may be left out.
+    // Cavities are followed even without curves, since no step of a slider may be missed.
     const bool current = follow_cavities(ctx).current;
     CavityPage& page = *ctx.state.cavities.page;
     if (page.rows.lines) draw_layers_of_cavities(ctx, page, current);
@@ -90,7 +91,7 @@ bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
   const bool same = memory.curves == curves.value && memory.links == links && memory.rows == rows &&
                     memory.lines == lines && memory.chart_quantity == memory.quantity;
   if (same) return true;
-  // Of a cavity that is not there now, its curve stays: the way back to where it is.
+  // The curve of a cavity that is not in the table stays, as it shows where the cavity exists.
   const bool gone = lines && rows.empty() && !memory.rows.empty();
   if (gone && memory.curves == curves.value && memory.chart_quantity == memory.quantity)
     return true;
@@ -161,7 +162,8 @@ void legend(PanelContext& ctx, const CurveMemory& memory) {
 }
 
 void choices(PanelContext& ctx, CurveMemory& memory) {
-  constexpr float kWidth = 570;  // pixels at scale 1, of all; the names of the pages stand before
+  // Pixels at scale 1, of all choices; the names of the pages stand before them.
+  constexpr float kWidth = 570;
   if (ImGui::GetContentRegionAvail().x < ctx.px(kWidth)) ImGui::NewLine();
   choice(ctx, "curves.quantity", {"Volume", "Area", "Exact", "Lives"}, memory.quantity,
          ctx.px(250));
@@ -234,7 +236,7 @@ std::string waiting_text(const PanelContext& ctx, const CurveMemory& memory, con
 }
 
 struct CurveWork {
-  std::size_t balls = 0;  // of all samples together
+  std::size_t balls = 0;  // in all samples together
   double seconds = 0;     // on one thread
 };
 
@@ -243,13 +245,14 @@ CurveWork work_of(const PanelContext& ctx, const CurveMemory& memory) {
   const CurveAxis axis = axis_of(memory);
   const bool exact = numbers_for(quantity_of(memory)) == CurveNumbers::exact;
   if (!ctx.inputs.balls || (axis == CurveAxis::alpha && !exact)) return {};
-  constexpr std::size_t kSamples = 51;  // about
+  constexpr std::size_t kSamples = 51;  // approximate number of samples of alpha or solvent radius
   const std::size_t times = axis == CurveAxis::model ? ctx.state.molecule.models.size() : kSamples;
   const std::size_t balls = ctx.inputs.balls->size() * times;
   return {balls, static_cast<double>(balls) * (exact ? kExactPerBall : kSumsPerBall)};
 }
 
-// Of what takes long, only upon request.
+// Returns whether the curves may be computed. Curves that take long wait until the user starts
+// them.
 bool is_asked_for(PanelContext& ctx, CurveMemory& memory) {
   const CurveWork work = work_of(ctx, memory);
   const std::pair<int, int> question{memory.axis, memory.quantity};
@@ -263,7 +266,7 @@ bool is_asked_for(PanelContext& ctx, CurveMemory& memory) {
   return false;
 }
 
-// What goes on can be ended, and begun again.
+// Draws a button that cancels the computation, or starts it again.
 void cancel_button(PanelContext& ctx, const CurveMemory& memory, const Curves& curves) {
   const std::string_view id = definition_of(memory).id;
   if (curves.state == DerivedState::running || curves.state == DerivedState::waiting) {
@@ -290,7 +293,7 @@ void draw_curves(PanelContext& ctx, CurveMemory& memory) {
   });
   if (memory.quantity == CurveMemory::kLives) return draw_cavity_lives(ctx, memory.lives);
   const CurveAxis axis = axis_of(memory);
-  // Between two pictures it is not known of which atoms the balls are.
+  // Between two pictures the atoms of the balls are unknown.
   const bool unknown = !ctx.inputs.atoms;
   const bool none = !unknown && axis == CurveAxis::model && !why_no_model_curve(ctx.inputs).empty();
   if (!unknown && !none && !is_asked_for(ctx, memory)) return;
@@ -310,7 +313,7 @@ void draw_curves(PanelContext& ctx, CurveMemory& memory) {
     return;
   }
   table_buttons(ctx, memory, current);
-  // What is no longer, or not yet, of the picture is grey.
+  // Curves that do not belong to the picture are grey.
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
   legend(ctx, memory);
   ImGui::PopStyleVar();

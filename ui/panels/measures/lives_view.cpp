@@ -1,4 +1,4 @@
-// See the header.
+// Draws the lives of cavities as bars, and takes clicks and drags on them.
 #include "ui/panels/measures/lives_view.hpp"
 #include "ui/panels/measures/curve_memory.hpp"
 
@@ -22,21 +22,21 @@ namespace {
 
 using Lives = CurveMemory::Lives;
 
-constexpr double kStep = 0.01;  // Å², as the slider's
+constexpr double kStep = 0.01;  // Å², as the slider's step
 constexpr std::size_t kMostBars = 100;
-constexpr float kLeastRow = 5, kMostRow = 14;  // pixels at scale 1, of a bar
-constexpr float kDrag = 4;                     // pixels at scale 1: less is a click
+constexpr float kLeastRow = 5, kMostRow = 14;  // pixels at scale 1, height of a bar
+constexpr float kDrag = 4;                     // pixels at scale 1; a shorter move is a click
 
-// What bars are of, and whether that is what is on screen.
+// The results behind the bars, and whether they belong to the picture.
 struct Known {
   CavityPage* page = nullptr;
   std::shared_ptr<const CavityGround> ground;
   bool current = false;
 };
 
-// --- what is drawn
+// --- bars and rows
 
-// The row of each bar in the table on screen.
+// Finds the row of each bar in the table on screen.
 void find_rows(Lives& memory, const CavityPage& page) {
   if (memory.lines == page.rows.lines) return;
   memory.lines = page.rows.lines;
@@ -51,7 +51,7 @@ void find_rows(Lives& memory, const CavityPage& page) {
   }
 }
 
-// False: there is nothing to draw yet.
+// Makes the bars anew if their results changed. Returns whether there are any results yet.
 bool follow(PanelContext& ctx, Lives& memory, Known& known, const Derived<CavityLives>& lives) {
   const Derived<CavityGround> ground = ctx.store.want(cavity_ground(), ctx.inputs);
   known.ground = ground.value;
@@ -70,7 +70,7 @@ bool follow(PanelContext& ctx, Lives& memory, Known& known, const Derived<Cavity
   return true;
 }
 
-// The table on screen may be of other balls than the bars.
+// Returns the row of a bar. The table on screen may be of other balls than the bars; then kNoRow.
 std::size_t row_of(const Lives& memory, const CavityPage& page, std::size_t bar) {
   const bool same = memory.lines && memory.lines == page.rows.lines;
   return same ? memory.rows.at(bar) : Lives::kNoRow;
@@ -131,19 +131,19 @@ struct Plot {
            (alpha.high - alpha.low) * static_cast<double>((pixel - from.x) / (to.x - from.x));
   }
   float middle_of(std::size_t bar) const { return from.y + (static_cast<float>(bar) + 0.5f) * row; }
-  // The bar under the mouse.
+  // Returns the bar under the mouse.
   std::optional<std::size_t> bar_at(const std::vector<CavityBar>& bars, ImVec2 mouse) const {
     const auto n = static_cast<std::ptrdiff_t>(std::floor((mouse.y - from.y) / row));
     if (n < 0 || n >= static_cast<std::ptrdiff_t>(drawn)) return {};
     const auto bar = static_cast<std::size_t>(n);
-    const float slack = row / 2;  // a short one has to be hit, too
+    const float slack = row / 2;  // makes short bars easier to hit
     const bool hit = mouse.x >= x_of(bars[bar].born_angstrom2) - slack &&
                      mouse.x <= x_of(bars[bar].gone_angstrom2) + slack;
     return hit ? std::optional(bar) : std::nullopt;
   }
 };
 
-// As many rows as there is room for; drawn 0: there is none.
+// Lays out as many bars as fit. `drawn` is 0 if none does.
 Plot place(const PanelContext& ctx, const Lives& memory, double shown) {
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   Plot plot;
@@ -228,7 +228,8 @@ void set_alpha_to(PanelContext& ctx, double wanted) {
   ctx.state.playback.alpha = false;
 }
 
-// One that is not on screen is chosen by its name; the table finds it at its alpha.
+// Chooses the cavity of a bar. One that is not in the table is chosen by its sink; the table finds
+// it after alpha has changed.
 void choose(PanelContext& ctx, const Lives& memory, const Known& known, std::size_t bar) {
   const std::size_t row = row_of(memory, *known.page, bar);
   if (row != Lives::kNoRow) return choose_cavity(ctx, *known.page, row, HowChosen::alone);
@@ -296,7 +297,7 @@ void draw_cavity_lives(PanelContext& ctx, CurveMemory::Lives& memory) {
     return;
   }
   table_buttons(ctx, memory, known);
-  // What is no longer, or not yet, of the picture is grey.
+  // Bars that do not belong to the picture are grey.
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, known.current ? 1.0f : 0.55f);
   ImGui::PushFont(ctx.fonts.small);
   const double shown = ctx.state.settings.request.alpha_angstrom2;

@@ -1,4 +1,4 @@
-// What the page of areas and volumes remembers between frames. Plain data.
+// The state of the page of areas and volumes between frames. Plain data.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,17 @@
 namespace alphascope {
 
 struct MeasureMemory {
-  std::string molecule;  // SHA-256 of its file
-  int per = 2;           // components, chains, residues, atoms
+  std::string molecule;  // SHA-256 of the molecule's file
+  int per = 2;           // index of: components, chains, residues, atoms
   MeasureQuery query;
-  bool changes = false;         // derivatives are shown where rows are atoms
-  bool copying = false;         // CSV is on its way to the clipboard
-  std::vector<AtomRef> chosen;  // first atoms of rows, which stay while alpha moves
-  // The last there were: shown grey until the next are there.
+  bool changes = false;  // derivatives are shown in rows of atoms
+  bool copying = false;  // CSV is being made for the clipboard
+  // The first atom of each chosen row, since atoms stay while alpha moves.
+  std::vector<AtomRef> chosen;
+  // The last results. They are grey until the next ones are ready.
   std::shared_ptr<const MeasuredComplex> measured;
   std::shared_ptr<const MeasureRows> rows;
-  std::string surface;  // whose area that is
+  std::string surface;  // name of the surface that `measured` is of
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Distances and angles that were measured, as a table that selects, removes and copies.
+// The table of measured distances and angles, which selects, removes and copies them.
 #include <imgui.h>
 
 #include "core/selection/atom_address.hpp"
@@ -27,7 +27,7 @@ std::string atoms_text(const Molecule& molecule, const std::optional<Measured>& 
   return text;
 }
 
-// True: it is to be removed.
+// Draws a row. Returns whether its measurement is to be removed.
 bool draw_row(PanelContext& ctx, std::size_t row) {
   ViewState& s = ctx.state;
   const Measurement& m = s.settings.annotations.measurements[row];

@@ -1,5 +1,5 @@
-// Exact areas and volumes of the complex on screen: in all, and as a table by component, chain,
-// residue or atom that sorts, filters and selects.
+// The page of measures: exact areas and volumes of the complex on screen. It has totals and a table
+// by component, chain, residue or atom, which sorts, filters and selects.
 #include <imgui.h>
 
 #include <algorithm>
@@ -25,11 +25,11 @@ constexpr MeasuredPer kPer[] = {MeasuredPer::component, MeasuredPer::chain, Meas
                                 MeasuredPer::atom};
 constexpr const char* kPlural[] = {"components", "chains", "residues", "atoms"};
 
-// --- what the columns are
+// --- columns
 
 struct ColumnText {
   const char *title, *help;
-  float width;  // pixels at scale 1; 0: what is left
+  float width;  // pixels at scale 1; 0: the remaining width
 };
 constexpr ColumnText kColumnTexts[kMeasureColumns] = {
     {"#", "The order of the molecule.", 52},
@@ -57,7 +57,7 @@ constexpr ColumnText kColumnTexts[kMeasureColumns] = {
     {"vol./radius Å²", "How fast the whole volume grows with the atom's radius, in Å³ for each Å.",
      98}};
 
-// Atoms have no number of atoms, and leave room for changes.
+// Rows of atoms have no column for the number of atoms. Without it the derivatives have room.
 std::vector<MeasureColumn> shown_columns(const MeasureRows& rows) {
   using C = MeasureColumn;
   if (!rows.derivatives) {
@@ -87,7 +87,7 @@ std::string cell_text(const MeasureRows& rows, const MeasureRow& row, MeasureCol
   }
 }
 
-// --- what is chosen
+// --- choosing
 
 bool is_chosen(const MeasureMemory& memory, const AtomRef& first) {
   return std::find(memory.chosen.begin(), memory.chosen.end(), first) != memory.chosen.end();
@@ -104,7 +104,7 @@ void choose(MeasureMemory& memory, const AtomRef& first, bool add) {
   }
 }
 
-// The atoms of the chosen rows become the selection, and the camera goes there.
+// Makes the atoms of the chosen rows the selection, and moves the camera there.
 void select_chosen(PanelContext& ctx, const MeasureMemory& memory, const BallReferences& atoms) {
   const std::vector<std::uint32_t>& group = memory.rows->group_of_ball;
   std::vector<std::uint32_t> groups;
@@ -126,7 +126,7 @@ void select_chosen(PanelContext& ctx, const MeasureMemory& memory, const BallRef
   if (!memory.chosen.empty()) ctx.calls.view.zoom_to_selection();
 }
 
-// --- what is drawn
+// --- drawing
 
 void totals_line(PanelContext& ctx, const MeasureMemory& memory) {
   const UnionMeasures& m = memory.measured->measures();
@@ -163,14 +163,14 @@ std::string shown_text(const MeasureMemory& memory) {
   return text;
 }
 
-// What measured, how long it took, and why the GPU did not if that was asked for.
+// Says which device measured, how long it took, and why the GPU did not if it should have.
 std::string measured_text(const MeasuredUnion& by) {
   std::string text = "Measured in " + milliseconds_text(by.milliseconds) + " on " + by.device;
   if (!by.route.empty()) text += ": " + by.route;
   return text + "." + (by.note.empty() ? "" : "\n" + by.note);
 }
 
-// The complex on screen and all that the rows speak of are of the same atoms.
+// Whether the complex on screen, the inputs and the references are of the same atoms.
 bool fits(const PanelContext& ctx) {
   const auto& answer = ctx.state.result;
   const auto& atoms = ctx.state.references;
@@ -251,7 +251,7 @@ void take_sorting(MeasureQuery& query) {
   specs->SpecsDirty = false;
 }
 
-// True when it was clicked.
+// Draws a row. Returns whether it was clicked.
 bool draw_row(PanelContext& ctx, const MeasureRows& rows, const MeasureRow& row,
               const std::vector<MeasureColumn>& columns, bool chosen) {
   ImGui::TableNextRow();
@@ -269,7 +269,8 @@ bool draw_row(PanelContext& ctx, const MeasureRows& rows, const MeasureRow& row,
   return clicked;
 }
 
-// `atoms`: null while the rows are not of the picture; then a click does nothing.
+// Draws the table. `atoms` is null while the rows do not belong to the picture; then clicks do
+// nothing.
 void table_of_rows(PanelContext& ctx, MeasureMemory& memory, const BallReferences* atoms) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable;
@@ -308,7 +309,7 @@ void copy_when_there(PanelContext& ctx, MeasureMemory& memory) {
   memory.copying = false;
 }
 
-// Why there are no numbers yet.
+// Says why there are no numbers yet.
 std::string waiting_text(const PanelContext& ctx, const Derived<MeasuredComplex>& measured) {
   if (!ctx.state.molecule.loaded) return "Open a molecule: its area and volume appear here.";
   const AlphaComplex* complex = ctx.inputs.complex.get();
@@ -326,7 +327,7 @@ void say_why_none(PanelContext& ctx, const Derived<MeasuredComplex>& measured) {
   record(ctx, "measures.waiting");
 }
 
-// It may be sorted or filtered otherwise than is wanted now.
+// Whether the rows belong to the picture. They may still be sorted or filtered in another way.
 bool of_the_picture(const Derived<MeasureRows>& rows) {
   return rows.value && rows.have.balls == rows.wanted.balls && rows.have.alpha == rows.wanted.alpha;
 }
@@ -354,7 +355,7 @@ void draw_measures(PanelContext& ctx, MeasureMemory& memory) {
     if (memory.copying && ctx.inputs.atoms) copy_when_there(ctx, memory);
   }
   if (!memory.measured || !whole) return say_why_none(ctx, measured);
-  // What is no longer, or not yet, of the picture is grey.
+  // Numbers that do not belong to the picture are grey.
   const bool current = measured.ready() && of_the_picture(rows);
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, measured.ready() ? 1.0f : 0.55f);
   totals_line(ctx, memory);

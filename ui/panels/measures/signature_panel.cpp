@@ -1,5 +1,5 @@
-// The signature as curves against alpha, with a cursor that sets alpha, and marks in the view of
-// the simplices that appear there.
+// The page of the signature: counts of simplices and the Euler characteristic against alpha. A
+// cursor sets alpha, and marks in the view show which simplices appear there.
 #include <cmath>
 #include <string>
 
@@ -14,13 +14,13 @@
 namespace alphascope {
 namespace {
 
-constexpr double kMarkedWithin = 0.02;      // Å², to either side of alpha
-constexpr double kLeastHigh = 10;           // Å²: the right end, unless alpha is beyond
-constexpr double kStep = 0.01;              // Å², as the slider's
-constexpr std::size_t kMostMarked = 20000;  // of a dimension: more would be a blur
+constexpr double kMarkedWithin = 0.02;  // Å², on either side of alpha
+constexpr double kLeastHigh = 10;       // Å², the right end of the axis, unless alpha is larger
+constexpr double kStep = 0.01;          // Å², as the slider's step
+constexpr std::size_t kMostMarked = 20000;  // for each dimension; more would be a blur
 constexpr const char* kNames[] = {"vertices", "edges", "triangles", "tetrahedra"};
 
-// --- what appears at the cursor
+// --- simplices that appear at the cursor
 
 template <class List, class Simplices>
 void collect(const List& list, float low, float high, Simplices& to) {
@@ -68,7 +68,7 @@ const Definition<Layer>& appearing() {
 }
 
 struct SignatureMemory {
-  bool mark = false;  // what appears at this alpha is marked in the view
+  bool mark = false;  // the view marks the simplices that appear at alpha
 };
 
 void mark_what_appears(PanelContext& ctx, bool& on) {
@@ -77,7 +77,7 @@ void mark_what_appears(PanelContext& ctx, bool& on) {
           "Marks in the view the simplices whose alpha value is within 0.02 Å² of the present "
           "alpha, at most 20,000 of each dimension.");
   if (!on) return;
-  // Never those of another alpha than the picture's.
+  // The layer never belongs to another alpha than the picture.
   const Derived<Layer> layer = ctx.store.want(appearing(), ctx.inputs);
   if (layer.ready()) ctx.state.layers.push_back(layer.value);
 }
@@ -86,8 +86,8 @@ void mark_what_appears(PanelContext& ctx, bool& on) {
 
 struct Plot {
   ImVec2 from, to;             // pixels: the top left and bottom right corner
-  double low, high;            // of x, Å²
-  double bottom = 0, top = 1;  // of y
+  double low, high;            // ends of the x axis, Å²
+  double bottom = 0, top = 1;  // ends of the y axis
 
   float x(double alpha) const {
     return from.x + static_cast<float>((alpha - low) / (high - low)) * (to.x - from.x);
@@ -98,7 +98,7 @@ struct Plot {
   double alpha_at(float pixel) const {
     return low + (high - low) * static_cast<double>((pixel - from.x) / (to.x - from.x));
   }
-  // Of a curve: one every two pixels.
+  // Returns the number of points of a curve: one every two pixels.
   int points() const { return to.x < from.x ? 0 : 1 + static_cast<int>((to.x - from.x) / 2); }
   float x_of_point(int n) const { return from.x + 2 * static_cast<float>(n); }
 };
@@ -222,7 +222,7 @@ void plots(PanelContext& ctx, const Signature& signature) {
   ctx.state.playback.alpha = false;
 }
 
-// Why there are no curves yet.
+// Says why there are no curves yet.
 std::string waiting_text(const PanelContext& ctx, const Derived<Signature>& signature) {
   if (!ctx.state.molecule.loaded) return "Open a molecule: its signature appears here.";
   if (signature.state != DerivedState::waiting && !signature.why.empty()) {

@@ -1,4 +1,4 @@
-// See the header.
+// Writes positions and radii with as many decimals as are meaningful.
 #include "ui/panels/explain/ball_text.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::string place_text(const LatticePoint& point, const Lattice& lattice) {
 
 std::string radius_text(const BallSet& balls, const Request* shown, BallIndex ball) {
   const double radius = balls.lattice.angstrom(balls.radii[ball]);
-  // Both with as many decimals, or one would seem to be known better than the other.
+  // Both numbers have equally many decimals; else one would seem to be known better.
   const int decimals = std::fabs(radius - std::round(radius * 100) / 100) > 1e-6 ? 3 : 2;
   const std::string text = "radius " + number_text(radius, decimals) + " Å";
   if (shown == nullptr) return text;

@@ -1,4 +1,4 @@
-// An atom's place and radius in words.
+// Texts for an atom's position and radius.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace alphascope {
 
-// "12.345, 6.789, 0.123": Å, as many digits as the lattice has, up to four.
+// Returns "12.345, 6.789, 0.123", in Å. It has as many decimals as the lattice, up to four.
 std::string place_text(const LatticePoint& point, const Lattice& lattice);
 
-// "radius 1.64 Å, grown 2.02 Å"; without `shown`, which is what a complex was asked for with, the
-// grown radius is not known. `balls` have their own radii, before any solvent.
+// Returns "radius 1.64 Å, grown 2.02 Å". `shown` is the request of the complex on screen; without
+// it there is no grown radius. `balls` have radii without solvent.
 std::string radius_text(const BallSet& balls, const Request* shown, BallIndex ball);
 
 }  // namespace alphascope

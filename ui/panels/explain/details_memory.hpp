@@ -1,4 +1,4 @@
-// What the page "Details" remembers between frames. Plain data.
+// The state of the page “Details” between frames. Plain data.
 #pragma once
 
 #include <memory>
@@ -8,9 +8,9 @@
 namespace alphascope {
 
 struct DetailsMemory {
-  // The last answer, grey while it is not that of what is selected; null: none.
+  // The last answer. It is shown only for the same balls and atoms; null: none.
   std::shared_ptr<const SimplexDetails> shown;
-  std::shared_ptr<const BallReferences> atoms;  // of its balls
+  std::shared_ptr<const BallReferences> atoms;  // references to its balls
 };
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// What is known of the selected atom or simplex: facts, what is around it in the complex as a list
-// that leads there, and what is measured between atoms.
+// The page “Details”: facts on the selected atom or simplex, a list of the simplices around it, and
+// measured distances and angles.
 #include <imgui.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ void fact(PanelContext& ctx, const char* label, const std::string& text) {
   record(ctx, ("details.fact." + std::string(label)).c_str());
 }
 
-// "5 edges, 7 triangles, 2 tetrahedra".
+// Returns a text such as "5 edges, 7 triangles, 2 tetrahedra".
 std::string cofaces_text(const SimplexDetails& details) {
   std::string text;
   for (std::size_t corners = details.balls.size() + 1; corners <= 4; ++corners) {
@@ -87,7 +87,7 @@ void simplex_facts(PanelContext& ctx, const SimplexDetails& details) {
   if (details.balls.size() < 4) fact(ctx, "is part of", cofaces_text(details));
 }
 
-// A line that selects and, with its button, looks there.
+// Draws a line for an atom or simplex. A click selects it, and its button looks at it.
 void leads_to(PanelContext& ctx, const std::string& name, const Ref& ref, const std::string& text,
               const std::string& value) {
   ViewState& s = ctx.state;
@@ -118,7 +118,7 @@ struct Lines {
   const Molecule& molecule() const { return atoms.molecule(); }
   std::size_t corners() const { return details.balls.size() == 1 ? 0 : details.balls.size(); }
   std::size_t size() const { return corners() + details.neighbours.size() + details.beside.size(); }
-  // The vertex by which it differs.
+  // Returns the ball of `simplex` that `details.balls` lack.
   BallIndex further_ball(const Balls& simplex) const {
     return *std::find_if(simplex.begin(), simplex.end(), [this](BallIndex ball) {
       return !std::binary_search(details.balls.begin(), details.balls.end(), ball);
@@ -143,7 +143,7 @@ struct Lines {
   }
 };
 
-// What the lines below it are.
+// Returns the title of the list.
 std::string lines_title(const SimplexDetails& details) {
   const std::size_t corners = details.balls.size();
   if (corners == 1) {
@@ -175,14 +175,14 @@ void list_around(PanelContext& ctx, const BallReferences& atoms, const SimplexDe
   ImGui::EndTable();
 }
 
-// An atom beside the body, which has no ball.
+// Returns the selected atom. An atom beside the body has no ball, so only the molecule knows it.
 std::optional<std::size_t> one_atom(const ViewState& s) {
   const auto& items = s.settings.selection.items.items();
   const AtomRef* const ref = items.size() == 1 ? std::get_if<AtomRef>(&items[0]) : nullptr;
   return ref ? find_atom(s.references->molecule(), {ref->atom, ref->copy}) : std::nullopt;
 }
 
-// The latest answer, also while another is on its way.
+// Returns the latest answer for these balls, also while a newer one is made.
 const SimplexDetails* details_of(PanelContext& ctx, DetailsMemory& memory, const Balls& balls) {
   const auto found = ctx.store.want(simplex_details(balls), ctx.inputs);
   if (found.ready()) {

@@ -1,3 +1,5 @@
+// Builds the layers of a step: spheres, tubes, lines, faces and labels, each in the colour of its
+// mark.
 #include "ui/panels/explain/steps_layer.hpp"
 
 #include <algorithm>
@@ -10,10 +12,10 @@
 namespace alphascope {
 namespace {
 
-constexpr double kBall = 0.32, kChosenBall = 0.5, kTube = 0.05, kUndecidedTube = 0.07;  // Å
-constexpr double kBoxTube = 0.03;                                                       // Å
+constexpr double kBall = 0.32, kChosenBall = 0.5, kTube = 0.05, kUndecidedTube = 0.07;  // Å, radii
+constexpr double kBoxTube = 0.03;         // Å, radius
 constexpr std::size_t kMostTubes = 3000;  // more edges are drawn as lines
-constexpr std::size_t kFewLines = 40;     // more hide what is behind them
+constexpr std::size_t kFewLines = 40;     // more lines hide the things behind them
 
 constexpr Colour rgb(std::uint32_t hex) {
   return {static_cast<float>(hex >> 16 & 0xff) / 255.0f,
@@ -26,7 +28,8 @@ const char* layer_id(StepMark mark) {
   return kIds[static_cast<std::size_t>(mark)];
 }
 
-// Sets of balls that are still to be tested overlap, and faces of them would hide one another.
+// Whether the step's simplices are still to be tested. Such simplices overlap, so their faces would
+// hide one another.
 bool is_of_candidates(StepKind kind) {
   return kind == StepKind::pairs || kind == StepKind::triples || kind == StepKind::tuples ||
          kind == StepKind::alpha || kind == StepKind::places || kind == StepKind::triangles ||
@@ -56,7 +59,7 @@ class StepPainter {
   StepPainter(const StepScene& scene, std::uint64_t key) : scene_(scene), key_(key) {}
 
   Layers layers() {
-    // An edge that is in something kept is not drawn as dropped.
+    // An edge of a kept simplex is not drawn as dropped.
     Edges drawn;
     for (const StepMark mark :
          {StepMark::chosen, StepMark::kept, StepMark::undecided, StepMark::dropped}) {
@@ -130,7 +133,8 @@ class StepPainter {
     std::sort(drawn.begin(), drawn.end());
   }
 
-  // Its edges once more, as lines over everything: many lines of what is dropped would hide it.
+  // Draws the layer's edges once more as lines over everything, since many dropped lines would hide
+  // them.
   void show_through(Layer& layer) const {
     Edges edges;
     add_edges<3>(layer.triangles, edges);
@@ -157,7 +161,7 @@ class StepPainter {
     }
   }
 
-  // Three circles on it: a whole ball would hide what is in it.
+  // Draws three circles on the sphere, since a whole ball would hide the things inside.
   void add_circles(const StepSphere& sphere) {
     constexpr int kCorners = 48;
     Layer& layer = of(sphere.mark);

@@ -1,4 +1,4 @@
-// What is drawn of a step of an engine (core/explain/ball_steps.hpp). No ImGui.
+// The drawing of an engine's step (core/explain/ball_steps.hpp) as layers of the view. No ImGui.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,21 @@
 
 namespace alphascope {
 
-// Blue, orange and yellow (black on light ground) differ for every kind of colour vision (after
-// Okabe and Ito); the ball itself is in the colour of what is selected.
+// Returns the colour of a mark. Blue, orange and yellow (black on light ground) differ for every
+// kind of colour vision (after Okabe and Ito). The ball itself has the colour of selected things.
 Colour step_colour(StepMark mark, Theme theme);
 
 struct StepScene {
   const BallSteps& steps;
   const Step& step;
-  std::string ball_name;  // written at the ball
+  std::string ball_name;  // label of the ball
   std::shared_ptr<const BallSet> balls;
   Theme theme = Theme::dark;
 };
-// A layer for each kind of mark: balls as small spheres; boxes and what is kept as tubes; what is
-// dropped as thin lines. Triangles and tetrahedra that passed the tests are bodies; candidates
-// overlap and are drawn by their edges. The ball that ends most tests has a name, too.
+// Makes a layer for each kind of mark. Balls are small spheres. Boxes and kept simplices are tubes,
+// and dropped ones are thin lines. Triangles and tetrahedra that passed all tests are solid.
+// Candidates overlap, so only their edges are drawn. The ball that ends the tests of most simplices
+// has a label.
 Layers make_steps_layers(const StepScene& scene, std::uint64_t key);
 
 }  // namespace alphascope

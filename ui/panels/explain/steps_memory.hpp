@@ -1,4 +1,4 @@
-// What the page "Steps" remembers between frames. Plain data.
+// The state of the page “Steps” between frames. Plain data.
 #pragma once
 
 #include <algorithm>
@@ -15,24 +15,24 @@ namespace alphascope {
 inline constexpr const char* kStepsPage = "steps";  // id of the page
 
 struct StepsMemory {
-  static constexpr std::size_t kLast = 1000;  // beyond the last step of every engine
+  static constexpr std::size_t kLast = 1000;  // larger than the number of steps of any engine
 
   StepsEngine engine = StepsEngine::tuples;
-  // Of the page. The engine that computes the complex has switches of its own.
+  // Switches of the page. The engine that computes the complex has its own.
   bool edge_optimisation = true, alpha_optimisation = true;
-  bool marks = true;       // the step is drawn
-  std::size_t step = 0;    // that is wanted; beyond the last, the last is shown
-  std::string go_to;       // number or name of a step, until the steps are known; empty: none
+  bool marks = true;       // the step is drawn in the view
+  std::size_t step = 0;    // the step wanted; if it is beyond the last, the last is shown
+  std::string go_to;       // number or name of a step, kept until the steps are known; empty: none
   bool playing = false;    // the steps follow one another
-  double a_second = 0.5;   // steps, while playing
-  bool scroll_to = false;  // the present step is to be scrolled into sight
-  bool look = false;       // at the ball and its neighbours, as soon as they are known
-  double asked_at = 0;     // ImGui's time at which the key that is wanted now was first asked for
-  Key asked;               // that key
-  // The last answer, grey while it is not that of the present question, and what is drawn of it.
+  double a_second = 0.5;   // steps per second while playing
+  bool scroll_to = false;  // the list is to be scrolled to the present step
+  bool look = false;  // the view is to show the ball and its neighbours, as soon as they are known
+  double asked_at = 0;  // when the present key was first asked for, by ImGui's clock
+  Key asked;            // the present key
+  // The last answer and its drawing. It is grey unless it answers the present question.
   std::shared_ptr<const ToldSteps> shown;
   std::shared_ptr<const BallSet> balls;
-  bool current = false;  // `shown` is that of the present question
+  bool current = false;  // `shown` answers the present question
   struct Drawn {
     std::size_t step = 0;
     bool light = false;
@@ -42,7 +42,7 @@ struct StepsMemory {
 
   std::size_t count() const { return shown ? shown->steps.steps.size() : 0; }
   std::size_t last() const { return std::max<std::size_t>(count(), 1) - 1; }
-  // The step that is shown.
+  // Returns the index of the step on show.
   std::size_t at() const { return count() == 0 ? step : std::min(step, last()); }
   void show(std::size_t wanted) {
     step = wanted;

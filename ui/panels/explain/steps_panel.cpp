@@ -1,5 +1,5 @@
-// How an engine finds the simplices of one ball, step after step: the steps as a list, what the
-// present one does in sentences and numbers, and the same in the picture.
+// The page “Steps”: how an engine finds the simplices of one ball. It lists the steps, explains the
+// present one in sentences and numbers, and draws it in the view.
 #include <algorithm>
 #include <utility>
 
@@ -16,7 +16,7 @@
 namespace alphascope {
 namespace {
 
-// --- what is known
+// --- results
 
 AskedSteps asked_steps(const PanelContext& ctx, BallIndex ball) {
   const StepsMemory& memory = ctx.state.steps;
@@ -26,9 +26,9 @@ AskedSteps asked_steps(const PanelContext& ctx, BallIndex ball) {
   return asked;
 }
 
-// Of the ball that is asked about; what takes long for another question than the present is ended.
+// Wants the steps of this ball. A job for an earlier question is cancelled if it has run for long.
 Derived<ToldSteps> want_steps(PanelContext& ctx, BallIndex ball) {
-  constexpr double kLong = 0.15;  // seconds; what is nearly there is better shown
+  constexpr double kLong = 0.15;  // seconds; an earlier answer that is nearly ready is better shown
   StepsMemory& memory = ctx.state.steps;
   const Definition<ToldSteps> definition = told_steps(asked_steps(ctx, ball));
   const Key key = definition.key(ctx.inputs);
@@ -47,7 +47,7 @@ void forget(StepsMemory& memory) {
   memory.drawn = {};
 }
 
-// A step that was asked for by number or name before the steps were known.
+// Goes to the step that was asked for, by number or name, before the steps were known.
 void go_where_asked(PanelContext& ctx, StepsMemory& memory) {
   if (memory.go_to.empty()) return;
   const std::string asked = std::exchange(memory.go_to, {});
@@ -68,7 +68,7 @@ void take_steps(PanelContext& ctx, const Derived<ToldSteps>& found) {
   go_where_asked(ctx, memory);
 }
 
-// --- what is drawn in the view
+// --- drawing in the view
 
 std::string name_of_ball(const PanelContext& ctx, BallIndex ball) {
   return atom_text(*ctx.inputs.atoms, ball);
@@ -103,7 +103,8 @@ void look_when_asked(PanelContext& ctx) {
 
 // --- the page
 
-// "Kernel II: 3 of 39 valid", of which ball, the sentences, and how much more work there is.
+// Draws the title, such as "Kernel II: 3 of 39 valid", the ball, the sentences, and how much more
+// work there is.
 void draw_text(PanelContext& ctx, float width) {
   const StepsMemory& memory = ctx.state.steps;
   const ToldSteps& told = *memory.shown;
@@ -141,7 +142,7 @@ void draw_steps(PanelContext& ctx) {
   ImGui::PopStyleVar();
 }
 
-// A sentence in the place of the steps, and what can be done.
+// Draws a sentence in the place of the steps, and a button that takes a ball.
 void draw_nothing(PanelContext& ctx, const std::string& why) {
   forget(ctx.state.steps);
   muted_wrapped(ctx, why);

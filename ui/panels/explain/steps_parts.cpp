@@ -1,4 +1,4 @@
-// See the header.
+// The controls of the page “Steps”, its list of steps, its legend and its table of numbers.
 #include "ui/panels/explain/steps_parts.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace alphascope {
 namespace {
 
-// A button that runs a command, grey where that cannot run.
+// Draws a button that runs a command. It is greyed if the command cannot run.
 void move_button(PanelContext& ctx, const char* id, const char* label) {
   const CommandSpec* const spec = ctx.commands.find(id);
   if (spec == nullptr) return;
@@ -46,7 +46,7 @@ void engine_choice(PanelContext& ctx) {
   tooltip(ctx, "Whose steps are shown. It need not be the engine that computed the complex.");
 }
 
-// Behind the item before, or below it.
+// Draws a check box behind the last item, or below it if there is no room.
 void optimisation(PanelContext& ctx, const char* name, const char* label, bool& value) {
   same_line_where_it_fits(
       ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x,
@@ -77,7 +77,7 @@ std::size_t listed(const MarkedSimplices& m) {
   return m.vertices.size() + m.edges.size() + m.triangles.size() + m.tetrahedra.size();
 }
 
-// In the order of the marks, each once.
+// Draws the legend in the order of the marks. Each mark has one line.
 void legend(PanelContext& ctx, const Step& step) {
   legend_line(ctx, StepMark::chosen, step_mark_name(step.kind, StepMark::chosen), false);
   for (const StepMark mark : {StepMark::kept, StepMark::undecided, StepMark::dropped}) {

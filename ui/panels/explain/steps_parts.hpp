@@ -1,4 +1,4 @@
-// Parts of the page "Steps". For its sources only.
+// Parts of the page “Steps”, for its own sources only.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace alphascope {
 
-// First, back, play, next, last; engine and optimisations.
+// Draws the buttons First, Back, Play, Next and Last, and the choice of engine and optimisations.
 void draw_steps_controls(PanelContext& ctx);
 
-// Of StepsMemory::shown, which must be there; width in pixels.
+// Draws the list of steps. StepsMemory::shown must not be null. `width` is in pixels.
 void draw_step_list(PanelContext& ctx, float width);
-// What the colours mean, and the numbers of the step.
+// Draws the meaning of the colours, and the numbers of the step.
 void draw_step_counts(PanelContext& ctx, float width);
 
-// What else must be known to read the picture: sentences.
+// Returns sentences that a user needs to understand the picture.
 std::vector<std::string> steps_notes(const PanelContext& ctx);
 
-// The index of a step that was named by its number, from 1, or by its name, such as "filter"; none:
+// Returns the index of the step with this number, from 1, or this name, such as "filter"; none if
 // there is no such step.
 std::optional<std::size_t> step_number(const BallSteps& steps, const std::string& text);
 

@@ -1,3 +1,4 @@
+// Builds the layer of an explanation from wire spheres and tubes, cut off at a distance.
 #include "ui/panels/explain/why_layer.hpp"
 
 #include <algorithm>
@@ -9,8 +10,8 @@ namespace {
 
 constexpr Colour kOrthosphere{1, 0.75f, 0.2f, 1}, kNearest{0.95f, 0.3f, 0.45f, 1};
 constexpr double kWire = 0.025;      // Å
-constexpr double kFarthest = 40;     // Å: nothing is drawn farther from the simplex
-constexpr double kLargestWire = 60;  // Å: a larger sphere would look like planes
+constexpr double kFarthest = 40;     // Å; nothing farther from the simplex is drawn
+constexpr double kLargestWire = 60;  // Å; a larger sphere would look like planes
 
 using Tube = std::vector<LayerSphere>;
 
@@ -25,7 +26,7 @@ Tube circle(const RealPoint& centre, const RealPoint& a, const RealPoint& b, con
   return tube;
 }
 
-// Meridians and parallels.
+// Draws a ball as meridians and parallels of wire.
 void add_wire_ball(Layer& layer, const RealPoint& centre, double radius, const Colour& colour) {
   const double wire = std::max(kWire, radius * 0.006);
   const RealPoint up{0, 0, radius};
@@ -42,7 +43,7 @@ void add_wire_ball(Layer& layer, const RealPoint& centre, double radius, const C
   }
 }
 
-// The part of a segment that is within kFarthest of a point.
+// Cuts a segment to the part within kFarthest of a point. Returns false if there is none.
 bool cut_to_sight(std::array<RealPoint, 2>& segment, const RealPoint& middle) {
   const RealPoint along = segment[1] - segment[0], from = segment[0] - middle;
   const double a = dot(along, along), b = dot(along, from),

@@ -1,4 +1,4 @@
-// What is drawn of an explanation. No ImGui.
+// The drawing of an explanation as a layer of the view. No ImGui.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace alphascope {
 
-// The orthosphere as a ball of wire, where it is not imaginary; its centre; the nearest other ball
-// and the distance to it; the dual edge, the edges of the dual facet or those of the power cell.
+// Draws the orthosphere as wire if it is not imaginary, and its centre. It draws the nearest other
+// ball and the distance to it. It also draws the dual edge, or the edges of the dual facet or of
+// the power cell.
 std::shared_ptr<const Layer> make_why_layer(const Explanation& e,
                                             const std::shared_ptr<const BallSet>& balls,
                                             std::uint64_t key);

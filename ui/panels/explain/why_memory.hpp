@@ -1,4 +1,4 @@
-// What the page "Why?" remembers between frames. Plain data.
+// The state of the page “Why?” between frames. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace alphascope {
 
 struct WhyMemory {
-  // The last answer, grey while it is not that of the present question, and what is drawn of it.
+  // The last answer and its drawing. It is grey unless it answers the present question.
   std::shared_ptr<const ExplainedSimplex> shown;
   std::shared_ptr<const BallSet> balls;
   std::shared_ptr<const Layer> layer;

@@ -1,5 +1,5 @@
-// Why is the selected simplex in the complex, or not? Sentences with their numbers, buttons to go
-// to what decides, and the orthosphere in the picture.
+// The page “Why?”: sentences on why the selected simplex is in the complex or not. Buttons lead to
+// the balls that decide, and the view shows the orthosphere.
 #include "core/document/store/store.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/why_layer.hpp"
@@ -10,7 +10,7 @@
 namespace alphascope {
 namespace {
 
-// The layer belongs to the balls on screen.
+// Draws the explanation in the view. The layer belongs to the balls on screen.
 void draw_marks_of(PanelContext& ctx, WhyMemory& memory) {
   if (!memory.layer) {
     memory.layer = make_why_layer(memory.shown->explanation, memory.balls, ++memory.layers_made);

@@ -1,5 +1,5 @@
-// See the header. What is drawn is the complex that was computed last; balls that were moved since
-// are outlined where they are now.
+// Draws the complex that was computed last as a flat drawing. Balls moved since then have an
+// outline at their new place. The mouse moves, resizes and adds balls.
 #include "ui/panels/sandbox/flat_view.hpp"
 
 #include <algorithm>
@@ -12,15 +12,16 @@
 namespace alphascope {
 namespace {
 
-constexpr float kReach = 7;         // pixels at scale 1, of centres and rims
-constexpr double kZoomStep = 1.15;  // a notch of the wheel
-constexpr double kLeastPixels = 0.05, kMostPixels = 20000;  // an Å
+// Pixels at scale 1; the mouse takes centres and rims within this distance.
+constexpr float kReach = 7;
+constexpr double kZoomStep = 1.15;                          // factor for a notch of the wheel
+constexpr double kLeastPixels = 0.05, kMostPixels = 20000;  // pixels for 1 Å
 
 ImU32 colour(const FlatInk& ink) {
   return IM_COL32(ink.r, ink.g, ink.b, static_cast<int>(std::lround(255 * ink.opacity)));
 }
 
-// Between the paper, in Å with y upwards, and pixels of the window.
+// Converts between the paper (Å, y upwards) and the window (pixels).
 class Paper {
  public:
   Paper(PanelContext& ctx, ImVec2 corner, ImVec2 size)
@@ -44,7 +45,7 @@ class Paper {
   float pixels(double angstrom) const {
     return static_cast<float>(angstrom * memory_.pixels_per_angstrom);
   }
-  // Keeps the place under the mouse.
+  // Zooms, and keeps the place under the mouse.
   void zoom(ImVec2 mouse, double factor) {
     const FlatPoint before = place(mouse);
     memory_.pixels_per_angstrom =
@@ -52,7 +53,7 @@ class Paper {
     const FlatPoint after = place(mouse);
     for (int d = 0; d < 2; ++d) memory_.middle[d] += before[d] - after[d];
   }
-  // A little more than is seen, so that no cell ends in sight.
+  // Returns a box a little larger than the visible one, so that no cell ends in sight.
   FlatBox box() const {
     constexpr float kBeyond = 8;
     const FlatPoint low = place({corner_.x - kBeyond, corner_.y + size_.y + kBeyond});
@@ -72,7 +73,8 @@ bool same(const FlatContent& a, const FlatContent& b) {
   return a.discs == b.discs && a.cells == b.cells && a.complex == b.complex && a.chosen == b.chosen;
 }
 
-// Of a result that is flat itself: a moment after the sandbox became so it may not be.
+// Makes the shapes if the result on screen is flat. For a moment after the sandbox became flat, it
+// is not.
 void make_shapes(ViewState& state, const FlatBox& box) {
   SandboxMemory& m = state.memory.sandbox;
   if (!state.result || !is_flat(*state.result->balls)) {
@@ -105,15 +107,16 @@ void dashed_line(ImDrawList* draw, ImVec2 a, ImVec2 b, ImU32 ink, float width, f
   }
 }
 
-// Of a regular polygon in place of a circle, so that nothing of it is farther than this from it.
+// Returns the number of sides of a polygon that replaces a circle and is nowhere farther than kOff
+// from it.
 int sides_of(float radius) {
   constexpr float kOff = 0.12f;  // pixels
   const double angle = std::acos(1 - kOff / std::max(radius, 1.0f));
   return std::clamp(static_cast<int>(std::ceil(M_PI / angle)), 12, 256);
 }
 
-// In slabs, of few pixels outside: ImGui's fans of slivers take several times as long in software
-// OpenGL. The rim is not smooth, and wants a line on it.
+// Fills a disc in horizontal slabs. ImGui's fans of slivers cover more pixels outside, and take
+// several times as long in software OpenGL. The rim is not smooth, so a line must cover it.
 void fill_disc(ImDrawList* draw, ImVec2 centre, float radius, ImU32 ink) {
   const int slabs = sides_of(radius) / 2;
   const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
@@ -135,7 +138,7 @@ void fill_disc(ImDrawList* draw, ImVec2 centre, float radius, ImU32 ink) {
 
 void draw_circle(ImDrawList* draw, const FlatStyle& style, ImVec2 centre, float radius,
                  float width) {
-  constexpr float kHuge = 20000;  // pixels: beyond, a circle takes too many lines
+  constexpr float kHuge = 20000;  // pixels; a larger circle takes too many lines
   if (radius > kHuge) return;
   const bool rim = style.line.opacity > 0;
   const ImU32 fill = colour(style.fill);
@@ -151,7 +154,7 @@ void draw_shape(PanelContext& ctx, const Paper& paper, const FlatShape& shape) {
   const bool dark = ctx.state.window.theme == Theme::dark;
   const FlatStyle style = flat_style(shape.kind, dark);
   const ImU32 fill = colour(style.fill), line = colour(style.line);
-  // Of whole pixels: such lines take ImGui a third of the triangles.
+  // Lines of whole pixels take ImGui a third of the triangles.
   const float width = std::max(1.0f, std::round(ctx.px(static_cast<float>(style.line_width))));
   ImDrawList* draw = ImGui::GetWindowDrawList();
   std::vector<ImVec2> points;
@@ -167,7 +170,8 @@ void draw_shape(PanelContext& ctx, const Paper& paper, const FlatShape& shape) {
   for (int k = 0; k < (count == 2 ? 1 : count); ++k) {
     const ImVec2 a = points[static_cast<std::size_t>(k)],
                  b = points[static_cast<std::size_t>((k + 1) % count)];
-    // The neighbour, whose line goes the other way, draws it; beyond what is seen there is none.
+    // Two cells share each side, in opposite directions, and only one of them draws it. A side
+    // without a neighbour is out of sight.
     if (shape.kind == FlatKind::cell && (a.x < b.x || (a.x == b.x && a.y < b.y))) continue;
     if (style.dashed) {
       dashed_line(draw, a, b, line, width, ctx.px(4));
@@ -181,7 +185,7 @@ double solvent(const ViewState& state) {
   return state.settings.request.solvent_radius_angstrom;
 }
 
-// What is under the mouse: a centre before a rim, of several the nearest.
+// Finds the centre or rim under the mouse. A centre precedes a rim, and the nearest wins.
 void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
   SandboxMemory& m = ctx.state.memory.sandbox;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
@@ -203,7 +207,8 @@ void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
   }
 }
 
-// In a point inside of a ball's circle it can be taken too: the smallest that is there.
+// Finds the smallest ball that contains the mouse, if no centre or rim is near. The mouse takes it
+// like its centre.
 void look_inside(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
   SandboxMemory& m = ctx.state.memory.sandbox;
   if (m.hovered != FlatPart::paper) return;
@@ -240,7 +245,7 @@ void drag(PanelContext& ctx, const FlatPoint& mouse) {
     for (int d = 0; d < 2; ++d) m.middle[d] -= mouse[d] - m.grip[d];
     return;
   }
-  if (m.ball >= sandbox.balls.size()) {  // undone meanwhile
+  if (m.ball >= sandbox.balls.size()) {  // the ball is gone after an undo
     m.held = FlatPart::none;
     return;
   }
@@ -292,7 +297,7 @@ void mouse_on_paper(PanelContext& ctx, Paper& paper, ImVec2 corner, ImVec2 size)
   }
 }
 
-// Where the balls are now, when the drawing is of others.
+// Outlines balls whose place or radius differs from the drawing.
 void draw_moved(PanelContext& ctx, const Paper& paper) {
   const ViewState& s = ctx.state;
   if (!s.result) return;

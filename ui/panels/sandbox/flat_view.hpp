@@ -1,14 +1,15 @@
-// The flat drawing of balls in a plane, in the place of the 3-D picture: to look at and to change.
+// The flat drawing of balls in a plane, which replaces the 3-D picture and in which balls can be
+// changed.
 #pragma once
 
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 
-// Takes the mouse within the rectangle.
+// Draws it, and takes the mouse within the rectangle.
 void draw_flat_view(PanelContext& ctx, ImVec2 corner, ImVec2 size);
 
-// Of the drawing as it was drawn last; 0: never.
+// Returns the scale of the last drawing; 0: there was none.
 double flat_angstrom_per_pixel(const ViewState& state);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Makes a sandbox of the balls on screen, and selects, removes and rounds in it.
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::string why_not_by_hand(const ViewState& state) {
 void start_sandbox(ViewState& state) {
   if (state.settings.open.sandbox || !why_not_by_hand(state).empty()) return;
   state.settings.open.sandbox = sandbox_of(*state.result->prepared->balls);
-  state.settings.selection.clear();  // of atoms of the file, which are numbered otherwise
+  state.settings.selection.clear();  // it holds atoms of the file, whose numbers differ
 }
 
 std::vector<BallIndex> chosen_balls(const ViewState& state) {
@@ -51,7 +51,7 @@ void remove_chosen(ViewState& state) {
   for (auto ball = balls.rbegin(); ball != balls.rend(); ++ball) {
     remove_ball(*state.settings.open.sandbox, *ball);
   }
-  state.settings.selection.clear();  // those behind them have other numbers now
+  state.settings.selection.clear();  // balls behind the removed ones have other numbers now
 }
 
 double snapped(double angstrom, double step) {

@@ -1,4 +1,4 @@
-// Changes of the sandbox, for its page, its drawing and its commands.
+// Changes of the sandbox, which its page, its drawing and its commands share.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,23 @@
 
 namespace alphascope {
 
-// Why the balls on screen cannot be changed by hand; empty: they can, or are already.
+// Says why the balls on screen cannot be changed by hand; empty if they can, or are a sandbox
+// already.
 std::string why_not_by_hand(const ViewState& state);
-// From the balls on screen; nothing happens when there is a sandbox, or none can be.
+// Makes a sandbox of the balls on screen. Nothing happens if there is one already, or none can be
+// made.
 void start_sandbox(ViewState& state);
 
-// Of the sandbox, by index, ascending: selected themselves, or corners of what is.
+// Returns indices of balls in the sandbox, ascending: selected balls, and corners of selected
+// simplices.
 std::vector<BallIndex> chosen_balls(const ViewState& state);
 void choose_ball(ViewState& state, std::size_t ball, bool more = false);
 void remove_chosen(ViewState& state);
 
-// A multiple of the step, without minus zero; `step` 0: as it is.
+// Returns the nearest multiple of the step, without minus zero. `step` 0 changes nothing.
 double snapped(double angstrom, double step);
 
-// The flat drawing is in the view's place.
+// Whether the flat drawing replaces the 3-D picture.
 bool shows_flat_drawing(const ViewState& state);
 
 }  // namespace alphascope

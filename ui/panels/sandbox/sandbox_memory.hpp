@@ -1,4 +1,4 @@
-// What the sandbox remembers between frames. Plain data.
+// The state of the sandbox between frames. Plain data.
 #pragma once
 
 #include <array>
@@ -15,21 +15,22 @@ namespace alphascope {
 enum class FlatPart : std::uint8_t { none, centre, rim, paper };
 
 struct SandboxMemory {
-  std::filesystem::path edit_when_open;  // a preset that is being opened; empty: none
-  bool drawing = true;                // the flat drawing in place of the picture, where it can be
-  FlatContent content;                // `chosen` is filled in each frame
-  double snap_angstrom = 0.1;         // places and radii of the mouse are multiples of it
-  double next_radius_angstrom = 1.5;  // of a ball that is added
+  std::filesystem::path edit_when_open;  // preset that is being opened for editing; empty: none
+  bool drawing = true;         // the flat drawing replaces the picture, if the balls lie in a plane
+  FlatContent content;         // options of the drawing; `chosen` is set in each frame
+  double snap_angstrom = 0.1;  // the mouse sets positions and radii to multiples of this
+  double next_radius_angstrom = 1.5;  // radius of the next ball that is added
 
-  // The paper: what is in its middle, and how large; 0 pixels: all of it fits.
+  // The paper: the point in its middle, and its scale. At 0 pixels the scale is chosen so that all
+  // of it fits.
   FlatPoint middle{};
   double pixels_per_angstrom = 0;
-  // What the mouse holds, or is over.
+  // The thing that the mouse holds, or is over.
   FlatPart held = FlatPart::none, hovered = FlatPart::none;
   std::size_t ball = 0;
-  FlatPoint grip{};  // Å, from the mouse to what it holds
+  FlatPoint grip{};  // Å, from the mouse to the thing that it holds
 
-  // What is drawn, and of what.
+  // The drawing, and the data from which it was made.
   std::vector<FlatShape> shapes;
   std::shared_ptr<const Answer> shapes_of;
   FlatBox shapes_box;

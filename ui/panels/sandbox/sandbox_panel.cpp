@@ -1,5 +1,5 @@
-// The sandbox: a handful of balls set by hand. Presets, what the drawing shows, and a table of the
-// balls in which every number can be typed.
+// The page “Sandbox”: presets, options of the flat drawing, and a table of the balls. Every number
+// in the table can be typed.
 #include <algorithm>
 
 #include "core/chart/flat_drawing.hpp"

@@ -1,4 +1,5 @@
-// See the header. ImGui wraps text of one font only; here each word is placed by itself.
+// Draws and measures text of several fonts. ImGui wraps text of one font only, so each word is
+// placed by itself.
 #include "ui/panels/lessons/lesson_text.hpp"
 
 #include <string>
@@ -7,7 +8,7 @@
 namespace alphascope {
 namespace {
 
-// Where the next word goes, in pixels of the screen.
+// The place of the next word, in pixels of the screen.
 struct Pen {
   ImVec2 at;
   float left = 0, right = 0, line = 0, size = 1;
@@ -26,7 +27,7 @@ void put_word(const PanelContext& ctx, Pen& pen, std::string_view word, bool bol
   pen.at.x += width;
 }
 
-// A blank, or the end of a word that goes on in another font, is in the span itself.
+// Draws a span word by word. Blanks are in the span, so a word may go on in another font.
 void put_span(const PanelContext& ctx, Pen& pen, const LessonSpan& span) {
   std::string_view rest = span.text;
   const float blank = ImGui::CalcTextSize(" ").x * pen.size;
@@ -46,12 +47,12 @@ void put_span(const PanelContext& ctx, Pen& pen, const LessonSpan& span) {
   }
 }
 
-struct Way {  // of a paragraph
+struct Way {  // size of the letters; drawn or only measured
   float size = 1;
   bool draws = true;
 };
 
-// The nth; its height, from `corner` on.
+// Draws or measures the nth paragraph at `corner`. Returns its height with the gap below.
 float put_paragraph(PanelContext& ctx, const std::vector<LessonParagraph>& text, std::size_t n,
                     ImVec2 corner, float width, Way way) {
   const LessonParagraph& paragraph = text[n];

@@ -1,4 +1,4 @@
-// Paragraphs with bold words and lists, broken at blanks.
+// Draws paragraphs with bold words and lists, with line breaks at blanks.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace alphascope {
 
-// In the width that is left, in letters of `size` times the usual.
+// Draws the text in the remaining width. `size` is a factor on the usual letters.
 void draw_lesson_text(PanelContext& ctx, const std::vector<LessonParagraph>& text, float size = 1);
-// How high that would be in `width` pixels.
+// Returns the height of the text in `width` pixels.
 float lesson_text_height(PanelContext& ctx, const std::vector<LessonParagraph>& text, float size,
                          float width);
 

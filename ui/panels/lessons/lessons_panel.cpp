@@ -1,5 +1,5 @@
-// The column at the right: the list of lessons, or the open one with its step, its question and the
-// way on. What a step does to the window is the program's business.
+// The column at the right: the list of lessons, or the open one with its step, its question and its
+// buttons. The program carries out the commands of a step.
 #include <functional>
 #include <memory>
 #include <string>
@@ -62,7 +62,8 @@ void draw_list(PanelContext& ctx) {
 
 // --- the open lesson
 
-// Of the derived result, if it is of the balls on screen.
+// Returns a function that returns the derived result. It returns null for a result that is not
+// ready or not of the picture's balls.
 template <class T>
 std::function<std::shared_ptr<const T>()> wanted(PanelContext& ctx, const Definition<T>& what) {
   return [&ctx, &what]() -> std::shared_ptr<const T> {
@@ -72,7 +73,7 @@ std::function<std::shared_ptr<const T>()> wanted(PanelContext& ctx, const Defini
   };
 }
 
-// Only what is on screen, and of the step's molecule.
+// Returns facts of the picture, if it shows the step's molecule.
 LessonFacts facts_on_screen(PanelContext& ctx) {
   if (!ctx.state.lessons.ready || !ctx.state.result) return {};
   return {ctx.state.result, wanted(ctx, whole_filtration()), wanted(ctx, union_measures()),
@@ -92,7 +93,7 @@ std::vector<LessonParagraph> with_facts_in(PanelContext& ctx, const LessonPart& 
   return text;
 }
 
-// What the window shows of a step.
+// The paragraphs of a step on show.
 struct StepText {
   std::vector<LessonParagraph> text, answer;
 };
@@ -101,7 +102,7 @@ float answer_gap(const PanelContext& ctx) {
   return ctx.px(4) + 3 * ImGui::GetStyle().ItemSpacing.y;
 }
 
-// The largest letters in which all of it finds room; they shrink to what can still be read.
+// Chooses the largest letters in which the whole text fits, but none too small to read.
 void choose_letters(PanelContext& ctx, const LessonStep& step, const StepText& all, float height) {
   LessonMemory& m = ctx.state.lessons;
   const float width = ImGui::GetContentRegionAvail().x;
@@ -137,7 +138,7 @@ void draw_answer(PanelContext& ctx, const LessonStep& step, const StepText& all)
   record(ctx, "lesson.answer");
 }
 
-// In its last line, where the text goes on below.
+// Draws a button in the last line, which scrolls on if the text goes on below.
 void more_below(PanelContext& ctx, float page) {
   LessonMemory& m = ctx.state.lessons;
   ImGui::BeginDisabled(!m.more_below);
@@ -243,7 +244,7 @@ void draw_head(PanelContext& ctx) {
   if (ImGui::CalcTextSize("Lessons").x + ctx.px(12) + buttons <= right) {
     strong_text(ctx, "Lessons");
   } else {
-    ImGui::NewLine();  // the buttons tell as much
+    ImGui::NewLine();  // the buttons say as much
   }
   ImGui::SameLine(right - buttons);
   if (button(ctx, "lesson.presenter", size, {0, 0}, ButtonKind::quiet)) {

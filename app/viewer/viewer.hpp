@@ -1,4 +1,5 @@
-// The running program: one host, one session, one scene, and the loop that ties them to the panels.
+// The running window: one host, one session, one scene, and the loop that connects them with the
+// panels.
 #pragma once
 
 #include <chrono>
@@ -43,69 +44,69 @@ class Viewer {
          SceneController::MeshMaker make_mesh = &build_mesh);
   ~Viewer();
 
-  // Until the user quits. Draws only when something changed.
+  // Runs until the user quits. Draws only when something has changed.
   void run();
 
-  // One step for scripts and tests: takes in results, draws one frame with this input.
+  // One step for scripts and tests: takes in results, then draws one frame with this input.
   void step(ScriptedInput* input);
-  // Waits until the last frame is drawn, also where a GPU draws.
+  // Waits until the last frame is drawn, on a GPU as well.
   void finish_frame();
-  // Milliseconds: SceneController::picture_stages().
+  // Times in milliseconds, as in SceneController::picture_stages().
   const std::vector<StageTime>& picture_stages() const { return scene_.picture_stages(); }
-  // Takes in results until the next frame may be drawn; whether anything happened.
+  // Takes in results until the next frame may be drawn. Returns whether anything happened.
   bool wait_for_frame();
-  // A molecule, a complex, a comparison or a mesh is on its way.
+  // True while a molecule, a complex, a comparison or a mesh is being made.
   bool busy() const;
-  // Pictures are drawn while the window goes on, as on a GPU, by OpenGL in software as well.
+  // Draws pictures in the background with software OpenGL too, as with a GPU.
   void draw_meanwhile() { scene_.draw_meanwhile(); }
-  // From now on the panels of other frames than shoot()'s are made and not drawn.
+  // From now on panels are drawn only in the frames of shoot().
   void draw_shots_only() { draw_shots_only_ = true; }
-  // Draws the scene as finely as it can be, then the window, into a PNG file.
+  // Draws the scene at the finest quality, then the window, into a PNG file.
   void shoot(const std::filesystem::path& path, ScriptedInput* input);
 
-  // A molecule, or a session by its name.
+  // A molecule or, by the name's ending, a session.
   void open(const std::filesystem::path& path) { opening_.open(path); }
   void open_session(const std::filesystem::path& path) { opening_.open_session(path); }
-  // One of them; what becomes of the others is told.
+  // Opens one of the files and notes why the others are not opened.
   void open_dropped(const std::vector<std::filesystem::path>& files) {
     opening_.open_dropped(files);
   }
   bool quit_requested() const { return quit_; }
 
-  // Of what was set: molecule options, alpha, solvent radius, engine, display, selection.
+  // The history holds molecule options, alpha, solvent radius, engine, display and selection.
   void undo() { history_.undo(); }
   void redo() { history_.redo(); }
 
   ViewState& state() { return state_; }
-  Calls calls();  // queued until the end of the frame
+  Calls calls();  // they wait for the end of the frame
   const Commands& commands() const { return commands_; }
   const WidgetRects& widgets() const { return rects_; }
   PanelSet& panels() { return panels_; }
   Session& session() { return session_; }
   Host& host() { return host_; }
-  // Values of one derived result, since the start.
+  // How often one derived result has been made since the start.
   std::uint64_t times_made(std::string_view id) const { return store_.times_made(id); }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   void fill_constants();
-  class Stage;   // of lessons
-  class Queued;  // calls
+  class Stage;   // the window as a lesson's player sees it
+  class Queued;  // the queued calls
   std::shared_ptr<Queued> make_queued();
   std::unique_ptr<LessonStage> make_lesson_stage();
   static std::vector<std::filesystem::path> lesson_folders(const ViewerOptions& options);
   void take_lesson_files();
-  // Runs what may throw on the main thread; what it throws is shown, and the program goes on.
+  // Runs `what` on the main thread. An exception is shown to the user, and the program goes on.
   void guarded(const std::function<void()>& what);
   void take_error(bool only_the_model_changed);
-  void take_session();  // results and failures into the state
-  // As busy(), but for a benchmark: frames drawn meanwhile would be in its times.
+  void take_session();  // moves results and failures of the session into the state
+  // As busy(), without the benchmark. Frames drawn during a benchmark would be in its times.
   bool working() const;
-  bool all_but_saving() const;  // of that
+  bool all_but_saving() const;  // working(), without files being saved
   void take_machine();
   void take_molecule();
-  void take_file();  // what another file begins with
+  void take_file();  // sets the state that begins with each new file
   void close_dialogs_of_file();
   void start_preset();
   void take_answer();
@@ -113,21 +114,21 @@ class Viewer {
   double seconds_to_next_frame() const;
   void take_derived();
   bool needs_filtration() const;
-  void want_of_all_balls();  // triangulation and filtration, in the background
+  void want_of_all_balls();  // wants triangulation and filtration of all balls, in the background
   void poll_store();
   bool may_take_inputs(const Answer& shown) const;
   void take_inputs(const std::shared_ptr<const Answer>& shown);
-  void note_large_objects();  // for the store's budget
-  void take_shown();          // what is said of the picture changes with it
-  void run_calls();           // what the panels asked for
+  void note_large_objects();  // reports their bytes to the store's budget
+  void take_shown();          // updates the texts about the picture
+  void run_calls();           // makes the calls of the panels
   void cancel_computing();
-  void send_controls();  // changed controls to session and scene
-  void send_look();      // to the scene
+  void send_controls();  // hands changed controls to session and scene
+  void send_look();      // hands the display settings to the scene
   bool awaits_panels() const;
   bool waits_for_tables();
   void send_compute();
   void send_selection();
-  bool settled() const;  // the latest request is answered
+  bool settled() const;  // true when the latest request is answered
   void colour_by_what_differs(const Molecule& molecule);
   void read_memory();
   void give_back_memory_when_due();
@@ -138,7 +139,7 @@ class Viewer {
 
   Host& host_;
   ViewState state_;
-  Commands commands_;  // on state_
+  Commands commands_;  // act on state_
   WidgetRects rects_;
   PanelSet panels_;
   ImGuiFrame frame_;
@@ -147,7 +148,7 @@ class Viewer {
   Pointing pointing_{state_, scene_, marks_, frame_};
   Request sent_compute_;
   OpenOptions sent_open_;
-  std::shared_ptr<const Molecule> shown_file_;  // as deposited
+  std::shared_ptr<const Molecule> shown_file_;  // the molecule as deposited
   std::optional<Clock::time_point> tooltip_due_;
   Clock::time_point selection_sent_at_{};
   ColourBy automatic_colour_ = ColourBy::chain;
@@ -156,8 +157,8 @@ class Viewer {
   bool quit_ = false;
   bool patient_ = false;
   bool draw_shots_only_ = false;
-  bool must_render_ = false;          // the picture of what state_.result says
-  bool memory_to_give_back_ = false;  // something large was freed
+  bool must_render_ = false;          // state_.result is not yet in the picture
+  bool memory_to_give_back_ = false;  // a large object was freed
   FolderReader folder_reader_;
   std::shared_ptr<Queued> queued_;
   WindowPreferences preferences_;
@@ -165,18 +166,18 @@ class Viewer {
   std::unique_ptr<LessonStage> lesson_stage_;
   LessonPlayer lessons_;
   SaveJobs saving_;
-  std::future<MachineInfo> machine_;  // looking for a GPU can take a second
+  std::future<MachineInfo> machine_;  // in the background: the search for a GPU can take a second
   Benchmark benchmark_;
-  Inputs inputs_;  // of derived results
+  Inputs inputs_;  // inputs of derived results
   Clock::time_point inputs_taken_at_{};
   Clock::time_point frame_begun_at_{};
-  bool news_ = false;  // something has come that no frame shows
+  bool news_ = false;  // results have arrived that no frame shows yet
   bool picture_is_new_ = false;
-  std::shared_ptr<const Answer> source_;  // whose balls they are; null: there are none
+  std::shared_ptr<const Answer> source_;  // the owner of the balls in inputs_; null: none
   std::uint64_t balls_seen_ = 0, bodies_seen_ = 0, frames_key_ = 0;
-  std::shared_ptr<const PreparedBalls> body_;  // the last of bodies_seen_
+  std::shared_ptr<const PreparedBalls> body_;  // the body that bodies_seen_ counted last
   Store store_;
-  Session session_;  // after what its threads wake; before the classes below, which use it
+  Session session_;  // below the members that its threads use: it is destroyed first
   History history_{state_, session_, scene_};
   WorkStatus status_{state_, session_, scene_, store_};
   Opening opening_{host_,    state_,       scene_, session_,

@@ -1,4 +1,4 @@
-// See the header.
+// Moves a held ball of the sandbox: intersections of lines of sight with the plane of the drag.
 #include "app/viewer/parts/ball_drag.hpp"
 
 #include <cmath>
@@ -6,7 +6,8 @@
 namespace alphascope {
 namespace {
 
-// Of a line of sight and the plane: less, and a ball would run away from the mouse.
+// Least sine of the angle between line of sight and plane. Below it a ball would run away from the
+// mouse.
 constexpr double kLeastSine = 0.05;
 
 double dot(const SandboxPlace& a, const SandboxPlace& b) {

@@ -1,5 +1,6 @@
-// A ball of the sandbox that the mouse holds in the 3-D picture: it moves in the plane through its
-// centre that is parallel to the screen; where all balls are to stay in the plane z = 0, in that.
+// A ball of the sandbox that the mouse holds in the 3-D picture. The ball moves in the plane
+// through its centre that is parallel to the screen. A sandbox in the plane z = 0 uses that plane
+// instead.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +13,14 @@ namespace alphascope {
 
 class BallDrag {
  public:
-  // None where the plane is seen from its edge. `into_view`: a unit vector, from the eye.
+  // Nothing where the plane is seen from its edge. `into_view` is a unit vector that points away
+  // from the eye.
   static std::optional<BallDrag> begin(const Sandbox& sandbox, std::size_t ball, const Ray& ray,
                                        const SandboxPlace& into_view);
 
   std::size_t ball() const { return ball_; }
-  // Where the centre is to be, Å; none where the line of sight does not meet the plane before the
-  // eye.
+  // The new centre of the ball, Å. Nothing where the line of sight does not meet the plane in front
+  // of the eye.
   std::optional<SandboxPlace> place(const Ray& ray) const;
 
  private:
@@ -26,7 +28,7 @@ class BallDrag {
 
   std::size_t ball_ = 0;
   SandboxPlace in_plane_{}, normal_{};
-  SandboxPlace grip_{};  // from the mouse to the centre
+  SandboxPlace grip_{};  // from the point under the mouse to the centre of the ball, Å
 };
 
 }  // namespace alphascope

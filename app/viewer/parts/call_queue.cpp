@@ -1,3 +1,4 @@
+// Replaces equal calls in place, and makes the calls of one run.
 #include "app/viewer/parts/call_queue.hpp"
 
 #include <algorithm>

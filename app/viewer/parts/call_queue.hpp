@@ -1,4 +1,4 @@
-// Calls that wait for the end of a frame.
+// A queue of calls that are made after the frame is drawn.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@ namespace alphascope {
 
 class CallQueue {
  public:
-  // Replaces a waiting call of the same name, in its place.
+  // Adds a call. It replaces a waiting call of the same name and takes its place in the order.
   void put(std::string_view name, std::function<void()> call);
-  // Carries out what waits, in order. What these calls put waits for the next run. What one throws
-  // ends the run; the rest is dropped.
+  // Makes the waiting calls, in order. Calls added meanwhile wait for the next run. An exception
+  // ends the run, and the remaining calls are dropped.
   void run();
   bool empty() const { return waiting_.empty(); }
 

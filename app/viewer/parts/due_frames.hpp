@@ -1,14 +1,15 @@
-// Frames that are still to be drawn before the window may rest.
+// Counts the frames that are still to be drawn before the window may rest.
 #pragma once
 
 namespace alphascope {
 
 struct DueFrames {
-  // ImGui needs a frame or two after the last input until everything has settled (hover, popups).
+  // ImGui needs one or two frames after the last input until everything (hover, popups) has
+  // settled.
   static constexpr int kSettling = 3;
   int count = kSettling;
   bool any() const { return count > 0; }
-  void ask() { count = kSettling; }  // something has changed that is to be seen
+  void ask() { count = kSettling; }  // for a change that is to be seen
 };
 
 }  // namespace alphascope

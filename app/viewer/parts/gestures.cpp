@@ -1,4 +1,4 @@
-// See the header.
+// Finds the current gesture from ImGui's state of mouse buttons and keys.
 #include "app/viewer/parts/gestures.hpp"
 
 #include <imgui.h>

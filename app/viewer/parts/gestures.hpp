@@ -1,4 +1,5 @@
-// Which changes belong together: those between a press of a mouse button or key and its release.
+// Groups changes into gestures: all changes between the press of a mouse button or key and its
+// release.
 #pragma once
 
 #include "core/document/session/editor.hpp"
@@ -7,13 +8,13 @@ namespace alphascope {
 
 class Gestures {
  public:
-  // Once a frame, after ImGui has begun it: the gesture that goes on, or 0 when no hand is on
-  // mouse or keyboard.
+  // Call once a frame, after ImGui has begun it. Returns the current gesture, or 0 while no button
+  // or key is pressed.
   Gesture in_this_frame();
 
  private:
   Gesture count_ = 0;
-  int frames_left_ = 0;  // until the gesture is over: what a release does shows in the next frame
+  int frames_left_ = 0;  // until the gesture ends: the effect of a release shows in the next frame
 };
 
 }  // namespace alphascope

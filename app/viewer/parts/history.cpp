@@ -1,18 +1,18 @@
-// Undo and redo: settings, and the view where the program has moved it for a change.
+// Undo and redo of settings, and of the views that the program moved for a change.
 #include "app/viewer/parts/history.hpp"
 
 #include <utility>
 
 namespace alphascope {
 
-// The molecule's options as they were sent: those that the panels hold may be refused.
+// Takes the molecule's options as they were sent, since those of the panels may still be refused.
 Settings History::settings() const {
   Settings settings = state_.settings;
   settings.open = session_.open_options();
   return settings;
 }
 
-// Once a frame, when what was typed has been checked.
+// Call once a frame, after typed values have been checked.
 void History::note_changes(bool by_itself) {
   const std::size_t entries = editor_.depth();
   if (std::exchange(state_.selection_followed, false)) {
@@ -40,12 +40,12 @@ void History::note_changes(bool by_itself) {
 void History::show_settings() {
   state_.settings = editor_.now();
   state_.playback.alpha = state_.playback.models = false;
-  state_.memory.number = {};  // what was being typed is not what is undone
+  state_.memory.number = {};  // typed text that is not an entry yet is dropped
   state_.expression_error.reset();
 }
 
-// With the change, in the requests of this frame, or later, when other atoms are there. Those that
-// belong to one entry are one movement.
+// Notes the view before a move that belongs to the last entry. The move may come in the same frame,
+// or later with the picture of other atoms. Several moves for one entry count as one.
 void History::note_view() {
   std::optional<CameraPlace> before = std::exchange(view_before_calls_, std::nullopt);
   if (const auto left = scene_.take_left_view(); left && !before) before = left;
@@ -55,7 +55,7 @@ void History::note_view() {
   moved.moves = view_moves_;
 }
 
-// Where the atoms change, with their picture.
+// Where the atoms change, the view changes with their picture.
 void History::bring_view_back(const CameraPlace& view, bool other_atoms) {
   if (other_atoms) {
     scene_.set_camera_when_drawn(view);
@@ -64,7 +64,7 @@ void History::bring_view_back(const CameraPlace& view, bool other_atoms) {
   }
 }
 
-// A view that somebody has moved since is theirs.
+// A view that the user has moved since stays.
 void History::undo() {
   const std::string what = editor_.undo_text();
   const auto moved = moved_views_.find(editor_.depth());
@@ -106,7 +106,7 @@ void History::put(const Editor& editor) {
   show_settings();
 }
 
-// The undo steps of what was open before a lesson.
+// Restores the undo history of the molecule that was open before a lesson.
 void History::take_back() {
   const auto history = std::exchange(to_come_back_, std::nullopt);
   if (!history) return;

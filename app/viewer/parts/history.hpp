@@ -1,5 +1,5 @@
-// The history of the open file in the window: the panels' settings as entries, and the view where
-// the program has moved it, which undo brings back.
+// The undo history of the open file. Each entry holds the settings of the panels, and the view if
+// the program moved it for that change. Undo brings both back.
 #pragma once
 
 #include <cstddef>
@@ -22,28 +22,29 @@ class History {
   History(ViewState& state, const Session& session, SceneController& scene)
       : state_(state), session_(session), scene_(scene) {}
 
-  // As the panels have them, but for the molecule's options, which are as it was opened.
+  // The settings of the panels, with the options with which the molecule was opened.
   Settings settings() const;
   void begin_frame() { gesture_ = gestures_.in_this_frame(); }
-  // Once a frame. `by_itself`: the program changes settings, which makes no entry.
+  // Call once a frame. `by_itself`: the program changes settings (playback, lessons), which makes
+  // no entry.
   void note_changes(bool by_itself);
   void undo();
   void redo();
-  void restart();  // another file: from here on there is nothing to go back to
+  void restart();  // for another file: the history is empty from here on
   void restart(const Settings& settings);
-  void amend();  // the panels' settings are no entry: what was asked for could not be done
+  void amend();  // the last request failed or was cancelled: the present settings make no new entry
 
-  // A change of the view that somebody asked for. Undo of the change that comes with it brings the
+  // Moves the view on request. A change of settings may come with the move; its undo brings the
   // view back.
   void move_view(const std::function<void()>& how);
   void note_view_moved() { ++view_moves_; }
   void begin_calls() { view_before_calls_.reset(); }
 
-  // The history of a session that is kept, and put in place again when it comes back.
+  // The history that a kept session takes along and gets back.
   const Editor& editor() const { return editor_; }
   void put(const Editor& editor);
   void set_to_come_back(std::optional<Editor> editor) { to_come_back_ = std::move(editor); }
-  void take_back();  // it has come
+  void take_back();  // the session has come back
 
  private:
   void show_settings();
@@ -54,20 +55,20 @@ class History {
   const Session& session_;
   SceneController& scene_;
   Editor editor_;
-  // A view that the program moved for an entry: where it was before and, once the entry is undone,
+  // A view that the program moved for an entry: before the move and, once the entry is undone,
   // after it.
   struct MovedView {
     CameraPlace before;
     std::optional<CameraPlace> after;
-    std::uint64_t moves = 0;  // view_moves_ then
+    std::uint64_t moves = 0;  // the value of view_moves_ at the move
   };
-  std::map<std::size_t, MovedView> moved_views_;  // by the number of the entry, from 1
+  std::map<std::size_t, MovedView> moved_views_;  // key: number of the entry, from 1
   std::optional<CameraPlace> view_before_calls_;
-  Gesture entry_gesture_ = 0;     // of the last entry
-  std::uint64_t view_moves_ = 0;  // that somebody asked for, by hand or in words
+  Gesture entry_gesture_ = 0;     // the gesture that made the last entry
+  std::uint64_t view_moves_ = 0;  // moves of the view on request, by hand or by a command
   Gestures gestures_;
-  Gesture gesture_ = 0;                 // of this frame
-  std::optional<Editor> to_come_back_;  // of the session that is on its way
+  Gesture gesture_ = 0;                 // the gesture of this frame
+  std::optional<Editor> to_come_back_;  // the history of the session that is being opened
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Lines and tooltips for balls, left-out atoms and simplices.
 #include "app/viewer/parts/hit_text.hpp"
 
 #include "core/document/explain/explanation_text.hpp"
@@ -13,7 +13,7 @@ std::string count(std::size_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
-// Of the assembly's copies of one atom; empty in a molecule as deposited.
+// The assembly's copy that holds the atom; empty in a molecule as deposited.
 std::string copy_text(const BallReferences& references, std::size_t atom) {
   if (references.molecule().copied.empty()) return "";
   return "copy " + count(references.atom_of_molecule(atom).copy + std::size_t{1}) +

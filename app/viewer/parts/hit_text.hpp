@@ -1,4 +1,4 @@
-// What the window says of an atom or a simplex under the mouse. Pure functions: no window, no GL.
+// Describes the atom or simplex under the mouse in words. Pure functions: no window, no GL.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@ struct HitText {
   std::string tooltip;  // several lines
 };
 
-// `shown`: what the complex on screen was asked for with; null when there is none, and then the
-// grown radius is not known.
+// `shown`: the request of the complex on screen. Null if there is no complex; the grown radius is
+// then left out.
 HitText describe_ball(const BallReferences& references, const Request* shown, BallIndex ball);
-// Of an atom of the molecule that the options leave out of the body.
+// Describes an atom that the molecule's options leave out of the body.
 HitText describe_atom_beside(const BallReferences& references, const LeftOutAtom& atom);
 HitText describe_simplex(const BallReferences& references, const HitSimplex& simplex);
 
-// "3", "3, 1 not in the picture"; empty for none.
+// "3" or "3, 1 not in the picture"; empty if nothing is selected.
 std::string selected_text(std::size_t selected, std::size_t not_in_the_picture);
 
 }  // namespace alphascope

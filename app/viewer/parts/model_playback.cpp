@@ -1,4 +1,4 @@
-// See the header.
+// Times of playback, from the time of the last request.
 #include "app/viewer/parts/model_playback.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@ namespace alphascope {
 
 std::optional<int> ModelPlayback::next(const Scene& scene, double per_second,
                                        Clock::time_point now) {
-  if (!last_) last_ = now;  // the model on screen gets its time, too
+  if (!last_) last_ = now;  // the model on screen is shown for its full time, too
   if (scene.count < 2 || !scene.settled || seconds_to_next(per_second, now) > 0) {
     return std::nullopt;
   }

@@ -1,5 +1,5 @@
-// Playing the models of a molecule one after the other, or the steps of an algorithm: when the next
-// one is due. Knows neither window nor session.
+// Decides when the next model of a molecule, or the next step of an algorithm, is due in playback.
+// Knows neither window nor session.
 #pragma once
 
 #include <chrono>
@@ -12,23 +12,23 @@ class ModelPlayback {
   using Clock = std::chrono::steady_clock;
 
   struct Scene {
-    int shown = 0;         // index of the model on screen, or asked for; negative: all at once
-    int count = 1;         // models of the molecule
+    int shown = 0;  // index of the model on screen, or of the requested one; negative: all at once
+    int count = 1;  // number of models
     bool settled = false;  // the model is on screen, with its complex
   };
 
-  // The index of the model to show now, or nothing. Never while the last one is not settled, so
-  // that nothing queues up; never more often than `per_second` (above 0). After the last comes the
-  // first.
+  // The index of the model to show now, or nothing. It is given only when the last model is
+  // settled, so that no requests pile up. At most `per_second` (above 0) models are given a second.
+  // The first model follows the last.
   std::optional<int> next(const Scene& scene, double per_second, Clock::time_point now);
 
-  // Seconds until next() may answer, if the scene is settled by then.
+  // Seconds until next() may give a model, if the scene is settled by then.
   double seconds_to_next(double per_second, Clock::time_point now) const;
 
   void stop() { last_.reset(); }
 
  private:
-  std::optional<Clock::time_point> last_;  // when a model was last asked for, or playing began
+  std::optional<Clock::time_point> last_;  // time of the last request, or of the start of playback
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Opening molecules and sessions, and describing the open one as a session.
+// Opens molecules and sessions, and describes the open molecule as a session.
 #include "app/viewer/parts/opening.hpp"
 
 #include <utility>
@@ -12,7 +12,7 @@
 namespace alphascope {
 
 bool Opening::may_open(const std::filesystem::path& path) {
-  if (benchmark_busy_()) {  // it is of the open molecule, and would measure the reading too
+  if (benchmark_busy_()) {  // it uses the open molecule, and its times would include the reading
     state_.tell("A benchmark is running",
                 path.filename().string() +
                     " was not opened. Cancel the benchmark or wait for its end, then open it.");
@@ -23,7 +23,7 @@ bool Opening::may_open(const std::filesystem::path& path) {
   state_.drop_note.clear();
   drop_note_.clear();
   std::error_code ignored;
-  // The file dialog stays where it is while it is open.
+  // An open file dialog stays in its folder.
   if (!state_.memory.show_browser && std::filesystem::is_directory(path.parent_path(), ignored)) {
     state_.memory.browser_folder = path.parent_path();
   }
@@ -40,7 +40,7 @@ void Opening::open(const std::filesystem::path& path) {
 void Opening::open_dropped(const std::vector<std::filesystem::path>& files) {
   const DroppedFiles dropped = choose_dropped(files);
   if (!dropped.opened) return;
-  // It is an answer to the dialog that asks for one.
+  // The file answers an open dialog that asks for a file.
   const BrowserPurpose asked = state_.memory.browser_purpose;
   if (asked == BrowserPurpose::molecule || asked == BrowserPurpose::session) {
     state_.memory.show_browser = false;
@@ -50,7 +50,7 @@ void Opening::open_dropped(const std::vector<std::filesystem::path>& files) {
   due_.ask();
 }
 
-// Of several dropped files: the note without the one that is open.
+// The note about dropped files, without its first line, which names the opened file.
 std::string Opening::not_opened_either() {
   const std::string note = std::exchange(drop_note_, {});
   return note.empty() ? "" : "\n\n" + note.substr(note.find('\n') + 1);
@@ -92,7 +92,7 @@ void Opening::poll() {
   if (outcome.read || outcome.saved || !outcome.error.empty()) due_.ask();
 }
 
-// All engines answer alike; this machine may lack the one that was used.
+// Replaces an engine that this machine lacks. All engines give the same complex.
 Request Opening::possible_here(Request request) const {
   if (needs_gpu(request.engine) && !has_gpu(state_)) request.engine = EngineChoice::automatic;
   return request;
@@ -101,7 +101,7 @@ Request Opening::possible_here(Request request) const {
 void Opening::start_session() {
   const Request& asked = waiting_->read.session.settings.request;
   awaits_gpu_ = needs_gpu(asked.engine) && !state_.gpu;
-  if (awaits_gpu_) return;  // still being looked for
+  if (awaits_gpu_) return;  // the search for a GPU has not ended
   const auto found = std::exchange(waiting_, nullptr);
   if (!may_open(found->file)) return;
   starting_ = found;
@@ -112,11 +112,12 @@ void Opening::start_session() {
   session_.open(found->molecule.path, options, canonical(possible_here(settings.request)));
 }
 
-// Once its molecule is there, in the place of what a molecule that is opened by itself would get.
+// Called when the session's molecule is open, in place of the defaults of a new molecule.
 void Opening::show_session() {
   const auto found = std::exchange(starting_, nullptr);
   const SessionDocument& s = found->read.session;
-  OpenOptions open = std::move(state_.settings.open);  // as the molecule was opened
+  // Keeps the options with which the molecule was opened.
+  OpenOptions open = std::move(state_.settings.open);
   state_.settings = s.settings;
   state_.settings.open = std::move(open);
   state_.settings.request = possible_here(s.settings.request);
@@ -133,7 +134,7 @@ void Opening::show_session() {
   state_.molecule.radii = grown_radii(*session_.state().prepared, state_.settings.request);
   if (s.view.camera.any()) scene_.set_camera_when_drawn(s.view.camera);
   state_.session_file = found->file;
-  preferences_.take_as_seen();  // of the session, not of the user
+  preferences_.take_as_seen();  // the changes are the session's, not the user's
   if (!found->complete()) {
     state_.drop_note = "Not the files that the session was saved with:\n" + found->problem();
   }

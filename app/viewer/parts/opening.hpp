@@ -1,5 +1,5 @@
-// Opening molecules and sessions. A session that was read waits here until its molecule is open, so
-// that whatever goes wrong on the way leaves the window as it is.
+// Opens molecules and sessions. A session that was read waits here until its molecule is open. A
+// failure on the way therefore leaves the window unchanged.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,8 @@ namespace alphascope {
 
 class Opening {
  public:
-  // `benchmark_busy`: a benchmark runs, which is of the open molecule.
+  // `benchmark_busy`: whether a benchmark runs. It measures the open molecule, which must stay
+  // open.
   Opening(Host& host, ViewState& state, SceneController& scene, Session& session, History& history,
           WindowPreferences& preferences, DueFrames& due, std::function<bool()> benchmark_busy)
       : state_(state),
@@ -34,36 +35,38 @@ class Opening {
         benchmark_busy_(std::move(benchmark_busy)),
         files_([&host] { host.wake(); }) {}
 
-  void open(const std::filesystem::path& path);  // a molecule, or a session by its name
+  void open(const std::filesystem::path& path);  // a molecule or, by the name's ending, a session
   void open_session(const std::filesystem::path& path);
-  // One of them; what becomes of the others is told.
+  // Opens one of the files and notes why the others are not opened.
   void open_dropped(const std::vector<std::filesystem::path>& files);
-  // The session that waits for an answer: with this molecule; empty: with the files as they are.
+  // Opens the waiting session with this molecule. An empty path means its own files as they are
+  // now.
   void go_on(const std::filesystem::path& molecule);
   void forget_waiting_session();
-  void start(FoundSession session);  // as if it had been read from a file
+  void start(FoundSession session);  // treats the session as if it had been read from a file
   void save(const std::filesystem::path& file);
-  void poll();  // takes in what was read and saved
+  void poll();  // takes in finished reads and saves
 
-  // The session whose molecule is on its way; null: none.
+  // The session whose molecule is being opened; null: none.
   const std::shared_ptr<const FoundSession>& starting() const { return starting_; }
-  // Its molecule is there: its settings and its window take the place of those of a molecule that
-  // is opened by itself.
+  // Call when its molecule is open. Applies the session's settings and window in place of a
+  // molecule's defaults.
   void show_session();
-  void forget_failed();          // the file cannot be opened
-  std::string take_drop_note();  // of the file that has been read
+  void forget_failed();          // the file cannot be opened: drops its session, if any
+  std::string take_drop_note();  // the note about other dropped files, once
   std::string not_opened_either();
 
   Request possible_here(Request request) const;
-  // None without a molecule.
+  // Nothing if no molecule is open.
   std::optional<SessionDocument> document(const std::filesystem::path& file) const;
-  SessionView window_of_session() const;  // without the camera
+  SessionView window_of_session() const;  // all but the camera
   Worker::Activity reading() const { return files_.reading(); }
   bool busy() const { return files_.busy() || waiting_ || starting_; }
 
  private:
-  bool may_open(const std::filesystem::path& path);  // tells why not; forgets notes of the last
-  void start_session();                              // waiting_
+  // Returns whether a file may be opened, and shows why not. Clears the notes of the last file.
+  bool may_open(const std::filesystem::path& path);
+  void start_session();  // starts waiting_
 
   ViewState& state_;
   SceneController& scene_;
@@ -73,7 +76,8 @@ class Opening {
   DueFrames& due_;
   std::function<bool()> benchmark_busy_;
   SessionFiles files_;
-  // Read, and not decided upon; then with its molecule on its way. Null: none.
+  // A session in waiting_ waits for the user's decision or for the search for a GPU. In starting_
+  // its molecule is being opened. Null: none.
   std::shared_ptr<const FoundSession> waiting_, starting_;
   bool awaits_gpu_ = false;
   std::string drop_note_;  // of the file that is being read

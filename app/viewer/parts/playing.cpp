@@ -1,4 +1,4 @@
-// Alpha, models and steps that move by themselves.
+// Plays alpha, models and steps: requests the next one when the last one is on screen.
 #include "app/viewer/parts/playing.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ double Playing::seconds_to_next() const {
   return wait;
 }
 
-// The next step is asked for when the last one is on screen, however long that took.
+// Requests the next alpha when the last one is on screen, however long that took.
 void Playing::play_alpha() {
   bool& playing = state_.playback.alpha;
   if (!playing || !session_.state().up_to_date() || scene_.busy()) return;
@@ -37,7 +37,7 @@ void Playing::play_alpha() {
   due_.ask();
 }
 
-// As play(): a model is asked for when the last one is on screen, and its time is over.
+// Requests a model when the last one is on screen and its time is over.
 void Playing::play_models(bool models_settled) {
   if (!state_.playback.models) {
     models_.stop();
@@ -52,7 +52,7 @@ void Playing::play_models(bool models_settled) {
   }
 }
 
-// As play_models(), but not beyond the last one, and no frame is drawn before the next is due.
+// Like play_models(), but ends at the last step. No frame is drawn before the next step is due.
 void Playing::play_steps() {
   StepsMemory& memory = state_.steps;
   const bool over = memory.current && memory.at() == memory.last();

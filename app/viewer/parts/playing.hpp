@@ -1,5 +1,5 @@
-// Playback (ui/panels/playback.hpp), and the steps of an engine: the next of each is asked for when
-// the last one is on screen, however long that took.
+// Plays alpha, models (ui/panels/playback.hpp) and the steps of an engine. The next one is
+// requested when the last one is on screen, however long that took.
 #pragma once
 
 #include <chrono>
@@ -19,9 +19,9 @@ class Playing {
   Playing(ViewState& state, const Session& session, const SceneController& scene, DueFrames& due)
       : state_(state), session_(session), scene_(scene), due_(due) {}
 
-  // Once a frame. `models_settled`: the model that was asked for is there, with its complex.
+  // Call once a frame. `models_settled`: the requested model is on screen, with its complex.
   void step(bool models_settled);
-  // Seconds until a model or a step is due; kNever: nothing plays.
+  // Seconds until a model or a step is due; kNever if nothing plays.
   double seconds_to_next() const;
   double seconds_to_next_step() const;
 

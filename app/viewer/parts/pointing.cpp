@@ -1,5 +1,5 @@
-// What is under the mouse, what a click selects, and what the mouse holds: the handle of the clip,
-// and balls of the sandbox, which the wheel resizes. Elsewhere mouse and wheel are the camera's.
+// Finds the item under the mouse, and selects it on a click. Drags the handle of the clip and balls
+// of the sandbox. The wheel resizes such a ball. Elsewhere mouse and wheel move the camera.
 #include "app/viewer/parts/pointing.hpp"
 
 #include <imgui.h>
@@ -14,8 +14,9 @@
 namespace alphascope {
 namespace {
 
-constexpr double kBesideALine = 4;  // pixels at scale 1 from which a line is still hit
-constexpr double kWheelStep = 0.1;  // Å a notch, where the mouse has no step
+// Greatest distance from a line that still hits it, pixels at scale 1.
+constexpr double kBesideALine = 4;
+constexpr double kWheelStep = 0.1;  // Å a notch, if no step is set
 
 double step_of(const ViewState& s) {
   return ImGui::GetIO().KeyAlt ? 0 : s.memory.sandbox.snap_angstrom;
@@ -41,7 +42,7 @@ std::optional<Pointing::UnderMouse> Pointing::under(int x, int y) const {
   if (references == nullptr) return std::nullopt;
   const auto hit = scene_.pick(x, y, kBesideALine * scale);
   if (!hit) return std::nullopt;
-  if (hit->corners == 0) return UnderMouse{};  // hides what is behind it
+  if (hit->corners == 0) return UnderMouse{};  // a panel's mesh covers the rest
   if (hit->layer == kAtomInFront) return under_atom(hit->index);
   if (hit->layer == kBesideBody) {
     const LeftOutAtom& atom = scene_.beside_body().atoms.at(hit->index);
@@ -60,7 +61,7 @@ std::optional<Pointing::UnderMouse> Pointing::under(int x, int y) const {
   return UnderMouse{references->reference(simplex.balls), describe_simplex(*references, simplex)};
 }
 
-// One that panels draw in front, whether or not it is a ball.
+// An atom that panels draw in front, whether or not it is a ball.
 Pointing::UnderMouse Pointing::under_atom(std::size_t atom) const {
   const BallReferences& references = *state_.references;
   const AtomRef ref = references.atom_of_molecule(atom);
@@ -115,7 +116,7 @@ void Pointing::click(const PointerEvent& event) {
   }
 }
 
-// While it is held, it turns about where it was taken.
+// While the user turns the handle, its pivot stays where it was at the press.
 void Pointing::place_clip_handle() {
   const float scale = frame_.scale();
   constexpr double kSize = 85;  // pixels at scale 1

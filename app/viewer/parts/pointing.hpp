@@ -1,4 +1,4 @@
-// The mouse on the picture.
+// The mouse on the picture: the item under it, clicks, the context menu, and drags.
 #pragma once
 
 #include <array>
@@ -19,17 +19,18 @@ class Pointing {
 
   void describe_under_mouse();
   void click(const PointerEvent& event);
-  bool drag_ball(const PointerEvent& event);  // of a sandbox in space; whether it is one of that
-  void open_context_menu();                   // of what is under the mouse
+  // Drags a ball of a sandbox in 3-D. Returns whether the event belongs to such a drag.
+  bool drag_ball(const PointerEvent& event);
+  void open_context_menu();  // for the item under the mouse
   void place_clip_handle();
 
  private:
   struct UnderMouse {
-    std::optional<Ref> what;  // none: a body of a panel's, which hides what is behind it
+    std::optional<Ref> what;  // none: a panel's mesh that covers the rest
     HitText text;
   };
-  std::optional<UnderMouse> under(int x, int y) const;  // pixels of the picture
-  UnderMouse under_atom(std::size_t atom) const;        // of the molecule
+  std::optional<UnderMouse> under(int x, int y) const;  // x and y in pixels of the picture
+  UnderMouse under_atom(std::size_t atom) const;        // index of the atom in the molecule
   std::optional<std::size_t> sandbox_ball_at(int x, int y) const;
 
   ViewState& state_;
@@ -37,7 +38,7 @@ class Pointing {
   ShownMarks& marks_;
   const ImGuiFrame& frame_;
   std::optional<BallDrag> ball_drag_;
-  std::optional<std::array<double, 3>> clip_pivot_;  // while the handle is held
+  std::optional<std::array<double, 3>> clip_pivot_;  // set while the handle is held
 };
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// Marks of the selection, labels, distances and angles, and cameras by name. All of it belongs to
-// the picture on screen, not to settings whose picture is still being made.
+// Draws marks of the selection, labels, distances and angles, and keeps cameras by name. All follow
+// the picture on screen, not settings whose picture is still being made.
 #include "app/viewer/parts/shown_marks.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace alphascope {
 
-// Of other balls than before, when the picture shows such.
+// Takes the references of the new balls, if the picture shows other balls.
 void ShownMarks::follow_picture() {
   const DrawnMolecule* drawn = scene_.drawn();
   if (drawn == nullptr) {
@@ -26,12 +26,14 @@ std::shared_ptr<const BallReferences> ShownMarks::references_of(const Answer& an
   return std::make_shared<const BallReferences>(answer.molecule, answer.prepared);
 }
 
-// The balls of what is selected, and a layer for simplices, as far as the picture has them.
+// Marks the balls of the selected items, and makes a layer of the selected simplices. Items that
+// the picture lacks stay unmarked.
 void ShownMarks::mark_selection() {
   follow_picture();
   const auto& answer = scene_.drawn_answer();
   Marked& m = marked_;
-  // What lines a cavity is marked by rims, for whole balls would hide cavity and ligand.
+  // The lining of a selected cavity is marked by rims: whole balls would hide the cavity and its
+  // ligand.
   const bool outlines = !state_.settings.selection.cavities.empty();
   const bool same = m.items == state_.settings.selection.items &&
                     m.references == state_.references && m.answer == answer &&
@@ -53,7 +55,7 @@ void ShownMarks::mark_selection() {
   if (m.layer) state_.layers.push_back(m.layer);
 }
 
-// Of an atom that is drawn beside the body, among these.
+// The place of an atom in the list of atoms that are drawn beside the body.
 std::optional<std::size_t> ShownMarks::place_beside(const Ref& item) const {
   const AtomRef* ref = std::get_if<AtomRef>(&item);
   if (ref == nullptr || !state_.references) return std::nullopt;
@@ -134,7 +136,7 @@ void ShownMarks::centre_on(const RefSet& items) {
   scene_.centre_on(drawn_of(items));
 }
 
-// As a ball that is not hidden, or beside the body.
+// True if the atom is drawn: as a ball that is not hidden, or beside the body.
 bool ShownMarks::is_drawn(std::size_t atom) const {
   const std::vector<std::uint32_t>& atoms = state_.references->prepared().atom_of_ball;
   const auto at = std::lower_bound(atoms.begin(), atoms.end(), atom);

@@ -1,4 +1,4 @@
-// Marks and labels on the picture, and what of a selection it shows.
+// Marks of the selection and labels on the picture, as far as the picture shows the selected items.
 #pragma once
 
 #include <cstdint>
@@ -16,43 +16,44 @@ class ShownMarks {
  public:
   ShownMarks(ViewState& state, SceneController& scene) : state_(state), scene_(scene) {}
 
-  // ViewState::references become those of the balls on screen.
+  // Sets ViewState::references to the balls on screen.
   void follow_picture();
   std::shared_ptr<const BallReferences> references_of(const Answer& answer) const;
   void mark_selection();
   void draw_annotations();
-  void zoom_to(const RefSet& items);        // they fill the view
-  void centre_on(const RefSet& items);      // they become its middle, at the same size
-  void save_view(const std::string& name);  // in place of one of that name
+  void zoom_to(const RefSet& items);  // moves the view until the items fill it
+  // Moves the items to the middle of the view, at the same scale.
+  void centre_on(const RefSet& items);
+  void save_view(const std::string& name);  // replaces a view of the same name
   void go_to_view(const std::string& name);
 
  private:
   std::optional<std::size_t> place_beside(const Ref& item) const;
   void find_marks();
   SceneController::Selected drawn_of(const RefSet& items) const;
-  bool is_drawn(std::size_t atom) const;  // of the molecule, by index
+  bool is_drawn(std::size_t atom) const;  // index of the atom in the molecule
 
   ViewState& state_;
   SceneController& scene_;
-  struct Marked {  // the selection that is marked, and what the marks were made of
+  struct Marked {  // the marked selection, and the inputs of its marks
     RefSet items;
     std::shared_ptr<const BallReferences> references;
     std::shared_ptr<const Answer> answer;
     std::shared_ptr<const LayerMesh> beside;
     Theme theme = Theme::dark;
     SceneController::Selected drawn;
-    std::shared_ptr<const Layer> layer;  // null: no simplex
+    std::shared_ptr<const Layer> layer;  // null: no simplex is marked
     std::uint64_t key = 0;
   };
   Marked marked_;
-  struct Annotated {  // labels that are drawn, and what their layer was made of
+  struct Annotated {  // the drawn labels, and the inputs of their layer
     Annotations annotations;
     std::shared_ptr<const BallReferences> references;
     std::shared_ptr<const BallSet> balls;
     std::shared_ptr<const BallAppearance> looks;
     std::shared_ptr<const LayerMesh> beside;
     Theme theme = Theme::dark;
-    std::shared_ptr<const Layer> layer;  // null: nothing
+    std::shared_ptr<const Layer> layer;  // null: nothing is drawn
     std::uint64_t key = 0;
   };
   Annotated annotated_;

@@ -1,4 +1,4 @@
-// Preferences: taken over at the start, noted when the user changes them in the window.
+// Applies preferences at the start, and notes the changes that the user makes in the window.
 #include "app/viewer/parts/window_preferences.hpp"
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 namespace alphascope {
 namespace {
 
-// Lines of the picture grow more than letters: on a projector they are lost first.
+// Factors of presenter mode. Lines grow more than letters, since a projector loses them first.
 constexpr double kPresenterTimes = 1.5, kPresenterLines = 1.4;
 
 }  // namespace
 
-// What the command line says goes before.
+// Options of the command line take precedence over preferences.
 void WindowPreferences::begin_with(const ViewerOptions& options) {
   set_scale_ = options.scale;
   const Preferences& p = keeper_.now();
@@ -33,7 +33,7 @@ void WindowPreferences::begin_with(const ViewerOptions& options) {
   noted_ = preferred();
 }
 
-// As the window has it now. What is not known is as before.
+// The window's present preferences. Values that are unknown keep their last value.
 Preferences WindowPreferences::preferred() const {
   Preferences p = noted_;
   p.light_theme = state_.window.theme == Theme::light;
@@ -44,7 +44,7 @@ Preferences WindowPreferences::preferred() const {
   const HostSize size = host_.size();
   if (size.width <= 0 || size.height <= 0) return p;  // minimised
   const auto at_scale_1 = [&size, this](int pixels) {
-    constexpr long kLeast = 480, kMost = 16384;  // as Preferences may be
+    constexpr long kLeast = 480, kMost = 16384;  // the limits of Preferences
     const float length = static_cast<float>(pixels) / size.scale * static_cast<float>(set_times_);
     return static_cast<int>(std::clamp(std::lround(length), kLeast, kMost));
   };
@@ -53,7 +53,7 @@ Preferences WindowPreferences::preferred() const {
   return p;
 }
 
-// Only what the user has changed since: what came by an option or a session is no preference.
+// Notes only changes by the user. Values from an option or a session are no preference.
 void WindowPreferences::note() {
   const Preferences seen = preferred();
   if (seen == noted_) return;

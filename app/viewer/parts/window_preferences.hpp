@@ -1,4 +1,4 @@
-// The user's preferences in the window: theme, scale, engine, size, recent files, last folder.
+// The user's preferences in the window: theme, scale, engine, size, recent files and last folder.
 #pragma once
 
 #include <filesystem>
@@ -16,15 +16,15 @@ class WindowPreferences {
   WindowPreferences(Host& host, ViewState& state, const std::filesystem::path& folder)
       : host_(host), state_(state), keeper_([&host] { host.wake(); }, folder) {}
 
-  void begin_with(const ViewerOptions& options);  // options of the command line go before
-  void note();                                    // once a frame: changes that the user has made
-  void take_as_seen();  // changes by a session or a lesson are not the user's
-  void take_gpu();      // one was found: the preferred engine may need it
+  void begin_with(const ViewerOptions& options);  // options of the command line take precedence
+  void note();                                    // call once a frame; notes changes by the user
+  void take_as_seen();  // changes by a session or a lesson are not preferences
+  void take_gpu();      // call when a GPU is found: the preferred engine may need it
   void note_recent_file(const std::filesystem::path& file);
   void forget_recent();
-  bool follow_scale();  // whether the scale of the window has changed
-  bool poll();          // whether there is something to tell, which is told
-  // Of lines in pictures, for letters of this scale.
+  bool follow_scale();  // returns whether the scale of the window has changed
+  bool poll();          // returns whether a notice was shown
+  // Factor of line widths in pictures, for this scale of the letters.
   float line_scale(float scale) const;
 
  private:
@@ -33,9 +33,10 @@ class WindowPreferences {
   Host& host_;
   ViewState& state_;
   PreferencesKeeper keeper_;
-  Preferences noted_;                     // as the window had them when they were looked at last
-  double set_scale_ = 0, set_times_ = 1;  // of the host
-  std::optional<EngineChoice> engine_when_found_;  // preferred, and in need of a GPU
+  Preferences noted_;                     // the window's preferences at the last look
+  double set_scale_ = 0, set_times_ = 1;  // arguments of the last Host::set_scale()
+  // A preferred engine that waits for the search for a GPU.
+  std::optional<EngineChoice> engine_when_found_;
 };
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// What the window says of the work that goes on: the line with its share, the badge of the
-// comparison with CGAL, and the stages of the picture in the timings.
+// Updates three texts about work: the line of progress, the badge of CGAL's comparison, and the
+// picture's stages.
 #include "app/viewer/parts/work_status.hpp"
 
 #include <cmath>
@@ -12,12 +12,12 @@
 namespace alphascope {
 namespace {
 
-// "Filtration of all simplices 45 %", or why it is not made.
+// "Filtration of all simplices 45 %", or why the filtration is not made.
 BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
   BackgroundInfo info;
   bool of_all_simplices = false;
   for (const JobInfo& job : jobs) {
-    // What follows the slider is its panel's business, unless it cannot be had.
+    // Panels show the results that follow the slider. Here they appear only if they cannot be made.
     const bool running = job.state == DerivedState::running && job.lane == Lane::background;
     const bool failed = job.state == DerivedState::failed || job.state == DerivedState::no_room;
     if (running) {
@@ -81,7 +81,7 @@ void WorkStatus::update_busy(const Worker::Activity& reading_session) {
                       : "Opening " + printable(a.opening_path.filename().string()));
   take(reading_session, "Opening the session");
   take(a.computing, "Computing");
-  // A comparison in the background is the badge's business; it holds nothing up.
+  // The badge shows a comparison in the background, which delays nothing.
   if (busy.active) {
     if (!busy_since_) busy_since_ = Clock::now();
     busy.seconds = std::chrono::duration<double>(Clock::now() - *busy_since_).count();
@@ -105,7 +105,7 @@ void WorkStatus::compare_when_due(bool interacting) {
   session_.request_comparison();
 }
 
-// After the engine's, in the run that they are of.
+// Appends the picture's stages to the engine's, in the run that made the complex.
 void WorkStatus::add_picture_stages() {
   const auto& answer = scene_.drawn_answer();
   if (!answer || answer != session_.state().ours) return;

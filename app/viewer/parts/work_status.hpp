@@ -1,4 +1,4 @@
-// The work that goes on, in words, and the comparison with CGAL.
+// Describes the running work in words, and starts the comparisons with CGAL.
 #pragma once
 
 #include <chrono>
@@ -19,10 +19,10 @@ class WorkStatus {
 
   void update_busy(const Worker::Activity& reading_session);
   void update_badge();
-  // After the engine's stages, in the run that they are of.
+  // Appends the picture's stages to the timings of the run that made its complex.
   void add_picture_stages();
-  void compare();                           // the latest answer with CGAL
-  void compare_when_due(bool interacting);  // where each answer is compared by itself
+  void compare();                           // compares the latest answer with CGAL
+  void compare_when_due(bool interacting);  // for the setting that compares every answer
   void forget_compared() { compared_ = nullptr; }
 
  private:
@@ -33,7 +33,7 @@ class WorkStatus {
   Session& session_;
   const SceneController& scene_;
   const Store& store_;
-  std::shared_ptr<const Answer> compared_;  // the last answer for which a comparison was asked
+  std::shared_ptr<const Answer> compared_;  // the last answer whose comparison was requested
   std::optional<Clock::time_point> busy_since_, comparing_since_;
 };
 

@@ -1,4 +1,4 @@
-// See the header.
+// Checks the controls of the benchmark, runs the suite, and passes its rows to the main thread.
 #include "app/viewer/jobs/benchmark.hpp"
 
 #include <algorithm>
@@ -101,7 +101,7 @@ std::vector<Alpha> parse_alphas(const std::string& text) {
     if (start == std::string::npos) break;
     k = std::min(text.find_first_of(" ;", start), text.size());
     std::string word = text.substr(start, k - start);
-    while (word.ends_with(',')) word.pop_back();  // others are decimal commas
+    while (word.ends_with(',')) word.pop_back();  // other commas are decimal commas
     const AlphaInput input = read_alpha(word);
     if (!input.value) {
       throw std::invalid_argument(input.error + " Write a blank between numbers: 0, 1.4, 3");
@@ -172,7 +172,7 @@ bool Benchmark::poll(BenchmarkInfo& info) {
   return changed;
 }
 
-// Rows that were measured before the end are as good as others, and can be exported, too.
+// A cancelled run keeps its rows: they are valid and can be exported.
 void Benchmark::finish(BenchmarkInfo& info) {
   running_ = false;
   info.error = failure_;

@@ -1,4 +1,5 @@
-// Runs the thesis' suite for the window: on a thread of its own, its rows shown as they come.
+// Runs the thesis' suite for the window on a thread of its own. Its rows appear as they are
+// measured.
 #pragma once
 
 #include <memory>
@@ -11,8 +12,8 @@
 
 namespace alphascope {
 
-// "0, 1.4, 3" as numbers: blanks or semicolons between them. Throws std::invalid_argument that says
-// what is none.
+// Reads "0, 1.4, 3" as numbers separated by blanks or semicolons, with commas allowed after them.
+// Throws std::invalid_argument that names the faulty part.
 std::vector<Alpha> parse_alphas(const std::string& text);
 
 class Benchmark {
@@ -20,15 +21,15 @@ class Benchmark {
   Benchmark(std::function<void()> wake, EngineFactory factory)
       : factory_(std::move(factory)), worker_(std::move(wake)) {}
 
-  // Of the open molecule at the present solvent radius. What is wrong with the controls becomes
+  // Measures the open molecule at the present solvent radius. A fault of the controls goes to
   // info.error.
   void start(const SessionState& session, const BenchmarkControls& controls, BenchmarkInfo& info);
   void cancel() { worker_.cancel(); }
-  // thesis.csv and the figures; failures become info.error.
+  // Saves thesis.csv and the figures. A failure goes to info.error.
   void save(const BenchmarkControls& controls, BenchmarkInfo& info) const;
 
   bool busy() const { return running_; }
-  // On the main thread, when woken. True when `info` has changed.
+  // Call on the main thread when woken. True when `info` has changed.
   bool poll(BenchmarkInfo& info);
 
  private:
@@ -40,13 +41,13 @@ class Benchmark {
 
   EngineFactory factory_;
   std::shared_ptr<Arrived> arrived_;
-  // The last one; while it is measured, its rows so far.
+  // The last complete report, or null; then the rows so far of the running measurement.
   std::shared_ptr<const ThesisReport> report_;
   std::shared_ptr<ThesisReport> partial_;
   bool cancelled_ = false;
   std::string failure_;
   bool running_ = false, finished_ = false;
-  Worker worker_;  // last: joined first
+  Worker worker_;  // last member, so that its thread is joined first
 };
 
 }  // namespace alphascope

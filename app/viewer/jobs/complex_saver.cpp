@@ -1,4 +1,4 @@
-// See the header.
+// Writes an export in a worker's job, and reports its outcome.
 #include "app/viewer/jobs/complex_saver.hpp"
 
 #include <list>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All of the files or none, and what is in them.
+// Writes all of the files or none. Returns a text on their content.
 std::string write_files(const Answer& answer, const ComplexHeader& header,
                         const ExportRequest& request, const RunContext& context) {
   const ExportFormatInfo* const format = export_format_of(request.path);
@@ -27,7 +27,7 @@ std::string write_files(const Answer& answer, const ComplexHeader& header,
   }
   const ExportSource source{answer, *answer.molecule, *answer.prepared, header, request.colours};
   std::vector<std::string> lines;
-  WorkThreads threads(1);  // the others are the slider's
+  WorkThreads threads(1);  // all other threads stay free for the slider
   threads.run([&] { lines = write_export(source, *format, request.path, open, context); });
   context.cancel.throw_if_cancelled();
   commit_together(open);
@@ -46,7 +46,8 @@ void ComplexSaver::start(std::shared_ptr<const Answer> answer, ComplexHeader hea
   }
   saving_ = request.path;
   since_ = std::chrono::steady_clock::now();
-  const auto what = std::make_shared<std::string>();  // the worker's until its job has ended
+  // The worker writes it until its job has ended.
+  const auto what = std::make_shared<std::string>();
   worker_.submit(
       [this, what, answer = std::move(answer), header = std::move(header),
        request](const RunContext& context) -> Worker::Delivery {

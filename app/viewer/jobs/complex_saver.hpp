@@ -1,4 +1,4 @@
-// Exports the complex on screen while the window goes on: a thread of its own writes the files.
+// Exports the complex on screen in the background: a thread of its own writes the files.
 #pragma once
 
 #include <chrono>
@@ -18,16 +18,15 @@ class ComplexSaver {
   // `wake` as in Worker.
   explicit ComplexSaver(std::function<void()> wake) : worker_(std::move(wake)) {}
 
-  // `header`: where the answer comes from. One at a time: throws std::runtime_error while another
-  // export goes on.
+  // `header`: the provenance of the answer. Throws std::runtime_error while another export runs.
   void start(std::shared_ptr<const Answer> answer, ComplexHeader header,
              const ExportRequest& request);
-  // The files stay as they were, unless they are complete already.
+  // The files stay unchanged, unless the export is already complete.
   void cancel() { worker_.cancel(); }
   bool busy() const { return saving_.has_value(); }
 
   using Outcome = PictureSaver::Outcome;
-  Outcome poll();  // what happened since the last call, on the main thread
+  Outcome poll();  // events since the last call; on the main thread
   // Fills `info` for the line of progress.
   void describe(BusyInfo& info) const;
 
@@ -35,7 +34,7 @@ class ComplexSaver {
   std::optional<std::filesystem::path> saving_;
   std::chrono::steady_clock::time_point since_;
   Outcome outcome_;
-  Worker worker_;  // last: joined first
+  Worker worker_;  // last member, so that its thread is joined first
 };
 
 }  // namespace alphascope

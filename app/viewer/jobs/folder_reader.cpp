@@ -1,4 +1,4 @@
-// See the header.
+// Decides when to read a folder again.
 #include "app/viewer/jobs/folder_reader.hpp"
 
 #include <utility>
@@ -6,7 +6,7 @@
 namespace alphascope {
 namespace {
 
-// A folder is looked at again this often while it is shown.
+// Interval at which a shown folder is checked for changes.
 constexpr std::chrono::seconds kLookAgainAfter{1};
 
 }  // namespace

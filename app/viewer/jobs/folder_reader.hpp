@@ -1,5 +1,5 @@
-// Reads the folder that the file dialog shows on a thread of its own, and again when the folder has
-// changed. The latest question wins.
+// Reads the folder of the file dialog on a thread of its own, and again when the folder has
+// changed. The latest query wins.
 #pragma once
 
 #include <chrono>
@@ -16,9 +16,9 @@ class FolderReader {
  public:
   explicit FolderReader(std::function<void()> wake) : worker_(std::move(wake)) {}
 
-  // On the main thread, before each frame. Returns the latest listing; null before the first.
+  // Call on the main thread before each frame. Returns the latest listing; null before the first.
   std::shared_ptr<const FolderListing> listing(const std::optional<FolderQuery>& wanted);
-  // What is wanted is not there yet.
+  // True while the listing of the wanted folder is not ready.
   bool busy() const { return wanted_ && (!listing_ || listing_->query != *wanted_); }
 
  private:
@@ -26,9 +26,9 @@ class FolderReader {
 
   std::optional<FolderQuery> wanted_;
   std::shared_ptr<const FolderListing> listing_;
-  std::filesystem::file_time_type written_;  // when the folder was changed last, as listed
+  std::filesystem::file_time_type written_;  // time of the folder's last change, as listed
   std::chrono::steady_clock::time_point asked_;
-  Worker worker_;  // last: joined first
+  Worker worker_;  // last member, so that its thread is joined first
 };
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// See the header. VTK keeps nothing that two scenes share while they draw, as long as each scene is
-// made on the main thread: there GLEW, which VTK calls OpenGL through, is set up.
+// Jobs of PictureSaver, and the context and scene for each. Two VTK scenes share nothing while they
+// draw, if both were created on the main thread. GLEW, VTK's access to OpenGL, is set up there.
 #include "app/viewer/jobs/picture_saver.hpp"
 
 #include <exception>
@@ -12,8 +12,8 @@
 
 namespace alphascope {
 
-// A context and the scene in it. One for each picture: Mesa's software driver keeps the textures of
-// a picture, which can be a gigabyte and more, until its context goes.
+// An OpenGL context and the scene in it, for one job. Mesa's software driver keeps the textures of
+// a picture, which can exceed a gigabyte, until the context is destroyed.
 struct PictureSaver::Studio {
   explicit Studio(Host& host) : host_(host), context_(host.make_background_context()) {
     context_->make_current();
@@ -26,7 +26,7 @@ struct PictureSaver::Studio {
     context_->release();
     host_.make_current();
   }
-  // On the main thread, when nobody draws any more.
+  // Call on the main thread, when no thread draws in this context.
   ~Studio() {
     if (scene_) {
       context_->make_current();
@@ -37,7 +37,7 @@ struct PictureSaver::Studio {
     host_.make_current();
   }
 
-  // Returns and throws as the job does.
+  // Returns and throws as job.draw does.
   std::string draw(const SceneJob& job, const RunContext& context) {
     context_->make_current();
     std::string left_out;
@@ -77,7 +77,7 @@ SceneJob recording_job(const RecordRequest& request, FrameSource source, Picture
   if (const std::string fault = fault_of(recording); !fault.empty()) {
     throw std::invalid_argument(fault);
   }
-  // A movie is of many complexes.
+  // These texts describe one complex, and a sweep has many.
   std::erase_if(texts, [&](const auto& text) {
     return recording.kind == RecordingKind::sweep &&
            (text.first.starts_with("alphascope:alpha") || text.first == "alphascope:hash");
@@ -99,7 +99,7 @@ void PictureSaver::start(SceneJob job) {
     throw std::runtime_error("Cannot save " + job.path.string() + ": " + saving_->path.string() +
                              " is still being saved. Wait until it is finished, or cancel it.");
   }
-  // That it cannot be written should not show after drawing only; a recording has looked itself.
+  // An unwritable path must fail before the drawing. A recording has already opened its files.
   if (!job.recording) AtomicFile{job.path};
   saving_ = Saving{job.path, job.recording};
   since_ = std::chrono::steady_clock::now();
@@ -107,7 +107,7 @@ void PictureSaver::start(SceneJob job) {
   begin();
 }
 
-// As soon as no cancelled picture is being drawn any more.
+// Starts the waiting job if no cancelled job is still drawing.
 void PictureSaver::begin() {
   if (!waiting_ || studio_) return;
   const auto job = std::make_shared<const SceneJob>(*std::exchange(waiting_, {}));
@@ -133,7 +133,7 @@ void PictureSaver::begin() {
       [this, path = job->path, recording = job->recording](const Worker::Failure& failure) {
         studio_.reset();
         outcome_.ended = true;
-        if (failure.cancelled) {  // which was told already, unless it came too late
+        if (failure.cancelled) {  // the user knows already, unless cancel() came too late
           if (failure.too_late) outcome_.notice = "Saved " + printable(path.string());
           return;
         }

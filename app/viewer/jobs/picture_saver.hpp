@@ -1,6 +1,5 @@
-// Saves pictures and recordings of the view while the window goes on: a thread of its own draws
-// them, in an OpenGL context and a scene of their own, and writes the file. The window's thread
-// only starts it.
+// Saves pictures and recordings of the view in the background. A thread draws them in an OpenGL
+// context and a scene of its own, and writes the files.
 #pragma once
 
 #include <chrono>
@@ -24,37 +23,38 @@ struct PictureToSave : Picture {
   std::filesystem::path path;
 };
 
-// Pictures are drawn and written in it; returns what they lack, in sentences.
+// A job that draws pictures in a scene and writes them. `draw` returns what the pictures lack, in
+// sentences.
 struct SceneJob {
   std::filesystem::path path;
   std::function<std::string(Scene& scene, const RunContext& context)> draw;
   bool recording = false;
 };
 SceneJob picture_job(PictureToSave picture);
-// `texts`: of a movie as a whole. Throws std::invalid_argument, a sentence, for a request that
-// cannot be; WriteError where the file cannot be begun.
+// `texts` describe the whole movie. Throws std::invalid_argument (a sentence) for an impossible
+// request, and WriteError where the file cannot be created.
 SceneJob recording_job(const RecordRequest& request, FrameSource source, PictureTexts texts);
 
 class PictureSaver {
  public:
-  // `wake` as in Worker. The host's context is the one that is current between these calls.
+  // `wake` as in Worker. The host's own context must be current at each call.
   PictureSaver(Host& host, std::function<void()> wake);
   ~PictureSaver();
 
-  // One at a time: throws std::runtime_error while another job is being done, or when OpenGL has no
-  // second context.
+  // Starts one job. Throws std::runtime_error while another job runs, or if OpenGL gives no second
+  // context.
   void start(SceneJob job);
-  // At once, as far as anybody sees: the file stays as it was, and finished frames of a recording
-  // stay. The thread ends when it can.
+  // Ends the job at once for the user; its thread ends when it can. The file stays unchanged, and
+  // finished frames of a recording stay.
   void cancel();
   bool busy() const { return saving_.has_value(); }
 
-  // What happened since the last call, on the main thread.
+  // Events since the last call. Call poll() on the main thread.
   struct Outcome {
-    std::string notice;         // a picture was saved, or was not because of cancel()
-    std::string error;          // why it could not be saved
-    bool of_recording = false;  // the error is
-    bool ended = false;         // a drawing did, also a cancelled one: its memory is free
+    std::string notice;         // a picture was saved, or its job was cancelled
+    std::string error;          // why the picture could not be saved
+    bool of_recording = false;  // the error is that of a recording
+    bool ended = false;         // a job ended, perhaps cancelled: its memory is free
     bool any() const { return ended || !notice.empty() || !error.empty(); }
   };
   Outcome poll();
@@ -70,12 +70,12 @@ class PictureSaver {
     std::filesystem::path path;
     bool recording = false;
   };
-  std::optional<Saving> saving_;     // not cancelled
-  std::optional<SceneJob> waiting_;  // for a cancelled one to end
+  std::optional<Saving> saving_;     // the job that is not cancelled
+  std::optional<SceneJob> waiting_;  // waits for the end of a cancelled job
   std::chrono::steady_clock::time_point since_;
   Outcome outcome_;
-  std::unique_ptr<Studio> studio_;  // of the picture that is being drawn; destroyed here only
-  Worker worker_;                   // last: joined first
+  std::unique_ptr<Studio> studio_;  // draws the running job; destroyed on the main thread only
+  Worker worker_;                   // last member, so that its thread is joined first
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Reads preferences, and delays their saving.
 #include "app/viewer/jobs/preferences_keeper.hpp"
 
 #include <exception>
@@ -7,7 +7,7 @@
 namespace alphascope {
 namespace {
 
-// A window that is being resized changes them all the time.
+// Delay of saving: while the window is resized, its size changes all the time.
 constexpr std::chrono::milliseconds kSaveAfter{1000};
 
 }  // namespace
@@ -27,7 +27,7 @@ PreferencesKeeper::~PreferencesKeeper() {
   try {
     save_preferences(folder_, saved_, now_);
   } catch (const std::exception&) {
-    // Nobody is there any more who could be told.
+    // The window is gone, so no message can be shown.
   }
 }
 

@@ -1,5 +1,5 @@
-// The preferences of this window: read at its start, and saved on a thread of their own soon after
-// they change.
+// Keeps the preferences of this window. They are read at its start, and saved on a thread of their
+// own soon after a change.
 #pragma once
 
 #include <chrono>
@@ -14,15 +14,15 @@ namespace alphascope {
 
 class PreferencesKeeper {
  public:
-  // An empty folder: they are neither read nor written, as tests and scripts want it.
+  // An empty folder means that preferences are neither read nor written, as in tests and scripts.
   PreferencesKeeper(std::function<void()> wake, const std::filesystem::path& folder);
-  ~PreferencesKeeper();  // saves what is not saved yet
+  ~PreferencesKeeper();  // saves unsaved changes
 
   const Preferences& now() const { return now_; }
   void set(const Preferences& preferences);
 
-  // Once a frame, on the main thread: starts saving when it is due. Returns what is to be told,
-  // once for all the time of the window; else nothing.
+  // Call once a frame on the main thread: starts saving when it is due. Returns a notice for the
+  // user at most once while the window is open; otherwise an empty text.
   std::string poll();
   bool unsaved() const { return !folder_.empty() && now_ != saved_; }
 
@@ -30,11 +30,11 @@ class PreferencesKeeper {
   using Clock = std::chrono::steady_clock;
   void give_up(const std::string& why);
 
-  std::filesystem::path folder_;  // empty: not to be written (any more)
+  std::filesystem::path folder_;  // empty: nothing is written (any more)
   Preferences saved_, now_;
   std::string problem_;
   Clock::time_point changed_{};
-  Worker worker_;  // last: joined first
+  Worker worker_;  // last member, so that its thread is joined first
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// Saving pictures, recordings, tables and exports: started here, done on threads of their own.
+// Starts the jobs that save pictures, recordings, tables and exports, and collects their outcomes.
 #include "app/viewer/jobs/save_jobs.hpp"
 
 #include <stdexcept>
@@ -12,8 +12,8 @@ constexpr const char* kNoPicture = "The picture cannot be saved";
 constexpr const char* kNoTable = "The table cannot be saved";
 constexpr const char* kNoRecording = "The recording cannot be made";
 
-// Beside a lesson's text the picture is narrower than in the window, where the lesson was made to
-// look right: the camera steps back until it has both sides.
+// Moves the camera back until the picture shows as much width as the window. A lesson's view was
+// chosen in the window, and the picture beside its text is narrower.
 Picture with_sides(Picture picture, const ViewportInfo& window, const PictureOptions& size) {
   if (!picture.viewpoint || window.height <= 0 || size.width <= 0) return picture;
   const double back = static_cast<double>(window.width) / window.height * size.height / size.width;
@@ -65,8 +65,8 @@ SweepRecorder::Window SaveJobs::swept_window() {
           [this]() -> const void* { return session_.state().opened.get(); }};
 }
 
-// Of what is on screen: molecule, radii, display and view; a sweep says alpha itself. The window
-// stays as it is, unless pages draw into the picture.
+// Records molecule, radii, display and view that are on screen; a sweep sets alpha itself. The
+// window stays unchanged, unless pages draw into the picture.
 void SaveJobs::record(const RecordRequest& request) {
   try {
     if (request.lesson_seconds) {
@@ -103,7 +103,7 @@ void SaveJobs::save_table(const SaveTableRequest& request) {
   due_.ask();
 }
 
-// Of the complex on screen, not of one that is being computed.
+// Exports the complex on screen, not one that is being computed.
 void SaveJobs::export_complex(const ExportRequest& request) {
   try {
     if (!scene_.drawn_answer()) throw std::runtime_error("There is no complex yet.");
@@ -116,7 +116,7 @@ void SaveJobs::export_complex(const ExportRequest& request) {
   due_.ask();
 }
 
-// The one whose line is shown.
+// Cancels the job whose line of progress is shown.
 void SaveJobs::cancel() {
   if (pictures_.busy()) return pictures_.cancel();
   if (tables_.busy()) return tables_.cancel(store_);

@@ -1,5 +1,5 @@
-// What the window writes on request: pictures, recordings, tables and exports. One of each kind
-// runs at a time; ViewState::saving shows the first of them.
+// Saves pictures, recordings, tables and exports on request. At most one job of each kind runs;
+// ViewState::saving shows the first.
 #pragma once
 
 #include <functional>
@@ -25,17 +25,18 @@ class SaveJobs {
            LessonPlayer& lessons, DueFrames& due);
 
   void save_picture(const ScreenshotRequest& request);
-  // A sweep says alpha itself. The window stays as it is, unless pages draw into the picture.
+  // A sweep sets alpha itself. The window stays unchanged, unless pages draw into the picture.
   void record(const RecordRequest& request);
   void save_table(const SaveTableRequest& request);
   void export_complex(const ExportRequest& request);
-  void cancel();  // the one whose line is shown
+  void cancel();  // cancels the job whose line of progress is shown
 
-  // Once a frame, for what the window itself goes through. `quiet`: nothing else is on its way.
+  // Call once a frame, for recordings that use the window itself. `quiet`: no other work is
+  // running.
   void go_on_recording(bool quiet);
   bool records_window() const { return lesson_.busy() || sweep_.busy(); }
   bool sweeps() const { return sweep_.busy(); }
-  // Takes what is finished, and describes what goes on; true: memory was given back.
+  // Takes in finished jobs and describes the running ones. True: memory was freed.
   bool poll();
   void poll_tables(const Inputs& inputs);
   bool busy() const {

@@ -1,4 +1,4 @@
-// See the header.
+// Jobs that read and write sessions, and messages about their missing or changed files.
 #include "app/viewer/jobs/session_files.hpp"
 
 #include <utility>

@@ -1,4 +1,5 @@
-// Reads and writes session files on threads of their own, and finds the molecules that they name.
+// Reads and writes session files on threads of their own, and finds the molecules that sessions
+// name.
 #pragma once
 
 #include <functional>
@@ -11,17 +12,17 @@
 
 namespace alphascope {
 
-// A session that was read, and what its files are by now.
+// A session that was read, and the present state of its files.
 struct FoundSession {
-  std::filesystem::path file;  // the session itself; absolute. Empty: it is in no file
-  bool is_recent = true;       // its molecule, or itself, is to be listed among the recent files
+  std::filesystem::path file;  // absolute path of the session; empty: no file
+  bool is_recent = true;       // the molecule or the session goes to the recent files
   ReadSession read;
   FoundFile molecule;
-  std::optional<FoundFile> radii_table;  // none: it needs none
+  std::optional<FoundFile> radii_table;  // none: the session needs no table
 
-  bool complete() const;        // every file is the one that was saved with
-  bool can_open() const;        // every file is there
-  std::string problem() const;  // what is to be told when it is not complete
+  bool complete() const;        // all files are those of the time of saving
+  bool can_open() const;        // all files exist
+  std::string problem() const;  // a message if complete() is false
 };
 
 class SessionFiles {
@@ -29,11 +30,11 @@ class SessionFiles {
   explicit SessionFiles(std::function<void()> wake) : reader_(wake), writer_(std::move(wake)) {}
 
   void open(const std::filesystem::path& file);
-  // The session that take() gave last, with another molecule.
+  // Opens the last session from poll() with another molecule.
   void open_with(std::shared_ptr<const FoundSession> session,
                  const std::filesystem::path& molecule);
   void cancel() { reader_.cancel(); }
-  // Its molecule's hash is set; that of a table of radii is found here.
+  // The hash of the molecule must be set. The hash of a table of radii is computed here.
   void save(const SessionDocument& session, const std::filesystem::path& file);
 
   Worker::Activity reading() const { return reader_.activity(); }
@@ -44,11 +45,11 @@ class SessionFiles {
     std::optional<std::filesystem::path> saved;
     std::string error_title, error;
   };
-  Outcome poll();  // on the main thread; what came since the last call
+  Outcome poll();  // events since the last call; on the main thread
 
  private:
   Outcome outcome_;
-  Worker reader_, writer_;  // last: joined first
+  Worker reader_, writer_;  // last members, so that their threads are joined first
 };
 
 }  // namespace alphascope

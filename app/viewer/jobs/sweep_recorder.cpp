@@ -1,4 +1,5 @@
-// See the header.
+// The steps of a sweep in the window, and the exchange of alphas and pictures with the drawing
+// thread.
 #include "app/viewer/jobs/sweep_recorder.hpp"
 
 #include <chrono>
@@ -10,14 +11,15 @@
 namespace alphascope {
 namespace {
 
-// What derived results put into the picture is there one frame after they are.
+// Quiet frames before a picture is taken: a derived result reaches the picture one frame after it
+// is ready.
 constexpr int kQuietFrames = 3;
 
 }  // namespace
 
 class SweepRecorder::Exchange {
  public:
-  // On the thread that draws: waits for the picture of this alpha. Throws Cancelled.
+  // Call on the drawing thread: waits for the picture of this alpha. Throws Cancelled.
   Picture picture_of(const Alpha& alpha, const CancelToken& cancel) {
     std::unique_lock lock(mutex_);
     wanted_ = alpha;
@@ -79,8 +81,9 @@ std::string SweepRecorder::step(bool quiet) {
   if (!exchange_) return {};
   const bool same_molecule = window_.molecule() == molecule_;
   const bool as_asked = window_.alpha() == asked_.value_or(alpha_before_);
-  if (!saver_.busy()) {  // finished, cancelled, or it has failed, which is told
-    // A frame is between both, for whoever asks busy(): this change is the recording's, too.
+  if (!saver_.busy()) {  // finished, cancelled or failed; PictureSaver tells which
+    // The recorder stays busy for one more frame, since this change of alpha belongs to the
+    // recording.
     if (asked_ && same_molecule && as_asked) {
       window_.set_alpha(alpha_before_);
       asked_.reset();
@@ -107,14 +110,14 @@ std::string SweepRecorder::step(bool quiet) {
   return hand_over();
 }
 
-// What is missing after all work is done stays missing.
+// All work is done at this point, so a missing part of the picture stays missing.
 std::string SweepRecorder::hand_over() {
   try {
     Picture picture = window_.take_picture({request_.path, request_.options});
     if (!viewpoint_) viewpoint_ = picture.viewpoint;
     picture.viewpoint = viewpoint_;
     exchange_->give(std::move(picture));
-  } catch (const std::exception& error) {  // as when there is no memory for it
+  } catch (const std::exception& error) {  // for example when memory is too small for the picture
     return give_up(error.what());
   }
   return {};

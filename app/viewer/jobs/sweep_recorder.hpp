@@ -1,6 +1,6 @@
-// Records a sweep of alpha with what pages draw into the picture: cavities, channels, labels are
-// made by the window for the complex on screen, so the window itself goes through the sweep. The
-// thread that draws and writes says which alpha comes next.
+// Records a sweep of alpha together with the drawings of pages, such as cavities, channels and
+// labels. The window makes these for the complex on screen, so the window itself goes through the
+// sweep. The thread that draws and writes requests each alpha.
 #pragma once
 
 #include <functional>
@@ -15,36 +15,37 @@ namespace alphascope {
 class SweepRecorder {
  public:
   struct Window {
-    std::function<Picture(const ScreenshotRequest& request)> take_picture;  // of what is on screen
-    std::function<void(const Alpha&)> set_alpha;                            // Å², of the slider
-    std::function<Alpha()> alpha;                                           // Å², of the slider
-    std::function<std::optional<Alpha>()> drawn_alpha;                      // Å², on screen
-    std::function<const void*()> molecule;                                  // which one is open
+    std::function<Picture(const ScreenshotRequest& request)> take_picture;  // the picture on screen
+    std::function<void(const Alpha&)> set_alpha;                            // sets the slider, Å²
+    std::function<Alpha()> alpha;                       // value of the slider, Å²
+    std::function<std::optional<Alpha>()> drawn_alpha;  // alpha of the complex on screen, Å²
+    std::function<const void*()> molecule;              // identity of the open molecule
   };
 
   SweepRecorder(PictureSaver& saver, Window window);
 
-  // `texts`: of a movie as a whole. Throws what PictureSaver::start() and recording_job() throw.
+  // `texts` describe the whole movie. Throws as PictureSaver::start() and recording_job() do.
   void start(const RecordRequest& request, PictureTexts texts);
-  // Once a frame. `quiet`: nothing but the recording is on its way. Returns why it was given up, a
-  // sentence, once; else empty. At the end alpha is again what it was.
+  // Call once a frame. `quiet`: no work but the recording is running. Returns once, as a sentence,
+  // why the recording was given up; otherwise an empty text. At its end alpha gets its former
+  // value.
   std::string step(bool quiet);
   bool busy() const { return exchange_ != nullptr; }
 
  private:
-  class Exchange;  // between the threads
+  class Exchange;  // between the window's thread and the drawing thread
   void ask(const Alpha& alpha);
-  std::string hand_over();  // why not; empty: it was
+  std::string hand_over();  // returns why it failed; empty: success
   std::string give_up(const std::string& why);
 
   PictureSaver& saver_;
   Window window_;
-  std::shared_ptr<Exchange> exchange_;  // null: nothing is recorded
+  std::shared_ptr<Exchange> exchange_;  // null: no recording
   RecordRequest request_;
   const void* molecule_ = nullptr;
-  Alpha alpha_before_;                  // Å²
-  std::optional<Alpha> asked_;          // Å², of the window
-  std::optional<Viewpoint> viewpoint_;  // of all frames
+  Alpha alpha_before_;                  // Å², before the recording
+  std::optional<Alpha> asked_;          // Å², last set in the window
+  std::optional<Viewpoint> viewpoint_;  // the same for all frames
   int quiet_frames_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// See the header.
+// Requests the text of a table as a derived result, and writes its file in a worker's job.
 #include "app/viewer/jobs/table_saver.hpp"
 
 #include <list>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Steps between which saving can be cancelled.
+// Size of a written piece. Cancelling is possible between two pieces.
 constexpr std::size_t kPiece = 1 << 20;  // bytes
 
 void write_text(const std::filesystem::path& path, const std::string& text,
@@ -28,13 +28,13 @@ void write_text(const std::filesystem::path& path, const std::string& text,
   file.commit();
 }
 
-// All of the files or none.
+// Writes all of the files or none.
 void write_files(const fs::path& path, const std::vector<fs::path>& names, const FileWriter& writer,
                  const RunContext& context) {
   std::list<AtomicFile> files;
   std::vector<AtomicFile*> open;
   for (const fs::path& name : names) open.push_back(&files.emplace_back(name));
-  WorkThreads threads(1);  // the others are the slider's
+  WorkThreads threads(1);  // all other threads stay free for the slider
   threads.run([&] { writer.write(path, open, context); });
   context.cancel.throw_if_cancelled();
   commit_together(open);
@@ -50,7 +50,7 @@ void TableSaver::start(SaveTableRequest request) {
                              saving_->path.string() +
                              " is still being saved. Wait until it is finished, or cancel it.");
   }
-  AtomicFile{request.path};  // that it cannot be written should not show after computing only
+  AtomicFile{request.path};  // an unwritable path must fail before the computation
   saving_ = std::move(request);
   begun_ = writing_ = false;
   since_ = std::chrono::steady_clock::now();
@@ -58,7 +58,7 @@ void TableSaver::start(SaveTableRequest request) {
 
 void TableSaver::cancel(Store& store) {
   if (!busy()) return;
-  if (writing_) return worker_.cancel();  // which tells how it ended
+  if (writing_) return worker_.cancel();  // its outcome tells how the job ended
   store.cancel(definition().id);
   outcome_.notice = "Cancelled: " + saving_->path.string() + " was not written.";
   saving_.reset();
@@ -81,7 +81,7 @@ void TableSaver::fail(const std::string& why) {
   writing_ = false;
 }
 
-// What is on screen may change before all its numbers are there.
+// Wants the table's text. Fails if the picture changed before all its numbers were ready.
 void TableSaver::want(Store& store, const Inputs& inputs) {
   const TableToSave& table = *saving_->table;
   const bool other = inputs.balls_key != table.inputs.balls_key ||
@@ -91,7 +91,8 @@ void TableSaver::want(Store& store, const Inputs& inputs) {
                 " was not written: the picture has changed before all numbers were there. Save "
                 "the table again.");
   }
-  if (!std::exchange(begun_, true)) store.begin_again(definition().id);  // after cancel()
+  // Needed after cancel() of an earlier request.
+  if (!std::exchange(begun_, true)) store.begin_again(definition().id);
   const Inputs& of = table.of_the_picture ? inputs : table.inputs;
   if (const FormatToSave* other = other_format()) return want_as(other->writer, store, of);
   want_as(saving_->format == kJsonFormat ? *table.json : table.csv, store, of);

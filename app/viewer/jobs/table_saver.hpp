@@ -1,5 +1,5 @@
-// Saves a table of a page while the window goes on: its text is a derived result, and another
-// thread writes the file, which is there whole or not at all.
+// Saves a table of a page in the background. Its text is a derived result. Another thread writes
+// the file, which appears complete or not at all.
 #pragma once
 
 #include <chrono>
@@ -19,26 +19,26 @@ class TableSaver {
  public:
   explicit TableSaver(std::function<void()> wake);  // as in Worker
 
-  // One at a time: throws std::runtime_error while another one is being saved.
+  // Throws std::runtime_error while another table is being saved.
   void start(SaveTableRequest request);
-  // The file stays as it was, unless it has been written already.
+  // The file stays unchanged, unless it is already written.
   void cancel(Store& store);
   bool busy() const { return saving_.has_value(); }
 
   struct Outcome {
-    std::string notice;  // it was saved, or was not because of cancel()
-    std::string error;   // why it could not be saved
+    std::string notice;  // the table was saved, or its job was cancelled
+    std::string error;   // why the table could not be saved
     bool any() const { return !notice.empty() || !error.empty(); }
   };
-  // In each frame, on the main thread; `inputs` are of the picture.
+  // Call in each frame on the main thread. `inputs` are those of the picture.
   Outcome poll(Store& store, const Inputs& inputs);
-  // Fills `info` for the line of progress, where there is a table to tell of.
+  // Fills `info` for the line of progress while a table is being saved.
   void describe(BusyInfo& info) const;
 
  private:
   using Text = std::shared_ptr<const std::string>;
   const AnyDefinition& definition() const;
-  const FormatToSave* other_format() const;  // null: it is a table
+  const FormatToSave* other_format() const;  // null: the file is a table
   template <class T>
   void want_as(const Definition<T>& definition, Store& store, const Inputs& inputs);
   void want(Store& store, const Inputs& inputs);
@@ -51,7 +51,7 @@ class TableSaver {
   bool begun_ = false, writing_ = false;
   std::chrono::steady_clock::time_point since_;
   Outcome outcome_;
-  Worker worker_;  // last: joined first
+  Worker worker_;  // last member, so that its thread is joined first
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Lists the lessons of the folders, and reads one by name or path.
 #include "app/viewer/lessons/lesson_files.hpp"
 
 #include <algorithm>
@@ -14,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kEnding = ".md";
-constexpr std::size_t kMostFiles = 500;  // of a folder
+constexpr std::size_t kMostFiles = 500;  // in a folder
 
-// "03_power_diagram.md" is power_diagram: the number says its place only.
+// "03_power_diagram.md" has the name power_diagram. The number only sorts the list.
 std::string name_of(const fs::path& file) {
   const std::string stem = file.stem().string();
   const std::size_t behind = stem.find_first_not_of("0123456789");
@@ -65,7 +65,7 @@ bool is_path(const std::string& text) {
          fs::is_regular_file(text, ignored);
 }
 
-// Throws std::runtime_error that says what there is.
+// Throws std::runtime_error that lists the existing lessons.
 ShelvedLesson find(const std::vector<ShelvedLesson>& shelf, const std::string& name) {
   std::vector<std::string> names;
   for (const ShelvedLesson& shelved : shelf) {
@@ -101,7 +101,7 @@ void LessonFiles::submit(const std::string& wanted) {
         }
         return [this, shelf, opened, opens = !wanted.empty()] {
           news_.shelf = shelf;
-          if (!opens) return;  // what was opened meanwhile stays news
+          if (!opens) return;  // a lesson opened meanwhile stays in news_
           news_.opened = opened.lesson;
           news_.error = opened.problem;
         };

@@ -1,4 +1,4 @@
-// See the header.
+// The phases of a lesson's step, from the request of its molecule to its last command.
 #include "app/viewer/lessons/lesson_player.hpp"
 
 #include <utility>
@@ -30,7 +30,7 @@ void LessonPlayer::restart() {
   if (memory_.open) go_to(0);
 }
 
-// Its commands come after those of the step, which may still be running.
+// Appends the answer's commands to those of the step, which may still be running.
 void LessonPlayer::reveal() {
   if (!memory_.open || !now().asks() || memory_.revealed) return;
   memory_.revealed = true;
@@ -74,7 +74,7 @@ void LessonPlayer::step() {
   if (phase_ == Phase::running && stage_.at_rest()) run_next();
 }
 
-// What a step asked for has come, or has not.
+// Checks whether the file that a step requested was opened.
 void LessonPlayer::take_asked() {
   if (asked_.empty()) return;
   const std::filesystem::path asked = std::exchange(asked_, {});
@@ -82,12 +82,12 @@ void LessonPlayer::take_asked() {
   if (came) ours_ = stage_.file();
   const bool another = came && stage_.path() != asked;
   if (another) return leave();
-  if (phase_ != Phase::opening) return;  // another step was gone to meanwhile
+  if (phase_ != Phase::opening) return;  // the user has gone to another step
   phase_ = came ? Phase::running : Phase::shown;
   if (!came) refuse(now().line, "The molecule " + asked.filename().string() + " was not opened.");
 }
 
-// What is open is kept before the first step.
+// Keeps the open molecule before the first step, then requests the step's molecule.
 void LessonPlayer::arrive() {
   memory_.left = false;
   if (!std::exchange(kept_, true)) stage_.keep();
@@ -125,7 +125,7 @@ void LessonPlayer::notice_other_file() {
   if (ours_ && stage_.file() != ours_) leave();
 }
 
-// The user has opened another file: that is theirs now, and Close leaves it open.
+// Ends the lesson after the user has opened another file. Closing the lesson leaves that file open.
 void LessonPlayer::leave() {
   ours_ = nullptr;
   memory_.ready = false;

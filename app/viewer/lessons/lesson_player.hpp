@@ -1,5 +1,5 @@
-// Plays the open lesson: brings a step's molecule into the window, runs its commands, one a frame,
-// and puts back what was open before. Knows the window as a LessonStage only.
+// Plays the open lesson: brings a step's molecule into the window, and runs its commands, one a
+// frame. At the end it restores the previous molecule. It sees the window only as a LessonStage.
 #pragma once
 
 #include <cstdint>
@@ -12,48 +12,47 @@
 
 namespace alphascope {
 
-// What the player needs of the window.
+// The window as the player needs it.
 class LessonStage {
  public:
   virtual ~LessonStage() = default;
-  // The file that is open, as an identity: opening it again gives another one. Null: none.
+  // Identity of the open file. Opening the same file again gives another identity. Null: no file.
   virtual std::shared_ptr<const void> file() const = 0;
-  virtual std::filesystem::path path() const = 0;  // its path
-  virtual bool opening() const = 0;                // a file is on its way, whoever asked for it
-  // The picture is that of the present settings, or there can be none.
+  virtual std::filesystem::path path() const = 0;  // path of the open file
+  virtual bool opening() const = 0;                // true while any file is being opened
+  // True when the picture is that of the present settings, or when no picture is possible.
   virtual bool at_rest() const = 0;
 
-  virtual void keep() = 0;                                       // all of what is open now
+  virtual void keep() = 0;  // keeps the open molecule with all its settings
   virtual void open(const std::filesystem::path& molecule) = 0;  // with a lesson's settings
-  virtual void reset() = 0;                                      // to those, of the open file
+  virtual void reset() = 0;  // gives the open file a lesson's settings
   virtual Outcome run(const std::string& command) = 0;
-  virtual void settle() = 0;      // what the step has set is what undo goes back to
-  virtual void bring_back() = 0;  // what was kept
-  virtual void forget() = 0;      // the same, but the file that the user has opened since stays
+  virtual void settle() = 0;      // undo goes back to the settings of the step
+  virtual void bring_back() = 0;  // restores the kept molecule
+  virtual void forget() = 0;      // as bring_back(), but a file that the user has opened stays open
 };
 
 class LessonPlayer {
  public:
-  // Both must live as long as this.
+  // Both arguments must outlive the player.
   LessonPlayer(LessonStage& stage, LessonMemory& memory) : stage_(stage), memory_(memory) {}
 
   void begin(std::shared_ptr<const Lesson> lesson);
-  void next();  // the answer of a question, else the next step; nothing after the last
+  void next();  // shows the answer of a question, otherwise the next step; no effect after the last
   void back();
-  void again();    // the step as it begins
-  void restart();  // the first step
-  void reveal();   // the answer
+  void again();    // starts the step again
+  void restart();  // goes to the first step
+  void reveal();   // shows the answer
   void close();
 
-  // Once a frame.
+  // Call once a frame.
   void step();
-  // A molecule or commands are still to come.
+  // True while a molecule is being opened or commands are left to run.
   bool busy() const { return memory_.open && phase_ != Phase::shown; }
 
  private:
-  // arriving: the step was gone to. opening: its molecule is on its way. In neither, nor while
-  // commands run, anything is done before files that are being opened are there: one of them may
-  // be what is to be kept.
+  // A chosen step is `arriving`. While its molecule is being opened, it is `opening`. Before
+  // `shown` the player waits for all files that are being opened: it may have to keep one of them.
   enum class Phase : std::uint8_t { arriving, opening, running, shown };
 
   const LessonStep& now() const { return memory_.open->steps[memory_.step]; }
@@ -68,12 +67,12 @@ class LessonPlayer {
   LessonStage& stage_;
   LessonMemory& memory_;
   Phase phase_ = Phase::shown;
-  std::vector<LessonCommand> commands_;  // to be run
+  std::vector<LessonCommand> commands_;  // the commands left to run, from next_command_
   std::size_t next_command_ = 0;
   bool kept_ = false;
-  std::shared_ptr<const void> ours_;    // the open file, when a step has opened it; else null
-  std::filesystem::path asked_;         // that a step has asked for and that has not come
-  std::shared_ptr<const void> before_;  // that was open then
+  std::shared_ptr<const void> ours_;  // the open file if a step has opened it, else null
+  std::filesystem::path asked_;       // the file that a step has requested and that is not open yet
+  std::shared_ptr<const void> before_;  // the file that was open at that request
 };
 
 }  // namespace alphascope

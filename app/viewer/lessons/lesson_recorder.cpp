@@ -1,5 +1,5 @@
-// See the header. The thread that writes is ahead of the window most of the time; pages wait in a
-// list for it, or it for them.
+// Steps of the recording in the window, and the queue of pages for the thread that draws and
+// writes. This thread is mostly ahead of the window and waits for pages.
 #include "app/viewer/lessons/lesson_recorder.hpp"
 
 #include <algorithm>
@@ -18,9 +18,10 @@
 namespace alphascope {
 namespace {
 
-// What derived results put into the picture is there one frame after they are.
+// Quiet frames before a page is taken: a derived result reaches the picture one frame after it is
+// ready.
 constexpr int kQuietFrames = 3;
-// Pages that wait hold whole meshes.
+// Greatest number of waiting pages, since each holds whole meshes.
 constexpr std::size_t kMostWaiting = 2;
 
 }  // namespace
@@ -34,7 +35,7 @@ class LessonRecorder::Pages {
  public:
   explicit Pages(std::size_t count) : count_(count) {}
 
-  std::size_t count() const { return count_; }  // of all, in the end
+  std::size_t count() const { return count_; }  // number of all pages of the recording
   bool full() {
     const std::lock_guard lock(mutex_);
     return waiting_.size() >= kMostWaiting;
@@ -44,7 +45,7 @@ class LessonRecorder::Pages {
     waiting_.push_back(std::move(page));
     changed_.notify_one();
   }
-  // None behind the last. Throws Cancelled.
+  // Waits for a page. Nothing after the last one. Throws Cancelled.
   std::optional<Page> pop(const CancelToken& cancel) {
     std::unique_lock lock(mutex_);
     while (waiting_.empty()) {
@@ -70,7 +71,7 @@ LessonRecorder::LessonRecorder(LessonPlayer& player, LessonMemory& memory, Pictu
                                TakePicture take_picture)
     : player_(player), memory_(memory), saver_(saver), take_picture_(std::move(take_picture)) {}
 
-// On the thread that saves pictures.
+// The job runs on the thread that saves pictures.
 SceneJob LessonRecorder::job(const RecordRequest& request, std::shared_ptr<Pages> pages) {
   const PictureOptions& size = request.options;
   const std::shared_ptr<FrameSink> sink = make_frame_sink(
@@ -105,7 +106,7 @@ SceneJob LessonRecorder::job(const RecordRequest& request, std::shared_ptr<Pages
 
 void LessonRecorder::start(const RecordRequest& request, Theme theme) {
   if (!memory_.open) throw std::runtime_error("No lesson is open.");
-  // Also what a later step reads: no picture may take its place before.
+  // Notes the input files of later steps too: no picture may replace them.
   for (const LessonStep& step : memory_.open->steps) {
     note_read(memory_.open->molecule_of(step));
   }
@@ -128,7 +129,7 @@ bool LessonRecorder::undisturbed() const {
 
 std::string LessonRecorder::step(bool quiet) {
   if (!pages_) return {};
-  if (!saver_.busy()) {  // cancelled, or it has failed, which is told
+  if (!saver_.busy()) {  // cancelled or failed; PictureSaver tells which
     pages_ = nullptr;
     return {};
   }
@@ -137,14 +138,14 @@ std::string LessonRecorder::step(bool quiet) {
     saver_.cancel();
     return "The lesson was left, or another step was gone to, while it was being recorded.";
   }
-  memory_.shown = true;  // its text is taken from the column
+  memory_.shown = true;  // its text is read from the column
   memory_.list = false;
   quiet_frames_ = quiet && memory_.ready && !player_.busy() ? quiet_frames_ + 1 : 0;
   if (quiet_frames_ < kQuietFrames || pages_->full()) return {};
-  // What is missing after all work is done stays missing.
+  // All work is done at this point, so a missing part of the picture stays missing.
   try {
     hand_over();
-  } catch (const std::exception& error) {  // as when there is no memory for it
+  } catch (const std::exception& error) {  // for example when memory is too small for the picture
     pages_ = nullptr;
     saver_.cancel();
     return error.what();
@@ -169,7 +170,7 @@ void LessonRecorder::hand_over() {
   pages_->push(std::move(page));
 }
 
-// Behind the last page the thread ends by itself.
+// After the last page the thread ends by itself.
 void LessonRecorder::go_on() {
   quiet_frames_ = 0;
   const bool asks = lesson_->steps[step_].asks() && !answer_;

@@ -1,6 +1,6 @@
-// Records the open lesson: brings the window to each step and to each answer, and hands its picture
-// and text to the thread that draws and writes. Pictures are one a step; a movie shows each for a
-// while.
+// Records the open lesson: brings the window to each step and each answer. Another thread gets
+// picture and text, draws and writes. Picture files hold one part each. A movie shows each part for
+// some seconds.
 #pragma once
 
 #include <filesystem>
@@ -16,24 +16,24 @@ namespace alphascope {
 
 class LessonRecorder {
  public:
-  // What is on screen, as a picture of this size.
+  // Takes the view on screen as a picture of this size.
   using TakePicture = std::function<Picture(const ScreenshotRequest& request)>;
 
-  // All of it must live as long as this.
+  // All arguments must outlive the recorder.
   LessonRecorder(LessonPlayer& player, LessonMemory& memory, PictureSaver& saver,
                  TakePicture take_picture);
 
-  // From the first step on. Throws std::runtime_error, a sentence, when no lesson is open or
-  // something else is being saved; what make_frame_sink() throws.
+  // Records from the first step on. Throws std::runtime_error (a sentence) if no lesson is open or
+  // another job runs, and what make_frame_sink() throws.
   void start(const RecordRequest& request, Theme theme);
-  // Once a frame, after the player. `quiet`: nothing but the recording is on its way. Returns why
-  // it was given up, a sentence, once; else empty.
+  // Call once a frame, after the player. `quiet`: no work but the recording is running. Returns
+  // once, as a sentence, why the recording was given up; otherwise an empty text.
   std::string step(bool quiet);
   bool busy() const { return pages_ != nullptr; }
 
  private:
   struct Page;
-  class Pages;  // between the threads
+  class Pages;  // between the window's thread and the drawing thread
   static SceneJob job(const RecordRequest& request, std::shared_ptr<Pages> pages);
   bool undisturbed() const;
   void hand_over();
@@ -44,11 +44,11 @@ class LessonRecorder {
   PictureSaver& saver_;
   TakePicture take_picture_;
 
-  std::shared_ptr<Pages> pages_;  // null: nothing is recorded
+  std::shared_ptr<Pages> pages_;  // null: no recording
   RecordRequest request_;
   Theme theme_ = Theme::dark;
   std::shared_ptr<const Lesson> lesson_;
-  std::size_t step_ = 0;  // that the window is to show, with or without its answer
+  std::size_t step_ = 0;  // the step that the window has to show, with its answer if answer_ is set
   bool answer_ = false;
   int quiet_frames_ = 0;
 };

@@ -1,5 +1,5 @@
-// Whether balls are left to the picture at rest, because a picture with them comes too late while
-// something moves; what else is drawn stands in for them. Pure logic.
+// Decides whether balls are left out of pictures while the view moves, because drawing them takes
+// too long. The complex then stands in for the balls. Pure logic.
 #pragma once
 
 #include "ui/scene/quality.hpp"
@@ -8,21 +8,22 @@ namespace alphascope {
 
 class BallStandIn {
  public:
-  // Milliseconds that the coarsest picture with balls may take.
+  // Limit for the coarsest picture with balls, milliseconds.
   static constexpr double kMost = 100;
 
-  // Of a picture with balls, in milliseconds; finer ones say nothing that the coarse ones do not.
+  // Notes the time of a picture with balls, milliseconds. Pictures finer than drafts are ignored.
   void note(RenderQuality quality, double milliseconds) {
     if (quality > RenderQuality::draft) return;
     slow_ = milliseconds * (quality == RenderQuality::draft ? kSketchOfDraft : 1) > kMost;
   }
-  // Other balls, another window.
+  // Call for other balls or another size of the window.
   void forget() { slow_ = false; }
-  // `other`: something else shows where the molecule is.
+  // `other`: the picture also holds something else that shows where the molecule is.
   bool wanted(bool at_rest, bool other) const { return slow_ && !at_rest && other; }
 
  private:
-  static constexpr double kSketchOfDraft = 0.3;  // of its time, as in QualityChooser
+  // Time of a sketch as a share of a draft's, as in QualityChooser.
+  static constexpr double kSketchOfDraft = 0.3;
   bool slow_ = false;
 };
 

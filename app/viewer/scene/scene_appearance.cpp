@@ -1,4 +1,4 @@
-// Hidden atoms and colours of one's own in the picture: with the next drawing, so that balls and
+// Hidden atoms and colours chosen by the user. They come with the next drawing, so that balls and
 // simplices change together.
 #include <utility>
 
@@ -13,7 +13,7 @@ void SceneController::set_appearance(const Appearance& appearance) {
   submit_beside_body();
 }
 
-// On the worker's thread. Null: as if nothing was chosen.
+// Runs on the worker's thread. Null: no atom is hidden, and no colour is chosen.
 std::shared_ptr<const BallAppearance> SceneController::make_looks(const DrawnMolecule& molecule,
                                                                   const Appearance& appearance) {
   if (appearance.plain()) return nullptr;

@@ -1,4 +1,4 @@
-// Views that a user asks for by name: along a direction, and saved cameras.
+// Views along a direction, and saved cameras by name.
 #include <cmath>
 
 #include "app/viewer/scene/scene_controller.hpp"
@@ -6,7 +6,8 @@
 namespace alphascope {
 namespace {
 
-// Upwards in a view along an axis of the file: z, and y in one along z. Null: along no axis.
+// The upward direction of a view along an axis of the file. It is y along the z axis, and z along
+// the others. Null for all other directions.
 const std::array<double, 3>* up_of_axis_view(const std::array<double, 3>& towards_viewer) {
   static constexpr std::array<double, 3> kY{0, 1, 0}, kZ{0, 0, 1};
   if (axis_name(towards_viewer).empty()) return nullptr;
@@ -20,7 +21,8 @@ void SceneController::look_from(const std::array<double, 3>& towards_viewer) {
   const Sight sight = scene_.sight();
   double along_up = 0;
   for (std::size_t k = 0; k < 3; ++k) along_up += sight.up[k] * towards_viewer[k];
-  // What was above stays above, unless one looks from there: then what was before the viewer is.
+  // The upward direction stays. A view from above or below turns the former forward direction
+  // upwards.
   const bool from_above = std::fabs(along_up) > 0.9;
   for (std::size_t k = 0; k < 3; ++k) {
     view.position[k] = view.focal_point[k] + sight.distance * towards_viewer[k];
@@ -38,7 +40,7 @@ void SceneController::look_across(const RealPoint& line) {
     return p - dot(p, line) * line;
   };
   RealPoint forward = part_across(sight.forward);
-  // From straight along the line: from above, so that the line leads upwards.
+  // A view straight along the line turns to a view from below, in which the line points up.
   if (length(forward) < 0.01) forward = part_across(sight.up);
   forward = unit_vector(forward);
   look_from({-forward.x, -forward.y, -forward.z});

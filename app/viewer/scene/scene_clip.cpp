@@ -1,5 +1,5 @@
-// The clip in the picture. Tetrahedra are closed where it cuts them, which a worker's thread does;
-// planes and caps change together, so that no picture shows tetrahedra open.
+// The clip in the picture. A worker makes the caps that close cut tetrahedra. Plane and caps change
+// together, so that no picture shows open tetrahedra.
 #include <utility>
 
 #include "app/viewer/scene/scene_controller.hpp"
@@ -16,7 +16,7 @@ void SceneController::set_clip(const Clip& clip) {
   submit_caps();
 }
 
-// Without anything to close, `mesh` is null.
+// `mesh` is null if the clip cuts nothing that has caps.
 SceneController::DrawnCaps SceneController::make_caps(const CapTask& task, const Clip& clip,
                                                       const CancelToken& cancel) {
   DrawnCaps caps{clip, nullptr, {}};
@@ -45,7 +45,7 @@ void SceneController::submit_caps() {
         DrawnCaps caps = make_caps(task, clip, context.cancel);
         auto data = make_cap_data(caps.mesh);
         return [this, mesh = task.mesh, caps = std::move(caps), data = std::move(data)] {
-          // A newer mesh brought caps of its own, or asked for them.
+          // A newer mesh comes with its own caps, or has requested them.
           if (mesh == drawn_mesh_ && clip_.on()) show_caps(caps, data);
         };
       },

@@ -1,4 +1,4 @@
-// See the header.
+// Takes over answers and controls, draws pictures at a suitable quality, and describes them.
 #include "app/viewer/scene/scene_controller.hpp"
 
 #include <algorithm>
@@ -14,17 +14,17 @@ namespace alphascope {
 namespace {
 
 constexpr double kRefineAfterSeconds = 0.25;
-// For so long a picture that a newer one is to replace is not refined, where samples are slow: the
-// newer one would have to wait.
+// Seconds for which a picture that waits for its replacement is not refined, if samples are slow.
+// The replacement would have to wait for them.
 constexpr double kReplacedWithinSeconds = 2;
 constexpr double kNotDue = 1e9;
-// A slice of refinement, where a single sample is quicker than that.
+// Length of a slice of refinement, if one sample takes less.
 constexpr double kSliceMilliseconds = 12;
 constexpr const char* kStandIn = "While it moves, the complex stands in for the balls.";
-// Newer pictures that arrive sooner than this follow the hand; saying so would flicker.
+// Newer pictures that arrive sooner follow the slider. Marking them as outdated would flicker.
 constexpr std::chrono::milliseconds kOutdatedAfter{300};
-// A mesh that is newer than the one on screen is worth finishing: else a slow one would never be
-// seen while the slider is dragged. What it is of no more is cancelled by set_molecule().
+// A mesh newer than the one on screen is always finished. Otherwise a slow mesh would never appear
+// while the slider moves. set_molecule() cancels meshes of another molecule.
 constexpr std::chrono::milliseconds kFinishes = std::chrono::hours(24);
 
 bool is_large_enough(const ViewportInfo& viewport) {
@@ -43,7 +43,7 @@ SceneController::SceneController(std::function<void()> wake, FreeMemory free_mem
       pick_worker_(wake),
       cap_worker_(wake, kFinishes),
       paint_worker_(std::move(wake)) {
-  scene_.set_style(scene_style());  // set_display() only tells what is new
+  scene_.set_style(scene_style());  // set_display() later sends changes only
 }
 
 std::shared_ptr<const Molecule> SceneController::molecule() const {
@@ -77,7 +77,7 @@ void SceneController::set_agreement(std::shared_ptr<const Agreement> agreement) 
 
 void SceneController::show_without_answer() {
   if (!prepared_ || answer_) return;
-  // Asked every frame: what is on its way must not be begun again.
+  // Called in each frame, so a drawing in progress must not be started again.
   const bool there = drawn_molecule_ && drawn_molecule_->prepared == prepared_;
   if (!waiting_ && (there || mesh_worker_.activity().busy)) return;
   waiting_ = false;
@@ -248,7 +248,7 @@ void SceneController::describe(ViewportInfo& viewport) const {
 }
 
 void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
-  // Balls that wait for their first complex are no picture of another.
+  // Balls that wait for their first complex are not an outdated picture.
   const bool first = drawn_molecule_ && drawn_molecule_->prepared == prepared_ && !drawn_answer_;
   const bool old = viewport.texture != 0 && !first && (pending_ || outdated());
   if (!old) outdated_since_.reset();
@@ -299,19 +299,19 @@ void SceneController::begin_picture(ViewportInfo& viewport, bool interacting) {
   render(viewport, interacting, false);
 }
 
-// What is translucent is drawn exactly at rest only: it takes a pass for each layer of it.
+// Exact translucency is for pictures at rest only: it needs a pass for each layer.
 RenderQuality SceneController::quality_for_change(bool follows_computation) const {
   const RenderQuality best = follows_computation ? quality_.while_computing() : quality_.moving();
   return scene_.draws_translucent() ? std::min(best, RenderQuality::draft) : best;
 }
 
-// Of a picture that the GPU may have gone on drawing, before anything is changed that the time
-// depends on.
+// Notes the time of a picture that the GPU may still be drawing. Call before a change on which the
+// time depends.
 void SceneController::take_time(bool wait) {
   if (const auto taken = scene_.take_milliseconds(wait)) note_times(drawn_, *taken);
 }
 
-// Of a fine picture as many samples as a slice has time for: at least one.
+// Draws as many samples of a fine picture as fit into a slice: at least one.
 void SceneController::draw(RenderQuality quality, bool patient) {
   if (quality != RenderQuality::fine && !patient) {
     drawn_ = quality;
@@ -344,7 +344,7 @@ SceneStyle SceneController::drawn_style() const {
   return style;
 }
 
-// Not while the hand is moving the view: it is on its way.
+// Does nothing while the user moves the view, since a view on its way may show nothing.
 void SceneController::check_view(ViewportInfo& viewport, bool interacting) {
   if (interacting || std::exchange(view_checked_, true)) return;
   viewport.problem = view_problem_ = find_view_problem();
@@ -369,7 +369,7 @@ PictureTexts SceneController::texts() const {
   return texts;
 }
 
-// Of the molecule wanted, and newer than what is on screen.
+// Whether the picture on screen is older than the wanted molecule or its answer.
 bool SceneController::outdated() const {
   if (!drawn_molecule_) return opened_ != nullptr;
   return drawn_molecule_->prepared != prepared_ || (answer_ && drawn_answer_ != answer_);
@@ -403,7 +403,7 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
   picture.layers = std::move(layers);
   picture.beside_body = beside_body_.mesh;
   picture.style = scene_style();
-  // Lines have the same share of the picture as in the window.
+  // Lines keep the share of the picture that they have in the window.
   if (height_ > 0) {
     picture.style.line_scale *=
         static_cast<float>(request.options.height) / static_cast<float>(height_);

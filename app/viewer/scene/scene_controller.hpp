@@ -1,6 +1,6 @@
-// Keeps the scene in step with the session's answers and the display controls. Geometry and meshes
-// are filled on a worker; the last picture stays until they are there, and pictures are drawn only
-// when something changed. What does not fit into memory is not drawn, and is told.
+// Makes the scene follow the session's answers and the display controls. Workers make geometry and
+// meshes, and the last picture stays until these are ready. Pictures are drawn only after a change.
+// A part that does not fit into memory is left out with a message.
 #pragma once
 
 #include <atomic>
@@ -30,169 +30,174 @@
 
 namespace alphascope {
 
-// A molecule's balls, and what was made of them for drawing.
+// The balls of a molecule, and the geometry made from them for drawing.
 struct DrawnMolecule {
-  std::shared_ptr<const OpenedMolecule> opened;  // of which the next two are
+  std::shared_ptr<const OpenedMolecule> opened;  // the source of the next two
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const PreparedBalls> prepared;
   std::shared_ptr<const BallGeometry> geometry;
-  std::shared_ptr<const BallPicker> picker;  // of geometry
+  std::shared_ptr<const BallPicker> picker;  // picks in geometry
 };
 
 class SceneController {
  public:
-  // Bytes that are free for drawing, if that is known; asked from any thread.
+  // Free memory for drawing in bytes, if known. Called from any thread.
   using FreeMemory = std::function<std::optional<std::uint64_t>()>;
-  // build_mesh(); on the worker's thread.
+  // Has the signature of build_mesh(). Runs on the worker's thread.
   using MeshMaker = std::function<ComplexMesh(
       const BallGeometry& balls, const std::vector<Rgb8>& colours, const AlphaComplex& complex,
       const MeshOptions& options, const CancelToken& cancel)>;
-  // An OpenGL context must be current; `wake` as in Worker.
+  // The constructor needs a current OpenGL context. `wake` as in Worker.
   SceneController(std::function<void()> wake, FreeMemory free_memory,
                   MeshMaker make_mesh = &build_mesh);
 
-  // Other balls of the same molecule (another selection, model or radius) appear with their answer,
-  // or with show_without_answer(); those of another molecule as soon as possible.
+  // New balls of the same molecule (another selection, model or radius) appear together with their
+  // answer, or after show_without_answer(). The balls of another molecule appear as soon as
+  // possible.
   void set_molecule(std::shared_ptr<const OpenedMolecule> opened);
-  std::shared_ptr<const Molecule> molecule() const;  // last set
+  std::shared_ptr<const Molecule> molecule() const;  // the molecule set last
   void set_answer(std::shared_ptr<const Answer> answer);
-  void show_without_answer();  // there will be none
-  // Draws what differs from the reference, if anything does.
+  void show_without_answer();  // for balls that get no answer
+  // Draws the differences from the reference, if there are any.
   void set_agreement(std::shared_ptr<const Agreement> agreement);
   // `line_scale` as in SceneStyle.
   void set_display(const DisplayControls& display, Theme theme, float line_scale = 1);
-  // The picture follows when what closes the tetrahedra at the cut is made.
+  // The picture follows when the caps that close the tetrahedra at the cut are ready.
   void set_clip(const Clip& clip);
-  // Hidden atoms and own colours. The picture follows when its simplices are made.
+  // Sets hidden atoms and colours chosen by the user. The picture follows when its simplices are
+  // ready.
   void set_appearance(const Appearance& appearance);
-  // Of drawn(): what of that is on screen; null: nothing.
+  // The appearance on screen, for the balls of drawn(). Null: all balls visible, no chosen colours.
   const std::shared_ptr<const BallAppearance>& drawn_looks() const { return drawn_looks_; }
-  // What panels want drawn; layers of other balls than the complex on screen are left out. Large
-  // ones are made on a worker's thread, and what was drawn before stays until they are there.
+  // Sets the layers of panels. Layers of other balls than those of the complex on screen are left
+  // out. A worker makes large layers, and the last drawn layers stay until these are ready.
   void set_layers(const Layers& layers);
   void pointer(const PointerEvent& event);
-  // The line of sight through a pixel of the picture, Å in the file's coordinates; none without a
-  // picture.
+  // The line of sight through a pixel of the picture, Å in the file's coordinates. Nothing if there
+  // is no picture.
   std::optional<Ray> ray(int x, int y) const;
   void reset_view();
-  // To be called before what starts from the present view: that of a molecule that has just come
-  // fits it with its first picture only.
+  // Call before an action that starts from the present view. Without it the view of a new molecule
+  // is fitted only with its first picture.
   void settle_view(const ViewportInfo& viewport);
-  // Where the view stands; none where there is none.
+  // The present view; nothing if no molecule is drawn.
   std::optional<CameraPlace> camera() const;
   void move_camera(const CameraPlace& camera);
-  // Where the view stood before other atoms of a file were fitted into it, once; else none.
+  // The view before other atoms of the file were fitted into it, once; then nothing.
   std::optional<CameraPlace> take_left_view() { return std::exchange(left_view_, std::nullopt); }
-  // Instead of showing all of the molecule that is on its way; none: shows all.
+  // Sets the view for the next picture with other balls. Nothing: the view then shows all of them.
   void set_camera_when_drawn(const std::optional<CameraPlace>& camera);
 
-  // A newer answer, or other balls, are being computed: the picture will be another.
+  // True while a newer answer or other balls are being computed, so that the picture is outdated.
   void set_pending(bool pending) { pending_ = pending; }
 
-  // Takes finished meshes. True: another complex is shown from the next render() on, which must not
-  // be left out, or what is said of the complex would be ahead of the picture.
+  // Takes finished meshes. True: from the next render() on another complex is shown. This render()
+  // must not be skipped, or texts about the complex would run ahead of the picture.
   bool poll();
-  // Before the panels: a new picture is begun now, which a GPU draws while the panels are drawn.
-  // Nothing where there is none, where OpenGL draws in software, and where panels add to the
-  // picture. render() comes nevertheless, and draws again if anything has changed.
+  // Call before the panels: begins a new picture, which a GPU draws while the panels are drawn. It
+  // has no effect without changes, with software OpenGL, or when panels add to the picture. A later
+  // render() is needed in any case, and draws again after a change.
   void begin_picture(ViewportInfo& viewport, bool interacting);
-  void draw_meanwhile() { scene_.set_draws_meanwhile(true); }  // also in software
-  // Once OpenGL has finished all: how long the picture took is known.
+  void draw_meanwhile() { scene_.set_draws_meanwhile(true); }  // with software OpenGL too
+  // Call when OpenGL has finished: the time of the picture is then known.
   void note_finished() { take_time(true); }
-  // What belongs to the picture and is drawn by the panels; before them.
+  // Call before the panels. Fills in the data about the picture that panels draw.
   void describe(ViewportInfo& viewport) const;
-  // Something is still on its way to the screen: a mesh, or a finer picture.
+  // True while a mesh or a finer picture is on its way to the screen.
   bool busy() const {
     return mesh_worker_.activity().busy || layer_worker_.activity().busy ||
            beside_worker_.activity().busy || pick_worker_.activity().busy ||
            cap_worker_.activity().busy || paint_worker_.activity().busy;
   }
   bool wants_frame() const { return !covered_ && (dirty_ || refine_); }
-  // Whether a mesh of the next complex will need the faces that only one tetrahedron has.
+  // Whether the next mesh will need the outer faces, which belong to one tetrahedron only.
   bool draws_outside() const { return mesh_options().outside(); }
-  // Of what is drawn and of what is being made, at most; without differences.
+  // Upper bound of the bytes of the picture on screen and of the one being made, without
+  // differences.
   std::uint64_t held_bytes() const;
-  // Seconds until a finer picture is due; a large number when none is.
+  // Seconds until a finer picture is due; a large number if none is.
   double seconds_to_refinement() const;
 
-  // Draws when something changed or a finer picture is due. `patient`: as fine as possible,
-  // whatever it takes (for pictures).
+  // Draws after a change, or when a finer picture is due. `patient`: at the finest quality, however
+  // long it takes (for saved pictures).
   void render(ViewportInfo& viewport, bool interacting, bool patient);
-  // What is drawn under a pixel of the picture: of drawn() and drawn_answer(). `near`: pixels
-  // beside a line that still are on it.
+  // The item drawn under a pixel of the picture, in drawn() or drawn_answer(). `near`: distance in
+  // pixels at which a line is still hit.
   std::optional<Hit> pick(int x, int y, double near) const;
-  // Atoms that are drawn and are no balls of drawn().
+  // The drawn atoms that are not balls of drawn().
   const BesideBody& beside_body() const { return beside_body_; }
-  // What is drawn in the colour of what is selected, balls on or off: balls of drawn() and places
-  // of beside_body(), both ascending.
+  // Items drawn in the colour of the selection, even when balls are switched off. They are balls of
+  // drawn() and places in beside_body(), both ascending.
   struct Selected {
     std::vector<BallIndex> balls;
     std::vector<std::size_t> beside;
-    bool outlines = false;  // only rims, which hide little
+    bool outlines = false;  // only rims, which hide less
     friend bool operator==(const Selected&, const Selected&) = default;
   };
   void set_selected(const Selected& selected);
-  // So that these fill the view, as they are looked at now.
+  // Moves the view until these items fill it. Its direction stays.
   void zoom_to(const Selected& what);
-  // So that their middle is that of the view, which turns about it; direction and size stay.
+  // Moves the view's centre of rotation to the middle of these items. Direction and scale stay.
   void centre_on(const Selected& what);
-  // What is on screen, which may still be older than what was set; null before the first, and
-  // while it makes room for the next.
+  // The molecule on screen, which may be older than the one set. Null before the first picture, and
+  // while memory is made free for the next.
   const DrawnMolecule* drawn() const { return drawn_molecule_.get(); }
-  // Areas and volumes of the complex on screen, where its colours are made of them; else null.
+  // Areas and volumes of the complex on screen, if its colours depend on them; else null.
   std::shared_ptr<const MeasuredUnion> drawn_measures() const {
     return ball_painting_ ? ball_painting_->measures : nullptr;
   }
-  // Whose complex is on screen, and may still be older than what was set; null: none.
+  // The answer whose complex is on screen, which may be older than the one set. Null: none.
   const std::shared_ptr<const Answer>& drawn_answer() const { return drawn_answer_; }
-  // Of the picture on screen; `size` as of make_clip_handle().
+  // The handle for the picture on screen. `size` as in make_clip_handle().
   ClipHandle clip_handle(const Clip& clip, const std::array<double, 3>& pivot, double size) const;
-  // At the same point from as far, from this side; `towards_viewer` has length 1.
+  // Looks at the same point from this side, at the same distance. `towards_viewer` is a unit
+  // vector.
   void look_from(const std::array<double, 3>& towards_viewer);
-  // Turned by the least angle until it is normal to this line (unit vector).
+  // Turns the view by the least angle until it is normal to this line (a unit vector).
   void look_across(const RealPoint& line);
   void zoom(double factor);
   NamedView named_view(const std::string& name) const;
   void go_to(const NamedView& view);
-  // What is on screen, for PictureSaver. Throws std::runtime_error when nothing is, or when there
-  // is no memory for the picture.
+  // The picture on screen, for PictureSaver. Throws std::runtime_error if nothing is drawn, or if
+  // memory is too small for the picture.
   PictureToSave picture(const ScreenshotRequest& request) const;
-  // The same for a recording: on another thread, later. Throws the same.
+  // The source of a recording's frames, which another thread calls later. Throws as picture() does.
   FrameSource frames(const RecordRequest& request) const;
-  // Milliseconds of the first picture of drawn_answer(): mesh, upload, draw; empty before it is
-  // there.
+  // Milliseconds for mesh, upload and drawing of the first picture of drawn_answer(). Empty before
+  // this picture.
   const std::vector<StageTime>& picture_stages() const { return picture_stages_; }
-  // Where what is on screen comes from; empty when nothing is. texts(): to go into pictures of it.
+  // The provenance of the picture on screen; empty if there is none. texts() gives it as texts for
+  // saved pictures.
   ComplexHeader header() const;
   PictureTexts texts() const;
-  // ui/caption.hpp, of the complex on screen; empty without one.
+  // The caption (ui/caption.hpp) of the complex on screen; empty if there is none.
   std::vector<std::string> caption(CaptionParts parts) const;
 
  private:
   using Clock = std::chrono::steady_clock;
 
   static ComplexHeader header_of(const OpenedMolecule& opened, const EngineAnswer& answer);
-  struct Sweep;  // what the frames of one have in common
+  struct Sweep;  // the common data of its frames
   Picture sweep_picture(Sweep& sweep, double alpha, const RunContext& context) const;
-  // Colours of balls: for themselves, or for the simplices between them.
+  // Colours of balls, for the balls themselves or for the simplices between them.
   struct Painting {
     Paint paint;
     std::shared_ptr<const DrawnMolecule> molecule;
-    std::shared_ptr<const Answer> answer;           // null where the paint asks for no complex
-    std::shared_ptr<const MeasuredUnion> measures;  // of exposed areas; else null
+    std::shared_ptr<const Answer> answer;  // null if the paint does not depend on the complex
+    std::shared_ptr<const MeasuredUnion> measures;  // if the paint shows exposed areas; else null
     PaintedBalls balls;
   };
   struct PaintTask {
     std::shared_ptr<const DrawnMolecule> molecule;
-    std::shared_ptr<const Answer> answer;  // null: none
+    std::shared_ptr<const Answer> answer;  // null if the paint does not depend on the complex
     Paint paint;
   };
   static std::shared_ptr<const Painting> make_painting(const PaintTask& task,
                                                        std::shared_ptr<const Painting> earlier,
                                                        const RunContext& context);
-  // One a ball.
+  // One colour for each ball.
   using BallColours = std::shared_ptr<const std::vector<Rgb8>>;
-  // The same with hidden balls and own colours; `looks` may be null.
+  // Hidden balls and chosen colours for each ball; null if there are none.
   static std::shared_ptr<const BallAppearance> make_looks(const DrawnMolecule& molecule,
                                                           const Appearance& appearance);
   static std::vector<float> radii_of(const DrawnMolecule& molecule, const BallStyle& style,
@@ -204,18 +209,18 @@ class SceneController {
   std::optional<PaintKey> ball_key() const;
   std::optional<PaintKey> simplex_key() const;
   void describe_colours(ViewportInfo& viewport) const;
-  std::string not_drawn() const;  // what the picture lacks; empty: nothing
+  std::string not_drawn() const;  // the missing parts of the picture; empty: none
   void submit_painting();
   void show_ball_colours();
   void update_radii();
   void submit();
   bool outdated() const;
-  bool draws_nothing() const;  // for want of memory
+  bool draws_nothing() const;  // because memory is too small
   struct BallLook {
     Paint paint;
     BallStyle style;
   };
-  // What is drawn of a clip, and the tetrahedra that it cuts.
+  // A clip as drawn, with the caps of the tetrahedra that it cuts.
   struct DrawnCaps {
     Clip clip;
     std::shared_ptr<const CapMesh> mesh;  // null: none
@@ -224,12 +229,13 @@ class SceneController {
   struct Drawing {
     std::shared_ptr<const DrawnMolecule> molecule;
     std::shared_ptr<const Answer> answer;
-    std::shared_ptr<BallData> balls;  // of another molecule than on screen; null: the same
-    BallLook look;                    // of the balls, and their radii where they are new
+    std::shared_ptr<BallData> balls;  // null: the balls are those on screen
+    BallLook look;                    // colours of the balls, and their radii if the balls are new
     std::vector<float> radii;
-    std::shared_ptr<const BallAppearance> looks;  // of all that is drawn; may be null
+    std::shared_ptr<const BallAppearance> looks;  // for balls and simplices; may be null
     std::shared_ptr<const Painting> ball_painting;
-    std::shared_ptr<const Painting> simplex_painting;  // null unless they have colours of balls
+    // Null unless simplices have colours of balls.
+    std::shared_ptr<const Painting> simplex_painting;
     std::shared_ptr<const ComplexMesh> mesh;
     std::shared_ptr<MeshData> mesh_data;
     MeshOptions options;  // of mesh
@@ -239,9 +245,9 @@ class SceneController {
     std::shared_ptr<CapData> cap_data;
     std::shared_ptr<const DifferenceMesh> differences;
     std::shared_ptr<DifferenceData> difference_data;
-    std::string not_drawn;  // what is missing and why; empty: nothing
+    std::string not_drawn;  // the missing parts and the reason; empty: none
   };
-  // What caps are made of: as the mesh that they close.
+  // The inputs of caps: those of the mesh that they close.
   struct CapTask {
     std::shared_ptr<const DrawnMolecule> molecule;
     std::shared_ptr<const Answer> answer;
@@ -257,11 +263,11 @@ class SceneController {
   struct DrawnLayers {
     Layers layers;
     std::shared_ptr<const LayerMesh> mesh;  // null: none
-    std::string not_drawn;                  // why; empty: all is
+    std::string not_drawn;                  // why layers are missing; empty: none
     PickLayers picks;                       // of mesh
-    std::optional<PickLayer> atoms;         // of mesh, before all else
+    std::optional<PickLayer> atoms;         // of mesh, picked before all others
   };
-  // What a job of the worker needs.
+  // The inputs of a drawing, copied for the worker's job.
   struct Wanted {
     std::shared_ptr<const DrawnMolecule> drawn;
     std::shared_ptr<const OpenedMolecule> opened;
@@ -287,12 +293,12 @@ class SceneController {
   void submit_beside_body();
   void submit_picks();
   void show_layers(DrawnLayers layers, std::shared_ptr<LayerData> data);
-  void forget_layers();                            // the scene has
-  BallLook ball_look(const Answer* answer) const;  // as the controls have it
+  void forget_layers();                            // the scene drops its layers
+  BallLook ball_look(const Answer* answer) const;  // as the controls set it
   SceneStyle scene_style() const;
-  SceneStyle drawn_style() const;  // of what is on screen, perhaps without balls
+  SceneStyle drawn_style() const;  // of the picture on screen, perhaps without balls
   void draw_selected();
-  // With their own radii.
+  // The items as balls, with the radii of the geometry and not as drawn.
   BallGeometry drawn_places(const Selected& what) const;
   ViewProblem find_view_problem() const;
   void note_times(RenderQuality quality, double picture_milliseconds);
@@ -301,41 +307,42 @@ class SceneController {
   void check_view(ViewportInfo& viewport, bool interacting);
   void draw(RenderQuality quality, bool patient);
   RenderQuality quality_for_change(bool follows_computation) const;
-  bool unfinished() const;  // the picture on screen could have more samples
+  bool unfinished() const;  // the picture on screen could get more samples
   MeshOptions mesh_options() const;
 
   const FreeMemory free_memory_;
-  std::optional<std::uint64_t> free_read_;  // the mesh worker's, as the next
+  // Free memory at the last reading, bytes. Only the mesh worker uses these two.
+  std::optional<std::uint64_t> free_read_;
   Clock::time_point free_read_at_;
   const MeshMaker make_mesh_;
   Scene scene_;
   QualityChooser quality_;
-  // Wanted on screen.
+  // The wanted picture.
   std::shared_ptr<const OpenedMolecule> opened_;
   std::shared_ptr<const PreparedBalls> prepared_;  // of opened_
   std::shared_ptr<const Answer> answer_;
-  std::shared_ptr<const Agreement> agreement_;  // of answer_, and only when something differs
-  bool waiting_ = false;                        // for the answer: until then nothing new is drawn
-  // On screen.
+  std::shared_ptr<const Agreement> agreement_;  // for answer_; set only if something differs
+  bool waiting_ = false;                        // no new picture is drawn before the answer
+  // The picture on screen.
   std::shared_ptr<const DrawnMolecule> drawn_molecule_;
   std::shared_ptr<const Answer> drawn_answer_;
   std::vector<std::pair<std::string, std::uint64_t>> wanted_layers_;  // ids and keys
   DrawnLayers drawn_layers_;
   BesideBody beside_body_;
   std::optional<PickLayer> beside_body_pick_;
-  std::shared_ptr<const OpenedMolecule> viewed_;  // that the camera was set for
+  std::shared_ptr<const OpenedMolecule> viewed_;  // the molecule for which the camera was set
   std::string not_drawn_;
   std::optional<CameraPlace> left_view_;
-  std::optional<CameraPlace> wanted_camera_;  // of the next molecule
+  std::optional<CameraPlace> wanted_camera_;  // for the next picture with other balls
   bool pending_ = false;
   std::optional<Clock::time_point> outdated_since_;
   std::vector<float> radii_;  // Å, as drawn
-  double pick_margin_ = 0;    // BallPicker::margin() of them
-  // Of what is drawn; not all there before its first picture.
+  double pick_margin_ = 0;    // BallPicker::margin() for radii_
+  // Stages of the drawn complex, complete after its first picture.
   std::vector<StageTime> picture_stages_;
   BallStandIn balls_;
-  bool stand_in_ = false;  // the last picture is without balls
-  PickLayers picks_;       // of drawn_mesh_, or none yet
+  bool stand_in_ = false;  // the last picture has no balls
+  PickLayers picks_;       // of drawn_mesh_; empty until they are made
   Selected selected_;
   std::shared_ptr<const ComplexMesh> drawn_mesh_;
   MeshOptions drawn_options_;          // of drawn_mesh_
@@ -351,16 +358,16 @@ class SceneController {
   float line_scale_ = 1;
   MeshOptions requested_mesh_;
   bool dirty_ = true;
-  bool covered_ = false;       // as ViewportInfo says: what changed is drawn when it is seen again
+  bool covered_ = false;  // as in ViewportInfo: a covered picture is drawn again when it is visible
   bool view_checked_ = false;  // since the last picture
   ViewProblem view_problem_ = ViewProblem::none;
   bool refine_ = false;  // the picture on screen could be finer
   RenderQuality drawn_ = RenderQuality::draft;
-  bool new_picture_ = false;  // since the last one that followed a hand
+  bool new_picture_ = false;  // since the last picture while the user moved something
   Clock::time_point last_change_ = Clock::now();
   int width_ = 0, height_ = 0;
-  std::atomic<std::uint64_t> pending_bytes_ = 0;  // of what the worker makes
-  // Last: joined before what their jobs use goes.
+  std::atomic<std::uint64_t> pending_bytes_ = 0;  // of the drawing that the worker makes
+  // Last members, so that their threads are joined before their jobs' data is destroyed.
   Worker mesh_worker_, layer_worker_, beside_worker_, pick_worker_, cap_worker_, paint_worker_;
 };
 

@@ -1,4 +1,5 @@
-// Meshes of a molecule and a complex: made on a worker's thread, then taken into the scene.
+// Drawings of a molecule and its complex: a worker makes them, and the main thread takes them into
+// the scene.
 #include <new>
 #include <tuple>
 #include <utility>
@@ -25,20 +26,21 @@ std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMole
   return drawn;
 }
 
-// Balls set by hand that were moved, not others. What a hand holds must stay under the mouse.
+// Whether the same sandbox was edited. Its view stays, so that a dragged ball stays under the
+// mouse.
 bool changes_sandbox(const DrawnMolecule* before, const DrawnMolecule& now) {
   return before != nullptr && before->opened && now.opened && before->opened->options.sandbox &&
          now.opened->options.sandbox && before->opened->deposited == now.opened->deposited;
 }
 
-// Two drawings may have been begun before the first of a molecule was there; each then has made the
-// same balls.
+// Whether both molecules have the same balls. Two drawings begun before the first one is shown both
+// make these balls.
 bool has_same_balls(const DrawnMolecule* before, const DrawnMolecule& now) {
   return before != nullptr && before->opened == now.opened && before->prepared == now.prepared &&
          before->geometry->centres.size() == now.geometry->centres.size();
 }
 
-// Without balls, for want of memory.
+// A molecule without balls, for too little memory.
 std::shared_ptr<const DrawnMolecule> undrawn(std::shared_ptr<const OpenedMolecule> opened) {
   auto drawn = std::make_shared<DrawnMolecule>();
   drawn->molecule = opened->molecule;
@@ -57,7 +59,7 @@ MeshOptions SceneController::mesh_options() const {
 
 void SceneController::submit() {
   requested_mesh_ = mesh_options();
-  if (!prepared_ || waiting_) return;  // what is awaited will be made with the new options
+  if (!prepared_ || waiting_) return;  // the awaited drawing will use the new options
   const Wanted wanted{
       drawn_molecule_,        opened_,         answer_, agreement_,  ball_look(answer_.get()),
       display_.complex_paint, requested_mesh_, clip_,   appearance_, ball_painting_,
@@ -77,9 +79,9 @@ void SceneController::submit() {
       });
 }
 
-// Reading how much memory is free takes about as long as making the mesh of a small molecule. So
-// the last reading serves for a second, where it was a thousand times what the complex takes; its
-// mesh takes only a few times that.
+// Reading the amount of free memory takes about as long as the mesh of a small molecule. A reading
+// therefore serves for a second if it exceeds the complex a thousandfold. The mesh takes only a few
+// times the complex.
 std::optional<std::uint64_t> SceneController::free_memory_for(const DrawingTask& task) {
   constexpr std::chrono::seconds kServesFor{1};
   constexpr std::uint64_t kBytesABall = 200, kPlenty = 1000;
@@ -93,7 +95,7 @@ std::optional<std::uint64_t> SceneController::free_memory_for(const DrawingTask&
   return free_read_;
 }
 
-// On the worker's thread.
+// Runs on the worker's thread.
 Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunContext& context) {
   const auto& [drawn, opened, answer, agreement, look, complex_paint, mesh, clip, appearance,
                ball_painting, simplex_painting] = wanted;
@@ -104,7 +106,7 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
                          agreement ? &agreement->comparison : nullptr, mesh};
   DrawingPlan plan = plan_drawing(task, free_memory_for(task));
   if (!plan.complete()) {
-    wait_until_freed();  // the picture before
+    wait_until_freed();  // the previous picture's memory
     plan = plan_drawing(task, free_memory_());
   }
   pending_bytes_ = plan.complete() ? plan.wanted_bytes : drawing_budget(plan.free_bytes);
@@ -160,7 +162,7 @@ Worker::Delivery SceneController::make_drawing(const Wanted& wanted, const RunCo
   return [this, drawing] { take(drawing); };
 }
 
-// Tries again without what is on screen; its last picture stays, and tells that it is outdated.
+// Removes the picture from the scene and tries again. The last image stays, marked as outdated.
 void SceneController::make_room() {
   forget_layers();
   scene_.set_balls(std::make_shared<const BallGeometry>(), {});
@@ -207,8 +209,8 @@ void SceneController::take(Drawing drawing) {
   }
 }
 
-// Drawings come late, and others may have come since they were begun: what is shown must follow
-// from what they hold and from the controls, not from what was on screen when they were begun.
+// A drawing may arrive after others that were begun later. Its result must therefore follow from
+// its own data and the controls, not from the picture at its start.
 void SceneController::show(Drawing drawing) {
   take_time(true);
   const bool new_balls = !has_same_balls(drawn_molecule_.get(), *drawing.molecule);
@@ -218,10 +220,10 @@ void SceneController::show(Drawing drawing) {
     drawing.molecule = drawn_molecule_;
     drawing.balls = nullptr;
   }
-  outdated_since_.reset();  // the next that is awaited may take its time as well
+  outdated_since_.reset();  // the time limit starts anew for the next awaited picture
   const bool of_sandbox = changes_sandbox(drawn_molecule_.get(), *drawing.molecule);
   const bool keep_view = viewed_ && (of_sandbox || same_atoms(*viewed_, *drawing.molecule->opened));
-  // The scene's origin is the middle of all balls, which may be elsewhere now.
+  // The scene's origin is the middle of all balls, which may have moved.
   const std::optional<CameraPlace> before = camera();
   const bool same_file = viewed_ && viewed_->deposited == drawing.molecule->opened->deposited;
   const std::optional<NamedView> place =
@@ -231,11 +233,11 @@ void SceneController::show(Drawing drawing) {
   drawn_answer_ = drawing.answer;
   not_drawn_ = drawing.not_drawn;
   drawn_molecule_ = drawing.molecule;
-  if (new_balls) forget_layers();  // they go with the balls
+  if (new_balls) forget_layers();  // layers belong to their balls
   const bool new_painting = ball_painting_ != drawing.ball_painting;
   ball_painting_ = std::move(drawing.ball_painting);
   simplex_painting_ = std::move(drawing.simplex_painting);
-  // Each drawing has looks of its own, mostly equal ones.
+  // Each drawing makes its own looks, which are mostly equal.
   const bool new_looks = (drawn_looks_ || drawing.looks) && !new_balls;
   drawn_looks_ = drawing.looks;
   if (new_balls || display_.grown_balls) show_balls(drawing);
@@ -243,7 +245,7 @@ void SceneController::show(Drawing drawing) {
   if (ball_painting_ && ball_painting_->paint != display_.ball_paint) submit_painting();
   if (new_looks) update_radii();
   drawn_mesh_ = std::move(drawing.mesh);
-  // Made again of the same answer, a mesh has what the device found for nothing.
+  // The second mesh of an answer reuses the faces that the device found.
   const double on_device =
       first_of_answer && drawing.answer ? drawing.answer->outside_milliseconds : 0;
   picture_stages_ = {{std::string(stage::kMesh), on_device + drawing.mesh_milliseconds, false}};
@@ -261,7 +263,7 @@ void SceneController::show(Drawing drawing) {
   viewed_ = draws_nothing() ? nullptr : drawn_molecule_->opened;
   if (!keep_view) quality_.forget(), balls_.forget();
   if (place) go_to(*place);
-  // Other atoms of the same molecule keep the view, unless it shows none of them.
+  // The view stays for other atoms of the same molecule, unless it shows none of them.
   const ViewProblem problem = find_view_problem();
   const bool shows_none = problem != ViewProblem::none && problem != ViewProblem::cut_away;
   if (!keep_view || shows_none) {
@@ -271,8 +273,8 @@ void SceneController::show(Drawing drawing) {
   if (wanted_camera_ && !draws_nothing()) move_camera(*std::exchange(wanted_camera_, {}));
 }
 
-// After the picture: nobody points at what has just appeared, and while alpha moves nobody points
-// at all.
+// Starts after the picture is shown: the user points at nothing new at once, and at nothing while
+// alpha moves.
 void SceneController::submit_picks() {
   picks_.clear();
   if (!drawn_mesh_ || drawn_mesh_->empty()) return pick_worker_.cancel();
@@ -284,7 +286,7 @@ void SceneController::submit_picks() {
   });
 }
 
-// What of a picture goes into balls and edges counts as drawing it.
+// The upload of balls and edges counts as part of the drawing.
 void SceneController::note_times(RenderQuality quality, double picture_milliseconds) {
   if (!stand_in_) quality_.note(quality, picture_milliseconds);
   if (!stand_in_ && display_.balls) balls_.note(quality, picture_milliseconds);
@@ -294,7 +296,7 @@ void SceneController::note_times(RenderQuality quality, double picture_milliseco
   picture_stages_.push_back({std::string(stage::kDraw), picture_milliseconds - upload, false});
 }
 
-// Of a drawing that was begun beside the same balls, which have gone since.
+// Makes the balls of a drawing that expected its balls on screen, when these have gone meanwhile.
 void SceneController::make_balls(Drawing& drawing) const {
   const DrawnMolecule& m = *drawing.molecule;
   const std::size_t count = m.geometry->centres.size();
@@ -305,7 +307,7 @@ void SceneController::make_balls(Drawing& drawing) const {
   drawing.balls = make_ball_data(m.geometry, painted(colours, drawing.looks.get()), drawing.radii);
 }
 
-// Colours and radii come with the drawing, unless the controls have changed since it was begun.
+// Colours and radii come with the drawing, unless the controls have changed since its start.
 void SceneController::show_balls(Drawing& drawing) {
   const BallLook wanted = ball_look(drawn_answer_.get());
   const std::size_t count = drawn_molecule_->geometry->centres.size();

@@ -1,5 +1,4 @@
-// What is drawn beside molecule and complex: panels' layers, and atoms that are no part of the
-// body.
+// Layers of panels, and atoms beside the body.
 #include <utility>
 
 #include "app/viewer/scene/scene_controller.hpp"
@@ -7,8 +6,8 @@
 namespace alphascope {
 namespace {
 
-// Points of panels' layers that are made between two frames: a millisecond or two. More are made on
-// a worker's thread.
+// Largest number of points of layers that are made between two frames, in one or two milliseconds.
+// A worker makes larger layers.
 constexpr std::size_t kMostPointsAtOnce = 60000;
 
 }  // namespace
@@ -57,7 +56,7 @@ void SceneController::show_layers(DrawnLayers layers, std::shared_ptr<LayerData>
   dirty_ = true;
 }
 
-// What was drawn before stays until it is there.
+// The last drawn atoms stay until the new ones are ready.
 void SceneController::submit_beside_body() {
   if (!drawn_molecule_ || drawn_molecule_->prepared->left_out.empty()) {
     beside_worker_.cancel();

@@ -1,6 +1,6 @@
-// What balls and simplices are coloured by. Colours that follow from the complex are made with its
-// drawing, so that no picture mixes two alphas; when only the choice changes, a worker makes those
-// of the balls anew, and the last ones stay with their legend until these are there.
+// Colours of balls and simplices. Colours that depend on the complex are made with its drawing, so
+// that no picture mixes two alphas. After a change of paint alone, a worker makes the balls'
+// colours. The last colours and their legend stay until then.
 #include <utility>
 
 #include "app/viewer/scene/scene_controller.hpp"
@@ -9,7 +9,7 @@
 
 namespace alphascope {
 
-// On the worker's thread. `earlier` is given back where it is the same; it may be null.
+// Runs on the worker's thread. Returns `earlier`, which may be null, if its colours are the same.
 std::shared_ptr<const SceneController::Painting> SceneController::make_painting(
     const PaintTask& task, std::shared_ptr<const Painting> earlier, const RunContext& context) {
   const SchemeInfo& scheme = scheme_info(task.paint.by);

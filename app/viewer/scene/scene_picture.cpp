@@ -1,4 +1,4 @@
-// What is written over and into pictures that are saved, and the frames of recordings.
+// Texts of saved pictures, and the frames of recordings.
 #include <stdexcept>
 
 #include "app/session/engine_cache.hpp"
@@ -9,9 +9,9 @@
 
 namespace alphascope {
 
-// Nothing that the window changes later.
+// The data of a sweep, copied so that later changes in the window do not reach it.
 struct SceneController::Sweep {
-  PictureToSave picture;  // what was on screen; another complex takes the place of its own
+  PictureToSave picture;  // the picture at the start; each frame replaces its complex
   std::shared_ptr<const DrawnMolecule> molecule;
   std::shared_ptr<const BallAppearance> looks;
   Request request;
@@ -56,8 +56,8 @@ FrameSource SceneController::frames(const RecordRequest& request) const {
   }};
 }
 
-// On the thread of a recording. What pages lay over the picture is of another alpha: where there is
-// any, SweepRecorder records instead.
+// Runs on the recording's thread. Drawings of pages belong to one alpha, so SweepRecorder records
+// sweeps that have them.
 Picture SceneController::sweep_picture(Sweep& sweep, double alpha,
                                        const RunContext& context) const {
   const DrawnMolecule& m = *sweep.molecule;
@@ -74,7 +74,7 @@ Picture SceneController::sweep_picture(Sweep& sweep, double alpha,
   picture.not_drawn = not_drawn_text(plan);
   picture.layers.clear();
   picture.differences = nullptr;
-  // As in make_drawing(): colours may follow the complex.
+  // As in make_drawing(), since colours may depend on the complex.
   sweep.balls =
       make_painting({sweep.molecule, answer, sweep.display.ball_paint}, sweep.balls, context);
   picture.colours = painted(sweep.balls->balls.colours, looks);

@@ -1,4 +1,4 @@
-// What is under the mouse in the picture, and what of it is selected.
+// Picking in the picture, and marks of the selection.
 #include <algorithm>
 #include <numeric>
 
@@ -8,10 +8,10 @@
 namespace alphascope {
 namespace {
 
-// A selected ball covers the ball that it marks.
-constexpr float kMarkScale = 1.06f, kMarkRim = 0.05f;  // times the radius, and Å
-// Balls that are not drawn, since alpha leaves nothing of them or balls are off, are marked so
-// large.
+// The radius of a mark is kMarkScale times the ball's plus kMarkRim (Å), so that it covers the
+// ball.
+constexpr float kMarkScale = 1.06f, kMarkRim = 0.05f;
+// Least radius of marks, for balls that are not drawn because alpha is too low or balls are off.
 constexpr float kLeastMark = 0.35f;  // Å
 
 }  // namespace
@@ -63,7 +63,7 @@ BallGeometry SceneController::drawn_places(const Selected& what) const {
   return places;
 }
 
-// Also when radii or colours have changed.
+// Call again after a change of radii or colours.
 void SceneController::draw_selected() {
   dirty_ = true;
   if (!drawn_molecule_) return;

@@ -1,4 +1,5 @@
-// See the header.
+// Runs the lines of a script: commands of the menus, and verbs for mouse, keys, waiting and
+// pictures.
 #include "app/viewer/script/script.hpp"
 
 #include <chrono>
@@ -31,7 +32,7 @@ constexpr double kBusyFrame = 0.05;  // seconds between frames while nothing wak
 
 class ScriptRunner {
  public:
-  // What only a script does: mouse, keys, waiting, pictures of the window.
+  // An action that only scripts have: mouse, keys, waiting, pictures of the window.
   struct Verb {
     CommandSpec spec;  // without run
     void (ScriptRunner::*act)(const Arguments& arguments);
@@ -63,7 +64,7 @@ class ScriptRunner {
     return !quit_ && !viewer_.quit_requested();
   }
 
-  // Throws when a `when` has no `end`.
+  // Throws std::runtime_error for a `when` without `end`.
   void finish() const {
     if (inside_when_) throw std::runtime_error("the last 'when' has no 'end'");
   }
@@ -85,7 +86,7 @@ class ScriptRunner {
     for (int i = 0; i < count; ++i) viewer_.step(&input_);
   }
 
-  // Asks the molecule and not the widgets: one that should be there and is not stays an error.
+  // Checks the molecule's data and not the widgets, so that a missing widget stays an error.
   bool holds(const std::string& condition) const {
     const MoleculeInfo& m = viewer_.state().molecule;
     return (condition == "dropped" && !m.dropped.empty()) ||
@@ -105,7 +106,8 @@ class ScriptRunner {
   }
   void quit(const Arguments&) { quit_ = true; }
 
-  // "radius.*" is the first in the alphabet whose name starts with "radius.".
+  // A name such as "radius.*" finds the first widget, in alphabetical order, that starts with
+  // "radius.".
   WidgetRects::const_iterator find(const std::string& name) const {
     const WidgetRects& all = viewer_.widgets();
     if (name.empty() || name.back() != '*') return all.find(name);
@@ -120,9 +122,9 @@ class ScriptRunner {
     const WidgetRect widget = place(arguments.text("name"));
     input_.x = widget.x0 + fx * (widget.x1 - widget.x0);
     input_.y = widget.y0 + fy * (widget.y1 - widget.y0);
-    frames(2);  // hovering must be settled before a press
+    frames(2);  // hovering must settle before a press
   }
-  // Of a widget, scrolled into sight.
+  // The rectangle of a widget, after scrolling it into view.
   WidgetRect place(const std::string& name) {
     auto it = find(name);
     if (it != viewer_.widgets().end() && !it->second.visible) {
@@ -143,7 +145,7 @@ class ScriptRunner {
     input_.down[0] = false;
     frames(2);
   }
-  // To and fro in real time, with frames as run() draws them.
+  // Drags to and fro in real time, with frames at the times of run().
   void drag(const Arguments& arguments) {
     using Clock = std::chrono::steady_clock;
     using Seconds = std::chrono::duration<double>;
@@ -165,7 +167,7 @@ class ScriptRunner {
     std::uint64_t drawn = 0, pictures = 0;
     Seconds longest{0};
     for (Clock::time_point now = start; now - start < seconds; now = Clock::now()) {
-      const double along = std::fmod(Seconds(now - start).count(), 2);  // a second each way
+      const double along = std::fmod(Seconds(now - start).count(), 2);  // one second each way
       at(from + (to - from) * (along < 1 ? along : 2 - along));
       const Seconds took = Clock::now() - now;
       longest = std::max(longest, took);
@@ -191,7 +193,7 @@ class ScriptRunner {
       input_.down[1] = down;
       frames(2);
     }
-    frames(2);  // until the menu is there
+    frames(2);  // until the menu is open
   }
   void double_click(const Arguments& arguments) {
     click(arguments);
@@ -220,8 +222,7 @@ class ScriptRunner {
   }
   void wait_idle(const Arguments&) {
     const auto deadline = std::chrono::steady_clock::now() + kLongestWait;
-    // One job's result can start the next when it is taken in, so a quiet moment is not yet the
-    // end.
+    // A result that is taken in may start the next job, so one quiet frame is not the end.
     for (int quiet = 0; quiet < 4; quiet = viewer_.busy() ? 0 : quiet + 1) {
       if (std::chrono::steady_clock::now() > deadline) {
         throw std::runtime_error("still busy after five minutes");
@@ -411,7 +412,7 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
 
 constexpr std::size_t kHelpWidth = 100, kHelpIndent = 6;
 
-// Indented, broken at blanks.
+// Prints the text indented, with lines broken at blanks.
 void print_wrapped(std::ostream& out, const std::string& text) {
   std::size_t column = 0;
   for (const std::string& word : words_of(text)) {

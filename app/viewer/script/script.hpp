@@ -1,5 +1,5 @@
-// Drives the window by a script: by the commands of its menus (commands.hpp), and by mouse and keys
-// through the same frames and widgets that a user has. `alphascope --script-help` lists both.
+// Drives the window by a script. It runs the commands of the menus (commands.hpp), and sends mouse
+// and keys through the same frames and widgets. `alphascope --script-help` lists both.
 #pragma once
 
 #include <iosfwd>
@@ -9,10 +9,10 @@ namespace alphascope {
 
 class Viewer;
 
-// Every command and what it takes, for people.
+// The help on all commands and their parameters, as text.
 std::string script_help();
 
-// Throws std::runtime_error that names file and line when a command is unknown or fails.
+// Throws std::runtime_error with file and line for a command that is unknown or fails.
 void run_script(Viewer& viewer, std::istream& script, const std::string& name, std::ostream& out);
 
 }  // namespace alphascope

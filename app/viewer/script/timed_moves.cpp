@@ -1,4 +1,4 @@
-// See the header.
+// Repeats moves of alpha or of a ball in the window, and takes their times.
 #include "app/viewer/script/timed_moves.hpp"
 
 #include <algorithm>
@@ -19,10 +19,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kLongest{300};
-constexpr double kBeside = 0.05;  // Å², from where alpha moves: another complex, about as large
-// Moves to an alpha that are not counted: they make room for its results.
+// Å², distance of the start from the target: another complex of about the same size
+constexpr double kBeside = 0.05;
+// Moves that are not counted. They allocate the memory for the results.
 constexpr int kWarmUp = 2;
-constexpr double kStep = 0.0371;  // Å, that a ball moves
+constexpr double kStep = 0.0371;  // Å, length of a ball's move
 
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -43,7 +44,8 @@ class Mover {
     });
   }
 
-  // Milliseconds until the picture with this ball, from 0, a step further along x is drawn.
+  // Milliseconds until the picture with the moved ball is drawn. `ball` counts from 0; `step` is
+  // along x, Å.
   double move_ball_by(std::size_t ball, double step) {
     const Clock::time_point start = Clock::now();
     const auto before = viewer_.state().result;
@@ -52,12 +54,12 @@ class Mover {
     place[0] += step;
     move_ball(sandbox, ball, place);
     return until(start, [&] {
-      const auto& result = viewer_.state().result;  // null while the new balls have none yet
+      const auto& result = viewer_.state().result;  // null until the new balls have a result
       return result && result != before;
     });
   }
 
-  // Milliseconds of a frame at rest.
+  // Milliseconds of a frame in which nothing changes.
   double frame() {
     const Clock::time_point start = Clock::now();
     viewer_.step(&input_);
@@ -95,7 +97,7 @@ class Mover {
   ScriptedInput& input_;
 };
 
-// "12.3 (15.1)": median and longest.
+// Median and maximum, for example "12.3 (15.1)".
 std::string summary(std::vector<double> times) {
   if (times.empty()) return "none";
   std::sort(times.begin(), times.end());

@@ -1,4 +1,4 @@
-// Labels of atoms, distances and angles between them, and marks at places of space.
+// Commands for labels of atoms, distances and angles between atoms, and marks at places in space.
 #include <algorithm>
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-// Which atoms the picture shows, and their own colours. Nothing is computed anew.
+// Commands that hide atoms in the picture or give them colours. They compute no new complex.
 #include <optional>
 #include <utility>
 
@@ -43,7 +43,7 @@ std::function<std::string()> without_picture(const ViewState& s) {
 
 namespace {
 
-// A command on the atoms that it is given, or on what is selected.
+// A command on the atoms of its parameter or, without one, on the selection.
 CommandSpec on_atoms(ViewState& s, CommandSpec spec, std::function<void(const AtomSet&)> act) {
   spec.parameters.push_back(which_atoms());
   spec.why_not = without_picture(s);

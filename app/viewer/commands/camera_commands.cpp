@@ -1,4 +1,4 @@
-// Commands that change how the picture is looked at, but for "Reset view".
+// Commands that change the view, all but "Reset view".
 #include <algorithm>
 
 #include "app/viewer/commands/command_parts.hpp"

@@ -85,7 +85,7 @@ void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .help = "Turns the view so that the cut is seen straight from the front",
                 .why_not = without_clip,
                 .run = [&s, ask](const Arguments&) {
-                  // From the side that is cut away.
+                  // Looks from the side that is cut away.
                   const bool behind =
                       s.settings.clip.kind == Clip::Kind::plane && s.settings.clip.flipped;
                   std::array<double, 3> towards = s.settings.clip.normal;

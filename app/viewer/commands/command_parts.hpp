@@ -1,4 +1,4 @@
-// What the sources that register commands share.
+// Shared parts of the sources that register commands, and their functions.
 #pragma once
 
 #include <functional>
@@ -10,22 +10,24 @@
 
 namespace alphascope {
 
-// Why a command cannot run without these; empty: it can.
+// Each returns a test that says why a command cannot run without a molecule or result. Empty: it
+// can run.
 std::function<std::string()> without_molecule(const ViewState& s);
 std::function<std::string()> without_result(const ViewState& s);
 
-// The parameter of a command that switches something, and what it makes of the value: without
-// argument it is turned over.
+// The parameter of a command that switches a value, and the action. Without an argument the value
+// is toggled.
 Parameter on_or_off();
 Outcome set_switch(const Arguments& arguments, bool& value);
 
-// Something that is on or off: a line with a tick in the menu.
+// A command that switches `value`: a line with a tick in the menu.
 CommandSpec with_switch(CommandSpec spec, bool& value);
 
-// Alpha, solvent, molecule, engine, comparison, benchmark.
+// Commands of alpha, solvent, molecule, engine, comparison and benchmark.
 void add_compute_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// Of recordings, sessions, recent files, the scale and pages; each is added where its menu has it.
+// Commands of recordings, sessions, recent files, the scale and pages. The caller adds each at its
+// place in a menu.
 CommandSpec open_session_command(ViewState& s, const Calls& ask);
 CommandSpec record_command(ViewState& s, const Calls& ask);
 CommandSpec save_session_command(ViewState& s, const Calls& ask);
@@ -33,49 +35,49 @@ CommandSpec recent_files_command(ViewState& s, const Calls& ask);
 CommandSpec scale_command(ViewState& s);
 CommandSpec page_command(ViewState& s);
 CommandSpec section_command(ViewState& s);
-// How the picture is looked at.
+// Commands of the view.
 void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// Presets, light and lines.
+// Commands of presets, light and lines.
 void add_look_commands(Commands& commands, ViewState& s);
 
-// What balls and simplices are coloured by.
+// Commands that colour balls and simplices.
 void add_paint_commands(Commands& commands, ViewState& s);
 
-// The clip.
+// Commands of the clip.
 void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// What is selected in the picture.
+// Commands of the selection.
 void add_selection_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// The page that explains a simplex.
+// Commands of the page that explains a simplex.
 void add_why_commands(Commands& commands, ViewState& s);
 
-// The page of an engine's steps.
+// Commands of the page that shows an engine's steps.
 void add_steps_commands(Commands& commands, ViewState& s);
 
-// Balls set by hand.
+// Commands of the sandbox.
 void add_sandbox_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// Lessons.
+// Commands of lessons.
 void add_lesson_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// What the picture shows of atoms.
+// Commands that hide and colour atoms.
 void add_appearance_commands(Commands& commands, ViewState& s);
 
-// What is under the mouse, or what the open menu of the right button is about; none: nothing.
+// The item under the mouse, or the item of the open context menu; none if there is neither.
 const std::optional<Ref>& pointed(const ViewState& s);
 void add_pointed_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// Labels, distances and angles.
+// Commands of labels, distances and angles.
 void add_annotation_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// The last parameter of commands on atoms, and what it asks for: atoms that are named or, where it
-// is left out, what is selected. ViewState::references must be known.
+// The last parameter of commands on atoms, and its value: named atoms or, without a name, the
+// selection. ViewState::references must be set.
 Parameter which_atoms();
 struct AskedAtoms {
   AtomSet atoms;
-  std::string fault;  // a sentence; empty: there are some
+  std::string fault;  // a sentence; empty if there are atoms
 };
 Outcome add_measurement(ViewState& s, const Measurement& m);
 AskedAtoms asked_atoms(const ViewState& s, const std::string& text);

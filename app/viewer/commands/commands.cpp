@@ -1,5 +1,5 @@
-// See the header. A new command is one more add() here or in compute_commands.cpp; nothing else
-// knows of it.
+// Commands of the menus File, Edit, View and Help. A new command is one more add() here or in a
+// source beside this one.
 #include "app/viewer/commands/commands.hpp"
 
 #include <filesystem>
@@ -79,7 +79,7 @@ Outcome open_sample(const Arguments& arguments, ViewState& s, const Calls& ask) 
   return {};
 }
 
-// Without a path the dialog asks for all of it.
+// Without a path the dialog asks for all parameters.
 Outcome save_picture(const Arguments& arguments, ViewState& s, const Calls& ask) {
   PanelMemory& m = s.memory;
   if (!arguments.has("path")) {

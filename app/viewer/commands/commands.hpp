@@ -1,4 +1,4 @@
-// What the program can do, as one list: menus, keys, palette and scripts are made from it.
+// The commands of the program, as one list. Menus, keys, the palette and scripts are made from it.
 #pragma once
 
 #include "core/document/commands/commands.hpp"
@@ -7,8 +7,8 @@
 
 namespace alphascope {
 
-// The commands change settings in the state, as the panels do, or ask the program by calls. Both
-// must outlive them.
+// Adds all commands. They change settings in `state`, as panels do, or make calls of `ask`. Both
+// must outlive the commands.
 void add_program_commands(Commands& commands, ViewState& state, const Calls& ask);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// What changes the complex, and what is measured and compared.
+// Commands that change the complex, and those that measure and compare it.
 #include <cmath>
 
 #include "app/viewer/commands/command_parts.hpp"
@@ -11,12 +11,13 @@ using Kind = Parameter::Kind;
 
 // --- Alpha and solvent
 
-// Counting up and down must not leave 0.30000000000000004.
+// Repeated steps must not lead to 0.30000000000000004.
 double rounded(double angstrom2) {
   return std::round(angstrom2 * 1000) / 1000;
 }
 
-// From the end, it begins at the other one. The other direction goes on playing.
+// Playback starts at the other end if alpha is at an end. The command for the other direction turns
+// a running playback round.
 void toggle_playing(ViewState& s, bool backwards) {
   Playback& p = s.playback;
   const bool stops = p.alpha && p.backwards == backwards;
@@ -70,7 +71,7 @@ Outcome set_range(const Arguments& arguments, ViewState& s) {
   return {};
 }
 
-// How the slider looks and plays; alpha stays as it is.
+// Commands for the range of the slider and its playback. Alpha stays as it is.
 void add_slider_commands(Commands& commands, ViewState& s) {
   commands.add(play_command(s, false));
   commands.add(play_command(s, true));
@@ -220,7 +221,8 @@ Outcome set_engine(const Arguments& arguments, ViewState& s) {
   return {};
 }
 
-// The step at hand still finishes when something plays: a picture without its complex helps nobody.
+// While something plays, only playback stops. The running step still finishes, so that the picture
+// gets its complex.
 Outcome stop(ViewState& s, const Calls& ask) {
   const bool playing = s.playback.alpha || s.playback.models || s.steps.playing;
   s.playback.alpha = s.playback.models = s.steps.playing = false;

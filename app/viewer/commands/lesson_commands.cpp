@@ -1,4 +1,4 @@
-// Lessons: opened, and gone through step by step.
+// Commands that open a lesson and go through its steps.
 #include "app/viewer/commands/command_parts.hpp"
 
 namespace alphascope {

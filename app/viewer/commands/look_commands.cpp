@@ -1,4 +1,4 @@
-// Commands that choose a whole look of the picture, and its light and lines.
+// Commands of presets for the whole look of the picture, and of its light and lines.
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace alphascope {
 namespace {
 
-// A command of one number, which is given to `set`.
+// A command with one number, which it hands to `set`.
 CommandSpec number_command(const char* id, const char* title, const char* help,
                            const NumberRule& rule, std::function<void(double)> set,
                            std::vector<Synonym> synonyms = {}) {

@@ -1,5 +1,5 @@
-// The commands that show a page below the view or a section at its left, by their names or by what
-// people call what they show.
+// Commands that show a page below the view or a section at its left. Synonyms in the palette find a
+// panel by its content.
 #include <functional>
 #include <string>
 #include <utility>
@@ -10,7 +10,7 @@
 namespace alphascope {
 namespace {
 
-// `parameter` has no choices yet: they are the panels there.
+// Fills in the choices of `parameter`: the panels at `place`.
 CommandSpec for_panels(CommandSpec spec, Parameter parameter, Place place,
                        const std::function<bool(const PanelSpec&)>& is_shown) {
   parameter.kind = Parameter::Kind::choice;
@@ -33,7 +33,6 @@ CommandSpec for_panels(CommandSpec spec, Parameter parameter, Place place,
 
 }  // namespace
 
-// Without the buttons of the pages.
 CommandSpec page_command(ViewState& s) {
   return for_panels({.id = "view.page",
                      .title = "Page below the view",

@@ -1,4 +1,4 @@
-// Commands that choose what balls and simplices are coloured by.
+// Commands that choose the paint of balls and simplices.
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/settings/paint.hpp"
 

@@ -1,4 +1,4 @@
-// Commands on what is under the mouse, and the menu of the right button.
+// Commands on the item under the mouse, and the context menu.
 #include <algorithm>
 #include <utility>
 
@@ -27,7 +27,7 @@ void select(ViewState& s, RefSet items) {
   s.settings.selection.note_order();
 }
 
-// From one to three selected atoms to the one under the mouse.
+// The distance or angle from one to three selected atoms to the atom under the mouse.
 AskedMeasurement measurement_to_pointed(const ViewState& s) {
   const AtomRef* const end = pointed(s) ? std::get_if<AtomRef>(&*pointed(s)) : nullptr;
   if (end == nullptr) return {{}, "Distances and angles are measured between atoms."};
@@ -75,7 +75,7 @@ void add_selecting(Commands& commands, ViewState& s) {
                           }));
 }
 
-// The atoms of the parameter, or of the selection.
+// A command that hands the atoms of its parameter, or the selection, to `call`.
 CommandSpec looking_at(ViewState& s, const Calls& ask, CommandSpec spec,
                        void (ViewCalls::*call)(const RefSet&)) {
   spec.menu = "View";

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = Parameter::Kind;
 
-// Without a path the dialog asks for all of it.
+// Without a path the dialog asks for all parameters.
 Outcome record(const Arguments& arguments, ViewState& s, const Calls& ask) {
   RecordMemory& m = s.memory.record;
   if (!arguments.has("path")) {

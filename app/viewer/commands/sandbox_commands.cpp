@@ -1,4 +1,4 @@
-// Commands of the sandbox.
+// Commands that create and edit balls of the sandbox.
 #include "app/viewer/commands/command_parts.hpp"
 #include "app/viewer/resources.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
@@ -25,7 +25,7 @@ SandboxPlace place_of(const Arguments& arguments) {
   return {arguments.number("x"), arguments.number("y"), arguments.number("z")};
 }
 
-// Its index, which may be of no ball.
+// The index of the ball, which may not exist.
 std::size_t ball_of(const Arguments& arguments) {
   return static_cast<std::size_t>(arguments.number("ball")) - 1;
 }
@@ -66,7 +66,7 @@ Outcome set_flat(const Arguments& arguments, ViewState& s) {
   return {};
 }
 
-// A command that changes the balls.
+// A command that changes the balls of the sandbox.
 CommandSpec changing(CommandSpec spec, ViewState& s,
                      std::function<void(const Arguments&, Sandbox&)> change) {
   spec.why_not = [&s] {

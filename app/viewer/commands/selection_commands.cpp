@@ -1,4 +1,4 @@
-// What is selected in the picture: by name, none, and looked at.
+// Commands that select by name or clear the selection, and that choose cavities.
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
@@ -63,7 +63,7 @@ CommandSpec by_name(ViewState& s, bool more) {
           }};
 }
 
-// The page makes its table when it is shown.
+// Sets the row only: the page chooses the cavity when its table is ready.
 CommandSpec choose_cavity(ViewState& s) {
   static constexpr NumberRule kRowRule{"The number", 1, 1e6, "", true};
   return {.id = "cavities.choose",

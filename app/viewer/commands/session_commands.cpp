@@ -1,4 +1,4 @@
-// Sessions, recent files, and how large fonts and controls are.
+// Commands of sessions and recent files, and of the scale of fonts and controls.
 #include <algorithm>
 #include <filesystem>
 
@@ -40,7 +40,7 @@ Outcome save_session(const Arguments& arguments, ViewState& s, const Calls& ask)
     ask.files.save_session(path);
     return {};
   }
-  s.memory.session_path = s.session_file.string();  // the session that this molecule has
+  s.memory.session_path = s.session_file.string();  // the session of the open molecule
   s.memory.show_save_session = true;
   return {};
 }

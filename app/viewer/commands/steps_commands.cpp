@@ -1,4 +1,4 @@
-// Commands of the page that goes through an engine's steps of one ball.
+// Commands of the page that shows an engine's steps for one ball.
 #include "app/viewer/commands/command_parts.hpp"
 
 namespace alphascope {
@@ -30,7 +30,7 @@ CommandSpec open_command(ViewState& s) {
           }};
 }
 
-// Before the steps are known, next and back count from the step that is to be shown.
+// Until the steps are known, next and back count from the step that will be shown first.
 struct Move {
   const char *id, *title, *help, *key;
   void (*go)(StepsMemory& memory);
@@ -67,7 +67,7 @@ Outcome show(const Arguments& arguments, ViewState& s) {
   return {};
 }
 
-// From the last step, it begins at the first.
+// Playback at the last step starts again at the first.
 Outcome play(ViewState& s) {
   StepsMemory& m = s.steps;
   m.playing = !m.playing;

@@ -1,4 +1,4 @@
-// alphascope: arguments in, exit code out.
+// The main function of alphascope: reads the arguments, runs the window, returns the exit code.
 #include <sys/stat.h>
 
 #include <csignal>
@@ -28,7 +28,7 @@
 namespace alphascope {
 namespace {
 
-// Size and scale as the command line says, else as last time.
+// Size and scale from the command line, otherwise from the preferences.
 HostOptions host_options(const ViewerOptions& options) {
   Preferences p;
   if (!options.preferences.empty()) p = read_preferences(options.preferences).preferences;
@@ -48,7 +48,7 @@ int status_of(ExitCode code) {
   return static_cast<int>(code);
 }
 
-// What could not be done, with the exit code that says of which kind it is.
+// An action that failed, with the exit code for this kind of failure.
 struct NotDone : std::runtime_error {
   NotDone(ExitCode why, const std::string& text) : std::runtime_error(text), code(why) {}
   ExitCode code;
@@ -62,10 +62,11 @@ ExitCode code_of(const std::exception& error) {
   return ExitCode::computing_failed;
 }
 
-// The window took 120 MB with nothing in it.
+// An empty window was measured to take 120 MB.
 constexpr std::uint64_t kLeastFreeBytes = 150 << 20;
 
-// However long it takes. One job's result can start the next when it is taken in.
+// Has no time limit. A result that is taken in may start the next job, so several quiet frames are
+// needed.
 void wait_until_idle(alphascope::Viewer& viewer) {
   constexpr double kFrame = 0.02;  // seconds
   alphascope::ScriptedInput no_input;
@@ -93,7 +94,7 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options,
     std::istringstream script(script_text);
     try {
       alphascope::run_script(viewer, script, options.script->string(), std::cout);
-    } catch (const std::exception& error) {  // names the line
+    } catch (const std::exception& error) {  // the message names the line
       throw NotDone(ExitCode::unreadable_input, error.what());
     }
   }
@@ -118,7 +119,7 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options,
   return status_of(ExitCode::ok);
 }
 
-// What is read, before an output is opened.
+// Notes the input files before an output is opened.
 void note_inputs(const alphascope::ViewerOptions& options) {
   using alphascope::FileKind;
   const auto note = [](const std::filesystem::path& file, bool session) {
@@ -127,10 +128,10 @@ void note_inputs(const alphascope::ViewerOptions& options) {
   if (options.file) note(*options.file, alphascope::looks_like_session(*options.file));
   if (options.session) note(*options.session, true);
   if (options.script) note(*options.script, false);
-  note(options.lesson, false);  // a name of a lesson is no file, which does no harm
+  note(options.lesson, false);  // the name of a built-in lesson is noted too, which does no harm
 }
 
-// The picture, before a window is there and anything is computed.
+// Checks the output of --shot before a window is opened and anything is computed.
 void check_shot(const std::filesystem::path& shot) {
   alphascope::refuse_to_replace_input("--shot " + shot.string(), shot);
   struct stat status {};
@@ -150,12 +151,12 @@ int open_window(alphascope::ViewerOptions options) {
         {"the script", kLargestScript, "A script has a command a line: alphascope --script-help"});
   }
   const bool scripted = options.script || options.shot || options.record;
-  // What a script shows must not depend on what somebody likes.
+  // The output of a script must not depend on the user's preferences.
   if (!scripted && !options.preferences_given) {
     options.preferences = alphascope::preferences_folder();
   }
   const alphascope::HostOptions host_options = alphascope::host_options(options);
-  // OpenGL drivers end the program where they find no memory.
+  // OpenGL drivers end the program where an allocation fails, so it ends here with a message.
   const auto free = alphascope::available_bytes();
   if (free && *free < kLeastFreeBytes) {
     std::fprintf(stderr,

@@ -1,4 +1,4 @@
-// See the header.
+// Texts and rows about the open molecule: atoms used and dropped, radii and their evidence.
 #include "app/viewer/molecule_info.hpp"
 
 #include <algorithm>
@@ -42,8 +42,8 @@ void add_radius_rows(MoleculeInfo& info, const std::vector<GuessedRadius>& list,
   for (const GuessedRadius& radius : list) info.radius_rows.push_back({kind, radius});
 }
 
-// Metals and the like first: their guesses are the most doubtful. Kind and radius do not count, so
-// that an edit does not move its row from under the mouse.
+// Uncommon elements such as metals come first, since their guessed radii are the most doubtful. The
+// order ignores kind and radius, so that an edited row stays under the mouse.
 void sort_radius_rows(std::vector<RadiusRow>& rows) {
   const auto key = [](const RadiusRow& row) {
     static const std::set<std::string_view> kCommon{"C", "N", "O", "S", "P", "H"};

@@ -1,4 +1,4 @@
-// The open molecule as the panels show it. Pure functions: no window, no GL.
+// Describes the open molecule for the panels. Pure functions: no window, no GL.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,8 @@ namespace alphascope {
 
 MoleculeInfo describe_molecule(const OpenedMolecule& opened);
 
-// Elements with their radii, grown by the solvent radius (Å) and alpha (Å²), most frequent first.
+// Elements with their radii, the most frequent first. Radii are grown by the solvent radius (Å) and
+// alpha (Å²).
 std::vector<GrownRadius> grown_radii(const PreparedBalls& prepared, const Request& controls);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// The table of the window's options; parsing is app/options'.
+// The table of the window's command-line options. app/options parses it.
 #include "app/viewer/options.hpp"
 
 #include <sstream>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kLeastSize = 640, kMostSize = 8192;
 
-// "1280x800" to width and height; false: it is no such text.
+// Reads "1280x800" into width and height. False: the text has another form.
 bool read_size(const std::string& text, int& width, int& height) {
   char x = 0;
   std::istringstream stream(text);
@@ -28,7 +28,7 @@ bool read_size(const std::string& text, int& width, int& height) {
   return stream >> width >> x >> height && (x == 'x' || x == 'X') && stream.peek() == EOF;
 }
 
-// Of the window. Throws std::invalid_argument.
+// Checks the size of the window. Throws std::invalid_argument.
 void set_size(const std::string& text, int& width, int& height) {
   if (read_size(text, width, height) && std::min(width, height) >= 480 && width >= kLeastSize &&
       std::max(width, height) <= kMostSize) {
@@ -56,7 +56,7 @@ Option size_option(ViewerOptions& options) {
   return size;
 }
 
-// Of pictures.
+// Checks the size of recorded pictures.
 Option record_size_option(ViewerOptions& o) {
   Option size{.names = "--record-size",
               .value = "WxH",
@@ -90,7 +90,7 @@ Option script_option(ViewerOptions& options) {
   return script;
 }
 
-// Both say before anything is computed that a name does not fit.
+// The options below check the name of their output before anything is computed.
 Option shot_option(ViewerOptions& options) {
   Option shot = path_or_none(
       {"--shot", "OUT.png", "Write a picture of the window and exit; needs no display"},
@@ -147,7 +147,7 @@ Option lesson_option(ViewerOptions& options) {
   return lesson;
 }
 
-// Read as the window's fields are.
+// Reads the number as the fields of the window do.
 Option typed_number_option(OptionText text, double& target, const NumberRule& rule) {
   Option option = number_option(std::move(text), target, {rule.least, rule.most, rule.unit});
   option.set = [&target, rule](const std::string& value) {

@@ -1,4 +1,4 @@
-// The command line of alphascope.
+// The command-line options of alphascope, the program with the window.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +14,32 @@ struct ViewerOptions {
   std::optional<std::filesystem::path> file, session;
   Alpha alpha;                // Å²
   double solvent = 0;         // Å
-  double scale = 0;           // 0: as the display says
-  int width = 0, height = 0;  // at scale 1; 0: as last time
+  double scale = 0;           // 0: the scale of the display
+  int width = 0, height = 0;  // pixels at scale 1; 0: the last size
   bool light = false;
   std::string preset;          // id of a DisplayPreset, or none
-  std::optional<int> samples;  // a pixel of pictures at rest; none: the preset's
+  std::optional<int> samples;  // samples a pixel in pictures at rest; none: the preset's number
   bool tetrahedra_only = false;
   bool compare = true;
   std::optional<std::filesystem::path> script, shot;
-  std::string lesson;                           // a name or a path; empty: none
-  std::optional<std::filesystem::path> record;  // the lesson, as pictures or a movie, and end
-  double record_seconds = 10;                   // of each step
+  std::string lesson;  // a name or a path; empty: none
+  // Path: the lesson is recorded as pictures or a movie, then the program exits.
+  std::optional<std::filesystem::path> record;
+  double record_seconds = 10;  // time for each step
   int record_width = 1280, record_height = 720;
-  // Folder of preferences; empty: they are neither read nor written.
+  // Folder of the preferences. Empty: preferences are neither read nor written.
   std::filesystem::path preferences;
   bool preferences_given = false;
-  bool script_help = false;  // print what scripts may contain, and end
-  // Of a window that nobody sees: panels of a frame that no picture is taken of are not drawn.
+  bool script_help = false;  // print the help on scripts, then exit
+  // For a hidden window: panels are drawn only in frames that become a saved picture.
   bool draw_shots_only = false;
-  std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
+  // Assumed free memory for drawing, 10^6 bytes. None: the measured value.
+  std::optional<std::uint64_t> drawing_memory_mb;
 };
 
 struct ParsedOptions {
   ViewerOptions options;
-  std::optional<int> exit_code;  // set when the program should end at once, after printing `text`
+  std::optional<int> exit_code;  // set when the program has to exit at once, after printing `text`
   std::string text;
 };
 

@@ -1,4 +1,4 @@
-// Looks beside an installed executable first, then in the source tree that it was built from.
+// Finds resources beside an installed executable first, then in the source tree of the build.
 #include "app/viewer/resources.hpp"
 
 #include <utility>
@@ -19,7 +19,7 @@ std::vector<fs::path> resource_folders() {
   return folders;
 }
 
-// Empty: it is nowhere.
+// The path of the file; empty if no folder has it.
 fs::path resource(const fs::path& name) {
   for (const fs::path& folder : resource_folders()) {
     std::error_code ignored;

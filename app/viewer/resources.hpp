@@ -1,4 +1,4 @@
-// Files that come with the program.
+// Finds the files that come with the program: samples, presets of the sandbox, lessons.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,17 @@
 
 namespace alphascope {
 
-// Those that are there; empty when the program was moved without its resources.
+// The sample files that exist. Empty if the program was moved without its resources.
 std::vector<SampleMolecule> sample_files();
 
-// A few balls to begin with.
+// A preset of the sandbox: a few balls to start from.
 struct SandboxPreset {
-  std::string id, title, detail;  // "square", "Square", what it shows
+  std::string id, title, detail;  // for example "square", "Square", a sentence on what it shows
   std::filesystem::path path;
 };
-std::vector<SandboxPreset> sandbox_presets();  // those that are there
+std::vector<SandboxPreset> sandbox_presets();  // the presets whose files exist
 
-// The folder of lessons; empty likewise.
+// The folder of lessons. Empty if the program was moved without its resources.
 std::filesystem::path lessons_folder();
 
 }  // namespace alphascope

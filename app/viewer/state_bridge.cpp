@@ -1,4 +1,4 @@
-// See the header.
+// Texts about the pending complex and about its comparison with CGAL.
 #include "app/viewer/state_bridge.hpp"
 
 #include <algorithm>

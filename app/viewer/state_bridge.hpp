@@ -1,4 +1,4 @@
-// From what the session holds to what the panels show, and back. Pure functions: no window, no GL.
+// Texts of the panels that follow from the session's state. Pure functions: no window, no GL.
 #pragma once
 
 #include "app/session/session.hpp"
@@ -6,9 +6,10 @@
 
 namespace alphascope {
 
-// "α 3.20 Å²: 1,600,404 tetrahedra · drawing": of what is computed and not yet on screen.
+// The line for a complex that is computed and not yet on screen. For example "α 3.20 Å²: 1,600,404
+// tetrahedra · drawing".
 std::string pending_text(const Answer& answer);
-// Of the complex on screen.
+// The badge of the comparison with CGAL, for the complex on screen.
 BadgeInfo describe_agreement(const SessionState& state, const Answer* shown, bool comparing);
 
 }  // namespace alphascope

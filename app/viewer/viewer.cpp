@@ -1,4 +1,5 @@
-// See the header.
+// Composes the parts of the window. Takes results of the session into the state, and sends changed
+// settings to session and scene.
 #include "app/viewer/viewer.hpp"
 
 #include <imgui.h>
@@ -22,14 +23,14 @@
 namespace alphascope {
 namespace {
 
-// Of all large objects: half of what there is, with what they already hold. The rest is for what
-// they take while they are made, and for other programs.
+// The budget of all large objects, bytes: half of the sum of free memory and their own. The rest is
+// for temporary memory while they are made, and for other programs.
 std::uint64_t large_object_budget(std::uint64_t held) {
   return (available_bytes().value_or(0) + held) / 2;
 }
 
-// A model asked for by the slider lets the one before it be finished, so that pictures flow while
-// the hand moves, but not for longer than this.
+// While the slider moves, the running model may finish before the next is requested, so that
+// pictures keep coming. This is the longest wait for it.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
 }  // namespace
@@ -117,12 +118,12 @@ void Viewer::take_molecule() {
   state_.molecule.radii = grown_radii(*s.prepared, state_.settings.request);
   status_.forget_compared();
   if (new_molecule) {
-    memory_to_give_back_ = true;  // the last one's
+    memory_to_give_back_ = true;  // that of the previous molecule
     colour_by_what_differs(*s.molecule);
     if (shown_file_ != s.opened->deposited) take_file();
-    send_look();  // all that is decided by the molecule: its first picture has it
+    send_look();  // colours and looks that the molecule decides, before its first picture
   }
-  // Another selection of the same molecule leaves the last result on screen until its own is there.
+  // A new selection of the same molecule keeps the last result on screen until its own is there.
   scene_.set_molecule(s.opened);
 }
 
@@ -157,7 +158,7 @@ void Viewer::take_file() {
   if (of_session) history_.take_back();
 }
 
-// What they ask about is not open any more.
+// Closes dialogs about the previous file.
 void Viewer::close_dialogs_of_file() {
   PanelMemory& m = state_.memory;
   m.saving.names.clear();
@@ -218,17 +219,17 @@ void Viewer::take_session() {
   if (changes.molecule && s.opened) take_molecule();
   if (changes.answer && s.ours) take_answer();
   if (s.prepared && !s.ours && !session_.activity().computing.busy) {
-    scene_.show_without_answer();  // cancelled or failed
+    scene_.show_without_answer();  // the computation was cancelled or has failed
   }
   if (changes.agreement && s.agreement) scene_.set_agreement(s.agreement);
-  if (s.ours) {  // else the next answer is on its way
+  if (s.ours) {  // otherwise the next answer is being computed
     state_.ours = s.our_timings;
     status_.add_picture_stages();
     state_.cgal = s.reference_timings;
     state_.cgal_parallel = s.parallel_timings;
   }
   OpenOptions before = state_.settings.open;
-  if (changes.options) {  // what was asked for failed or was cancelled
+  if (changes.options) {  // the request failed or was cancelled
     state_.settings.open = sent_open_ = session_.open_options();
     state_.playback.models = false;
     history_.amend();
@@ -249,7 +250,7 @@ void Viewer::read_memory() {
   state_.free_bytes = available_bytes().value_or(0);
 }
 
-// Not while something is computed, which takes it again.
+// Waits for the end of a computation, which would allocate the memory again.
 void Viewer::give_back_memory_when_due() {
   if (!memory_to_give_back_ || busy() || interacting()) return;
   memory_to_give_back_ = false;
@@ -259,7 +260,7 @@ void Viewer::give_back_memory_when_due() {
   due_.ask();
 }
 
-// Chains say nothing when there is only one; then elements do. A choice of the user's stays.
+// Colours by element where there is only one chain. A colour that the user has chosen stays.
 void Viewer::colour_by_what_differs(const Molecule& molecule) {
   DisplayControls& d = state_.settings.display;
   const Paint automatic{automatic_colour_, {}, {}, {}};
@@ -271,12 +272,13 @@ void Viewer::colour_by_what_differs(const Molecule& molecule) {
   d.ball_paint = d.complex_paint = {automatic_colour_, {}, {}, {}};
 }
 
-// What a command has set, before the panels; what they have set, after them.
+// Called twice a frame: before the panels for changes by commands, after them for changes by
+// panels.
 void Viewer::send_compute() {
   if (state_.settings.request == sent_compute_ || awaits_panels()) return;
   sent_compute_ = state_.settings.request;
   session_.set_request(canonical(state_.settings.request), of_all_balls(store_, inputs_));
-  state_.compute_error.clear();  // of another alpha; it may be told again
+  state_.compute_error.clear();  // the message was about another alpha
   const SessionState& s = session_.state();
   if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, state_.settings.request);
   due_.ask();
@@ -298,16 +300,16 @@ void Viewer::send_look() {
   scene_.set_appearance(state_.settings.appearance);
 }
 
-// A frame is drawn by the processor that also makes the tables of this picture. While a hand
-// slides, both come to the screen in one frame, unless the tables take long: the next frame is
-// drawn anyway.
+// With software OpenGL the processor that draws a frame also makes the tables of this picture.
+// While a slider is dragged, the frame waits for the tables, so that both appear together. The next
+// frame does not wait.
 bool Viewer::waits_for_tables() {
   const bool new_picture = std::exchange(picture_is_new_, false);
   return new_picture && frame_.in_software() && interacting() && store_.busy(Lane::interactive);
 }
 
-// While a hand slides the solvent radius, the engine is at most one step ahead of what panels make
-// of all balls: else pictures took the cores, and tables would fall behind.
+// While the solvent radius is dragged, the engine runs at most one step ahead of the tables of all
+// balls. Otherwise the computations would take all cores, and the tables would fall behind.
 bool Viewer::awaits_panels() const {
   const auto& ours = session_.state().ours;
   const bool other_balls =
@@ -322,18 +324,18 @@ void Viewer::send_selection() {
     state_.expression_error = fault_of_selection(wanted.balls.selection);
     if (state_.expression_error) {
       wanted.balls.selection = sent_open_.balls.selection;
-      // What was typed stays, to be mended.
+      // The typed expression stays in its field, so that it can be corrected.
       state_.memory.expression_shown = wanted.balls.selection;
     }
   }
   if (wanted == sent_open_) return;
-  OpenOptions as_frames = sent_open_;  // what a slider or a dragged ball changes often
+  OpenOptions as_frames = sent_open_;  // a slider or a dragged ball changes model and sandbox often
   as_frames.balls.model = wanted.balls.model;
   as_frames.sandbox = wanted.sandbox;
   const bool may_wait = wanted == as_frames && !settled() && state_.error.empty() &&
                         Clock::now() - selection_sent_at_ < kModelGrace;
   if (may_wait) return;
-  // Copies of chains have other names, and copies of models other atoms.
+  // Copies of chains have other names in another assembly, and copies of models hold other atoms.
   if (wanted.assembly != sent_open_.assembly) wanted.balls.without_chains.clear();
   sent_open_ = wanted;
   selection_sent_at_ = Clock::now();
@@ -341,7 +343,7 @@ void Viewer::send_selection() {
   due_.ask();
 }
 
-// A preset of the sandbox is opened to be changed.
+// Starts editing the preset of the sandbox that was opened for it.
 void Viewer::start_preset() {
   SandboxMemory& m = state_.memory.sandbox;
   m.pixels_per_angstrom = 0;

@@ -100,7 +100,7 @@ class Viewer::Queued {
     }
 
    private:
-    // From the view as this frame shows it. Undo brings back where it was.
+    // Starts from the view of this frame. Undo brings the previous view back.
     void move(std::string_view name, std::function<void()> how) {
       queue.put(name, [this, how = std::move(how)] {
         v.scene_.settle_view(v.state_.viewport);

@@ -1,4 +1,4 @@
-// Derived results of the picture: what they are made of, and how much all large objects hold.
+// Derived results of the picture: their inputs, and the memory of all large objects.
 #include <utility>
 
 #include "app/viewer/viewer.hpp"
@@ -7,9 +7,9 @@
 
 namespace alphascope {
 
-// Whether derived results may go on to the balls of the picture. While a hand slides the solvent
-// radius, those that panels wait for are finished first: else each picture would end the work for
-// the last one, and panels would show nothing until the hand rests.
+// Whether derived results may take the balls of the new picture as inputs. While the solvent radius
+// is dragged, results that panels wait for are finished first. Otherwise each new picture would
+// cancel the work for the last one, and panels would stay empty.
 bool Viewer::may_take_inputs(const Answer& shown) const {
   if (shown.balls == inputs_.balls) return false;
   const bool same_atoms = source_ && source_->prepared == shown.prepared;
@@ -32,7 +32,7 @@ void Viewer::take_inputs(const std::shared_ptr<const Answer>& shown) {
   inputs_.frames_key = frames_key_;
 }
 
-// Of the picture, so not before the first one is there.
+// Derived results are those of the picture, so they need a first picture.
 void Viewer::take_derived() {
   const SessionState& s = session_.state();
   const auto& shown = state_.result;
@@ -58,8 +58,8 @@ void Viewer::take_derived() {
   poll_store();
 }
 
-// A GPU computes each alpha and looks nothing up. Then a large filtration (0.6 GB of a million
-// balls) would be made and kept for panels alone, which ask for it when somebody looks at them.
+// A GPU computes each alpha anew and needs no filtration. A large one (0.6 GB for a million balls)
+// would serve panels alone. These ask for it when they are open.
 bool Viewer::needs_filtration() const {
   constexpr std::size_t kSmall = 100'000;  // balls
   const EngineChoice engine = state_.settings.request.engine;
@@ -67,14 +67,14 @@ bool Viewer::needs_filtration() const {
   return !on_gpu || inputs_.balls->size() <= kSmall;
 }
 
-// The whole filtration, so that on the CPU every later alpha is a threshold of it. After the
-// panels, so that the store knows what they wait for before it begins anything.
+// Wants the whole filtration, so that on the CPU each later alpha is a threshold of it. Call after
+// the panels, so that the store knows their wishes before it starts background work.
 void Viewer::want_of_all_balls() {
   if (inputs_.balls) {
     if (needs_filtration()) store_.want(whole_filtration(), inputs_, Priority::background);
     store_.want(whole_triangulation(), inputs_, Priority::background);
   }
-  // Whatever is begun for balls that a hand changes at once would not be finished.
+  // Background work for balls that change in each frame would never be finished.
   constexpr std::chrono::milliseconds kSettled{300};
   store_.hold_background(interacting() && Clock::now() - inputs_taken_at_ < kSettled);
   poll_store();
@@ -86,7 +86,7 @@ void Viewer::poll_store() {
   news_ = true;
 }
 
-// The complex on screen may be another than the session's last.
+// The complex on screen may differ from the session's last one, so both count.
 void Viewer::note_large_objects() {
   const SessionState& s = session_.state();
   const auto& shown = state_.result;

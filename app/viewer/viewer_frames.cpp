@@ -1,4 +1,4 @@
-// The frames of the window: when one is drawn, and what is done in it.
+// The frames of the window: when each is drawn, and in what order its work is done.
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace alphascope {
 namespace {
 
-// Tooltips appear when the mouse rests, which is no event: frames are drawn for them. ImGui hides a
-// tooltip in its first frame, in which it measures it.
+// A tooltip appears when the mouse rests. This is no event, so a frame is drawn for it after this
+// time. ImGui measures a tooltip in its first frame and hides it there.
 constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
 static_assert(kTooltipFrameAfter.count() > 1000 * kTooltipDelaySeconds);
 constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds
@@ -40,8 +40,8 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   store_.next_frame();
   guarded([&] {
     send_compute();
-    // While a hand turns the view, its movement is known after the panels only, and the picture
-    // would be drawn twice.
+    // While the mouse turns the view, its movement is known only after the panels. A picture begun
+    // here would be drawn twice.
     const bool turned = !state_.viewport.events.empty();
     if (!patient && !turned) scene_.begin_picture(state_.viewport, interacting());
   });
@@ -74,8 +74,8 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     marks_.draw_annotations();
     scene_.set_layers(state_.layers);
   });
-  // After the panels, so that the picture has this frame's size; ImGui draws it afterwards. Not
-  // while input waits for its frame: a slow picture each would make the window follow late.
+  // Draws the scene after the panels, so that the picture has this frame's size, and before ImGui
+  // shows it. A frame with waiting input draws no scene: slow pictures would delay the window.
   const SessionActivity a = session_.activity();
   scene_.set_pending((a.computing.unfinished() && !session_.state().up_to_date()) ||
                      (a.opening.unfinished() && a.opening_path.empty()));
@@ -131,7 +131,7 @@ double Viewer::idle_seconds() const {
   return std::max(0.001, wait);
 }
 
-// Where frames are work of the processor, fewer are drawn while it computes what is to be drawn.
+// While software OpenGL draws and a computation runs, fewer frames leave cores to the computation.
 double Viewer::seconds_to_next_frame() const {
   constexpr double kMostFrames = 60, kWhileComputing = 25;  // a second
   if (news_) return 0;

@@ -1,5 +1,5 @@
-// Lessons in the window: reading them, and the window as the player of lessons needs it. What was
-// open before is kept as a session in memory, and comes back as a session does.
+// Lessons in the window: reads their files, and gives the player the window as its stage. The
+// previous molecule is kept as a session in memory, and is restored as a session is.
 #include <utility>
 
 #include "app/options/did_you_mean.hpp"
@@ -12,8 +12,9 @@
 namespace alphascope {
 namespace {
 
-// A lesson may come from a stranger: it writes no file and does not end the program.
-// How large letters are and whether the window is light is the reader's choice.
+// Commands that a lesson may not use, by the start of their names. A lesson may come from a
+// stranger, so it writes no file and does not end the program. Scale and theme stay the reader's
+// choice.
 constexpr std::string_view kNotInLessons[] = {"file.",
                                               "edit.",
                                               "help.",
@@ -23,7 +24,7 @@ constexpr std::string_view kNotInLessons[] = {"file.",
                                               "view.presenter_size",
                                               "view.light_theme"};
 
-// Throws ReadError for the first command that the window does not have, or not for lessons.
+// Throws ReadError for the first command that does not exist or is not allowed in lessons.
 void check_commands(const Lesson& lesson, const Commands& known) {
   const auto check = [&](const std::vector<LessonCommand>& commands) {
     for (const LessonCommand& command : commands) {
@@ -47,8 +48,8 @@ void check_commands(const Lesson& lesson, const Commands& known) {
   }
 }
 
-// All that a step begins with but for its own commands. How finely is drawn is the user's choice,
-// and so are engine and threads: what a step sets of these is for that step.
+// The settings at the start of a step, before its own commands. Drawing quality, engine and threads
+// are the user's choice. A step may change them, for that step only.
 Settings lesson_settings(const Settings& now) {
   Settings s;
   s.open.read.max_bytes = now.open.read.max_bytes;
@@ -108,7 +109,7 @@ class Viewer::Stage : public LessonStage {
 
   void reset() override {
     v_.history_.restart(next_settings());
-    v_.scene_.reset_view();  // as where the step opens its molecule
+    v_.scene_.reset_view();  // as for a molecule that the step opens
   }
 
   Outcome run(const std::string& command) override { return v_.commands_.run_line(command); }
@@ -116,7 +117,7 @@ class Viewer::Stage : public LessonStage {
   void settle() override {
     settled_ = v_.history_.settings();
     v_.history_.restart();
-    v_.preferences_.take_as_seen();  // of the lesson, not of the user
+    v_.preferences_.take_as_seen();  // the changes are the lesson's, not the user's
     v_.due_.ask();
   }
 
@@ -147,14 +148,16 @@ class Viewer::Stage : public LessonStage {
     std::shared_ptr<const void> file;
   };
 
-  // Of the user's choices, not of those that a step has made.
+  // The start settings of the next step, with the user's present choices and without those of the
+  // last step.
   Settings next_settings() {
     const Settings now = lesson_settings(v_.history_.settings());
     if (!settled_ || !(now == lesson_settings(*settled_))) of_user_ = now;
     return of_user_;
   }
 
-  // What is of no molecule; all of it where the molecule is the one that was kept.
+  // Restores all settings and their history if the kept molecule is still open. Otherwise restores
+  // request and display only.
   void take_over(const Kept& kept) {
     ViewState& s = v_.state_;
     if (kept.document && kept.file == file()) {
@@ -180,7 +183,8 @@ class Viewer::Stage : public LessonStage {
 
   Viewer& v_;
   std::optional<Kept> kept_;
-  std::optional<Settings> settled_;  // as the last step left them; the user may have changed them
+  // The settings at the end of the last step. Later differences are the user's.
+  std::optional<Settings> settled_;
   Settings of_user_;
 };
 

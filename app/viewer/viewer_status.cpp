@@ -1,5 +1,5 @@
-// What the window says of what goes on and of what went wrong: what the user asked for once gets a
-// dialog; what follows a slider or goes on in the background gets a line where one looks.
+// Messages about running work and failures. A failed request of the user opens a dialog. A failure
+// of dragging or of background work becomes a line in the window.
 #include <cmath>
 #include <new>
 #include <string>
@@ -13,9 +13,9 @@
 namespace alphascope {
 namespace {
 
-constexpr int kFramesForNews = 3;  // until a dialog stands
+constexpr int kFramesForNews = 3;  // frames until the dialog has its place
 
-// What is left when something else could not be had.
+// A paragraph that says what remains after a failure; empty if no molecule is open.
 std::string still(const ViewState& state, const char* what) {
   return state.molecule.loaded ? std::string("\n\n") + what : "";
 }
@@ -60,7 +60,7 @@ void Viewer::take_error(bool only_the_model_changed) {
       break;
     case Source::none:
     case Source::computing:
-    case Source::comparing:  // the badge says so
+    case Source::comparing:  // the badge shows the failure
       break;
   }
 }

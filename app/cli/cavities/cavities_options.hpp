@@ -1,4 +1,4 @@
-// What `cavities` is asked.
+// The options of `cavities`.
 #pragma once
 
 #include <optional>
@@ -16,17 +16,19 @@ struct CavitiesOptions {
   InputFiles files;
   InputOptions input;
   BodyOptions body;
-  Request request;  // alpha and threads; no engine is asked
-  // Each set with each solvent radius (Å); several are compared. Not input.radii.
+  Request request;  // alpha and threads; the engine is unused
+  // Each radii set is combined with each solvent radius (Å). Several combinations are compared.
+  // input.radii is unused.
   std::vector<std::string> radii{"auto"};
   std::vector<double> solvents;
   OutsideRule rule = OutsideRule::castp;
   FlowTies ties = FlowTies::perturbed;
-  bool no_clipped = false;                     // without exact volumes
-  bool split_networks = false;                 // networks are listed as their parts
-  bool no_network_radius = false;              // nobody asks where networks fall apart
-  int shown = 20;                              // rows printed
-  std::optional<double> min_volume_angstrom3;  // SA; smaller ones are counted, but not listed
+  bool no_clipped = false;         // leave out exact volumes
+  bool split_networks = false;     // list networks as their parts
+  bool no_network_radius = false;  // do not compute where networks come apart
+  int shown = 20;                  // number of printed rows
+  // Least SA volume of listed cavities. Smaller ones are only counted.
+  std::optional<double> min_volume_angstrom3;
   std::string json, csv, lives;
   ShapeOptions shapes;
   bool compares() const { return radii.size() * solvents.size() > 1; }

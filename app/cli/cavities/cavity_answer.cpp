@@ -1,3 +1,4 @@
+// Finds the cavities of a molecule, and writes the notes on its result.
 #include "app/cli/cavities/cavity_answer.hpp"
 
 #include <memory>
@@ -19,7 +20,7 @@ bool is_wanted(const CavityAnswer& answer, const CavitiesOptions& options, std::
   return !options.min_volume_angstrom3 || volume >= *options.min_volume_angstrom3;
 }
 
-// Of those that are listed. A comparison of radii shows it by itself.
+// Whether to compute where a listed network comes apart. A comparison of radii shows it already.
 bool wants_network_end(const CavityAnswer& answer, const CavitiesOptions& options,
                        std::size_t row) {
   return !options.no_network_radius && !options.compares() &&
@@ -101,7 +102,7 @@ namespace {
 
 constexpr double kNarrowAngstrom = 0.5;
 
-// How a network comes apart.
+// How a network comes apart at larger solvent radii.
 std::string parting_text(const NetworkEnd* end) {
   if (!end) return "a larger --solvent parts it";
   const auto cavities = [](std::size_t n) {
@@ -125,7 +126,7 @@ std::string parting_text(const NetworkEnd* end) {
   return text;
 }
 
-// Of those that are listed as their parts.
+// A note on networks that are listed as their parts.
 std::string split_note(const CavityTable& table) {
   std::string text;
   for (const SplitNetwork& network : table.found.networks) {
@@ -137,7 +138,7 @@ std::string split_note(const CavityTable& table) {
   return text.empty() ? text : text + "; passages between parts are no mouths";
 }
 
-// Of the listed cavities, where the solvent radius does not say it already.
+// A note on listed networks, unless the solvent radius already explains them.
 std::string network_note(const CavityAnswer& answer) {
   const CavityTable& table = answer.table();
   std::string text;

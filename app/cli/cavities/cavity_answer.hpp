@@ -1,5 +1,5 @@
-// The cavities of one molecule with one set of radii and one solvent radius, and all that is
-// reported of them. Used by the sources of alphascope-cli cavities.
+// The cavities of one molecule with one radii set and one solvent radius, and the data reported on
+// them. Used by the sources of alphascope-cli cavities.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace alphascope::cli {
 
-// CavityFacts::rows are not below the volume asked for.
+// CavityFacts::rows holds only cavities of at least the requested volume.
 struct CavityAnswer : CavityFacts {
   Input input;
 
@@ -22,14 +22,14 @@ struct CavityAnswer : CavityFacts {
   explicit CavityAnswer(const Input& of);
 };
 
-// Throws Cancelled.
+// Finds the cavities. Throws Cancelled.
 CavityAnswer find_cavities_of(const Input& input, const CavitiesOptions& options,
                               double solvent_radius_angstrom, const RunContext& context);
 
-// What a reader must know of the numbers.
+// Sentences that a reader needs to understand the numbers.
 std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOptions& options);
 
-// As text on standard output.
+// Prints the table as text to standard output.
 void print_cavities(const CavityAnswer& answer, const CavitiesOptions& options);
 
 }  // namespace alphascope::cli

@@ -1,3 +1,4 @@
+// Matches the cavities of several answers, and prints them side by side.
 #include "app/cli/cavities/cavity_comparison.hpp"
 
 #include <algorithm>
@@ -101,7 +102,7 @@ std::string cell(const CavityComparison& comparison, std::size_t n, std::size_t 
   return other.parts > 1 ? number + " /" + std::to_string(other.parts) : number;
 }
 
-// How many cavities of an answer are none of the first one's.
+// Number of cavities in an answer that match none of the first answer.
 std::size_t new_ones(const CavityComparison& comparison, std::size_t n) {
   std::size_t count = 0;
   for (const std::size_t row : comparison.answers()[n].rows) {

@@ -1,5 +1,4 @@
-// The same cavities with several radii sets and solvent radii, side by side: how much each depends
-// on them.
+// The same cavities with several radii sets and solvent radii, side by side, and their spread.
 #pragma once
 
 #include <optional>
@@ -10,24 +9,24 @@
 
 namespace alphascope::cli {
 
-// A cavity of the first answer in another one.
+// The counterpart of the first answer's cavity in another answer.
 struct Counterpart {
-  std::optional<std::size_t> row;  // of the other answer; none: it is gone
-  bool same = false;               // false: it has joined one that is mostly another cavity
-  std::size_t parts = 1;           // 2 or more: it has come apart, and this is the largest share
+  std::optional<std::size_t> row;  // row in the other answer; none: the cavity is gone
+  bool same = false;               // false: it has joined a cavity that mostly stems from another
+  std::size_t parts = 1;           // 2 or more: it has split, and `row` is its largest part
 };
 
 class CavityComparison {
  public:
-  // All of the same atoms; the first is what the others are compared with. Throws Cancelled.
+  // All answers have the same atoms. The others are compared with the first. Throws Cancelled.
   CavityComparison(std::vector<CavityAnswer> answers, const RunContext& context);
 
   const std::vector<CavityAnswer>& answers() const { return answers_; }
   Counterpart counterpart(std::size_t answer, std::size_t first_row) const;
-  // The id of the cavity of the first answer that a row of another one is; 0: none.
+  // Id of the first answer's cavity that matches a row of another answer; 0: none.
   std::size_t first_id(std::size_t answer, std::size_t row) const;
-  // Of the SA volumes of a cavity where it is the same: largest less smallest, in the largest's per
-  // cent; none where it is in the first answer only.
+  // Spread of a cavity's SA volume in per cent: (largest - smallest) / largest. It covers the
+  // answers in which the cavity is the same. None if it is only in the first answer.
   std::optional<double> spread_percent(std::size_t first_row) const;
 
  private:
@@ -42,7 +41,7 @@ class CavityComparison {
   std::vector<Match> matches_;  // of each answer
 };
 
-// "castp 1.4": radii set and solvent radius.
+// Radii set and solvent radius, such as "castp 1.4".
 std::string variant_text(const CavityAnswer& answer);
 
 void print_comparison(const CavityComparison& comparison, const CavitiesOptions& options);

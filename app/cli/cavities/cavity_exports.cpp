@@ -1,3 +1,4 @@
+// Writes lives, spheres, surfaces and scripts of cavities.
 #include "app/cli/cavities/cavity_exports.hpp"
 
 #include "app/cli/cavities/cavity_records.hpp"

@@ -1,5 +1,5 @@
-// What alphascope-cli cavities writes beside its tables: lives; and for other programs spheres,
-// surfaces, scripts.
+// Files of alphascope-cli cavities besides its tables: lives of cavities and, for other programs,
+// spheres, surfaces and scripts.
 #pragma once
 
 #include "app/cli/cavities/cavity_answer.hpp"
@@ -8,16 +8,16 @@
 
 namespace alphascope::cli {
 
-// Opened before anything is computed; null is not asked for.
+// The files are opened before the computation. Null: not requested.
 class CavityExports {
  public:
-  // Throws UsageError for a name with another ending than there are formats, for what is on
-  // standard input or makes several answers, and what Outputs::add() throws.
+  // Throws UsageError for an unknown ending, for standard input, and for input that gives several
+  // answers. Also throws as Outputs::add() does.
   CavityExports(const CavitiesOptions& options, Outputs& outputs);
 
   const ShapeOutputs& shapes() const { return shapes_; }
-  // Of the cavities that are listed, but lives of all. Throws WriteError, Cancelled, and UsageError
-  // for what cannot be said in a script.
+  // Writes the lives of all cavities, and the other files for the listed ones. Throws WriteError,
+  // Cancelled, and UsageError for molecules that a script cannot describe.
   void write(const CavityAnswer& answer, const RunContext& context);
 
  private:

@@ -1,3 +1,4 @@
+// The JSON result of one answer, and its header.
 #include "app/cli/cavities/cavity_records.hpp"
 
 #include "app/cli/text/text.hpp"

@@ -1,4 +1,4 @@
-// Cavities as programs read them (docs/output-files.md), with what the command line adds.
+// Records of cavities for programs (docs/output-files.md), with the command line's additions.
 #pragma once
 
 #include "app/cli/cavities/cavity_answer.hpp"
@@ -6,10 +6,10 @@
 
 namespace alphascope::cli {
 
-// With notes and times.
+// The result with notes and times.
 Json result_json(const CavityAnswer& answer, const CavitiesOptions& options);
 
-// cavity_header() with the notes of the molecule's reader.
+// Returns cavity_header() with the notes of the molecule's reader.
 std::vector<std::pair<std::string, std::string>> noted_header(const CavityAnswer& answer);
 
 }  // namespace alphascope::cli

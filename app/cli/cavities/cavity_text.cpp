@@ -1,4 +1,4 @@
-// Cavities as people read them.
+// Prints the table of cavities for people.
 #include <iostream>
 
 #include "app/cli/cavities/cavity_answer.hpp"

@@ -1,5 +1,6 @@
-// alphascope-cli channel: how large a ball can walk through a molecule, or from a point or a cavity
-// outwards, to another point or to a mouth, and the profile of its way.
+// Runs alphascope-cli channel: finds the largest ball that can move through a molecule, and the
+// profile of its way. The way may also start at a point or cavity, and end at another point or a
+// mouth.
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -33,14 +34,14 @@ namespace {
 struct ChannelOptions {
   InputOptions input;
   BodyOptions body;
-  // Å, three numbers each, or none. Without a point the channel begins in a cavity; without both it
-  // is a way through the molecule.
+  // Three coordinates each (Å), or empty. A channel without a start point begins in a cavity.
+  // Without both it leads through the molecule.
   std::vector<double> point, to, along;
-  int cavity = 0;                      // its rank in the table of `cavities`; 0: none
-  std::vector<double> mouths;          // of it: the end, or both ends; from 1
-  double solvent_radius_angstrom = 0;  // of that table
+  int cavity = 0;              // its number in the table of `cavities`; 0: none
+  std::vector<double> mouths;  // numbers of the cavity's mouths, from 1: the end, or both ends
+  double solvent_radius_angstrom = 0;  // Å, in the table of `cavities`
   double end_radius_angstrom = 5;
-  int way = 0;  // of the list of ways through; 0: none was named, and the best is taken
+  int way = 0;  // number in the list of ways through; 0: the best
   int threads = 0;
   std::string json, csv;
   ShapeOptions shapes;
@@ -49,8 +50,8 @@ struct ChannelOptions {
 };
 
 struct Answer {
-  std::shared_ptr<const FoundChannel> found;  // has a channel
-  FoundWays ways;                             // of which it is one, or none
+  std::shared_ptr<const FoundChannel> found;  // holds a channel
+  FoundWays ways;                             // all ways through, if the channel is one of them
   double milliseconds = 0;
   std::string device;
 };
@@ -63,7 +64,7 @@ BallReferences atoms_of(const Input& input) {
   return {input.opened.molecule, input.opened.prepared};
 }
 
-// The cavity of this rank, as `alphascope-cli cavities` with the same choices counts them.
+// The cavity with this number in the table of `alphascope-cli cavities` with the same options.
 CavityEnds cavity_ends_of(const Input& input, const ChannelOptions& options, Evaluator& evaluator,
                           const RunContext& context) {
   const double solvent = options.solvent_radius_angstrom;
@@ -155,7 +156,7 @@ Answer find(const Input& input, const ChannelOptions& options, const RunContext&
   return answer;
 }
 
-// A line for each, to choose one by.
+// Prints one line for each way, so that the user can choose.
 void print_ways(const FoundWays& ways, const FoundChannel& chosen) {
   for (const auto& found : ways.ways) {
     const WayNote& way = *found->way;
@@ -269,7 +270,7 @@ ExitCode run_channel(const ChannelOptions& options) {
   return ExitCode::ok;
 }
 
-// Throws std::invalid_argument.
+// Throws std::invalid_argument unless there are three numbers or none.
 void require_three(const char* name, const std::vector<double>& numbers) {
   if (numbers.size() == 3 || numbers.empty()) return;
   throw std::invalid_argument(std::string(name) + " takes three numbers, such as 1.5,-2,30");

@@ -1,4 +1,4 @@
-// See the header.
+// Options and names of the files with shapes.
 #include "app/cli/cavities/shape_outputs.hpp"
 
 #include "app/cli/failure.hpp"

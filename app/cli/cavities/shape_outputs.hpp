@@ -1,4 +1,4 @@
-// The options of commands that write shapes for other programs, of cavities or of a channel.
+// Options of commands that write the shapes of cavities or channels for other programs.
 #pragma once
 
 #include <string>
@@ -9,25 +9,25 @@
 
 namespace alphascope::cli {
 
-// Files for other programs; empty: not wanted.
+// Paths of files for other programs; empty: not requested.
 struct ShapeOptions {
   std::string spheres, surface, script;
   bool any() const { return !spheres.empty() || !surface.empty() || !script.empty(); }
 };
 
-// --spheres, --surface and --script; the texts say what of.
+// The options --spheres, --surface and --script, with these help texts.
 Options shape_options(ShapeOptions& options, const char* spheres, const char* surface,
                       const char* script);
 
-// Opened before anything is computed; null is not asked for.
+// The files are opened before the computation. Null: not requested.
 class ShapeOutputs {
  public:
-  // `molecule`: the file as it was named. Throws UsageError for a name with another ending than
-  // there are formats and for a script of standard input; and what Outputs::add() throws.
+  // `molecule`: the path as it was given. Throws UsageError for an unknown ending and for a script
+  // of standard input, and as Outputs::add() does.
   ShapeOutputs(const ShapeOptions& options, const std::string& molecule, Outputs& outputs);
 
-  // Before anything is computed: throws UsageError where a script is asked for of a molecule that
-  // other programs do not open.
+  // Call before the computation. Throws UsageError if a script is requested for a molecule that
+  // other programs cannot open.
   void require_openable(const Molecule& molecule) const;
 
   AtomicFile* spheres() const { return spheres_; }
@@ -36,7 +36,7 @@ class ShapeOutputs {
 
   bool surface_is_glb() const;
   ShapeExport script_format() const;
-  // What the script opens: no result on standard output, which has no name.
+  // The files that the script opens. A file on standard output has no name and is left out.
   ShapeScriptFiles script_files() const;
 
  private:

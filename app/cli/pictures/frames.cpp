@@ -1,5 +1,5 @@
-// alphascope-cli frames: a sweep of alpha or a turntable, as numbered pictures or a movie. Part of
-// the program that start_screenshot.cpp starts.
+// Runs alphascope-cli frames: draws a sweep of alpha or a turntable as numbered pictures or a
+// movie. Part of the program that start_screenshot.cpp starts.
 #include <iostream>
 
 #include "app/cli/outputs.hpp"
@@ -13,7 +13,7 @@
 namespace alphascope::cli {
 namespace {
 
-// What is read stays as it is, whichever frame would replace it.
+// Refuses frames whose names would replace an input file.
 void refuse_clashes(const FramesCommandOptions& options, const Outputs& outputs) {
   const std::filesystem::path& out = options.picture.out;
   if (recording_format(out) != RecordingFormat::frames) {
@@ -46,7 +46,7 @@ std::string recording_text(const Recording& r) {
   return what + (r.there_and_back ? ", there and back" : "");
 }
 
-// Of frames: pictures that are finished stay.
+// Ends a cancelled run with frames as output: finished pictures stay.
 ExitCode cancelled_after(int finished) {
   clear_progress();
   if (verbosity() != Verbosity::quiet) {
@@ -65,7 +65,7 @@ ExitCode run_frames(const FramesCommandOptions& options) {
   const Outputs outputs(files_of_picture(options.picture));
   refuse_clashes(options, outputs);
   Pictured pictured(options.picture, context);
-  refuse_clashes(options, outputs);  // a session's molecule has been read now
+  refuse_clashes(options, outputs);  // the session's molecule has been read by now
   const ScreenshotOptions& picture = pictured.options();
   FrameSource source;
   source.picture = [&](std::optional<double> alpha, const RunContext& quiet) {

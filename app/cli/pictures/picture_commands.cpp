@@ -1,4 +1,4 @@
-// alphascope-cli screenshot and frames: their options.
+// The options of alphascope-cli screenshot and frames.
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -75,7 +75,8 @@ Option paint_option(OptionText text, const char* fallback,
           .set = std::move(set)};
 }
 
-// All options but those of the picture's file are settings, which a session has.
+// Notes each given option that a session would set. These are all options but those of the
+// picture's file.
 void note_what_sessions_say(Option& option, ScreenshotCommandOptions& options) {
   constexpr std::string_view kOfThePicture[] = {"FILE",        "--session",        "--output",
                                                 "--size",      "--transparent",    "--no-legend",
@@ -104,7 +105,7 @@ void require_one_source(const ScreenshotCommandOptions& options, bool needs_alph
   }
 }
 
-// Of each picture, by itself or as a frame.
+// Options of each picture, single or as a frame.
 Options picture_options(ScreenshotCommandOptions& options) {
   Options all{
       text_option({"--size", "WxH", "Width and height in pixels"}, options.size),
@@ -198,7 +199,7 @@ Options source(ScreenshotCommandOptions& options) {
           not_required(alpha(options.request))};
 }
 
-// "given" becomes true with the option.
+// An option that sets `given` when it is present.
 Option recorded(OptionText text, bool& given, std::function<void(const std::string&)> read) {
   Option option{
       .names = std::move(text.names), .value = std::move(text.value), .text = std::move(text.text)};

@@ -1,5 +1,5 @@
-// What `screenshot` and `frames` are asked, and who draws: this program or the one with the
-// renderer.
+// The options of `screenshot` and `frames`. run_screenshot() and run_frames() either draw, or start
+// the program that has the renderer.
 #pragma once
 
 #include <filesystem>
@@ -26,29 +26,30 @@ struct ScreenshotCommandOptions {
   bool transparent = false, light = false, no_balls = false, grown = false, boundary = false;
   double shrink = 0;
   Paint ball_paint{ColourBy::element, {}, {}, {}};
-  std::optional<Paint> simplex_paint;  // none: as the balls
+  std::optional<Paint> simplex_paint;  // none: the paint of the balls
   bool no_legend = false, scale_bar = false;
   CaptionParts caption;
   bool orthographic = false;
-  std::string preset;  // id of a DisplayPreset, or none
+  std::string preset;  // id of a DisplayPreset; empty: none
   bool no_shadows = false;
-  // None: the preset's, or the window's.
+  // None: the value of the preset or, without one, the window's default.
   std::optional<double> depth_cue, outlines, face_lines, edge_thickness, samples;
-  bool smooth = false;  // the boundary
+  bool smooth = false;  // of the boundary
   AppearanceWords appearance;
   AnnotationWords annotations;
-  std::string clip = "off";                        // as read_clip() takes it
-  std::string beside = "ligands,ions";             // kinds of AtomsBesideBody, or "none"
-  std::optional<std::uint64_t> drawing_memory_mb;  // taken as free; none: what is
-  std::filesystem::path session;                   // empty: none; else input.file may be empty
-  std::vector<std::string> beside_session;         // options that a session says itself
-  std::vector<std::string> arguments;              // as given, for the program that draws
+  std::string clip = "off";             // as for read_clip()
+  std::string beside = "ligands,ions";  // kinds of AtomsBesideBody, or "none"
+  // Assumed free memory for drawing, 10^6 bytes. None: the measured value.
+  std::optional<std::uint64_t> drawing_memory_mb;
+  std::filesystem::path session;            // empty: no session; otherwise input.file may be empty
+  std::vector<std::string> beside_session;  // given options that the session would set
+  std::vector<std::string> arguments;       // as given, for the program that draws
 };
 
 struct FramesCommandOptions {
-  ScreenshotCommandOptions picture;  // of each frame; its `out` names all of them, or a movie
+  ScreenshotCommandOptions picture;  // for each frame; its `out` names all frames, or the movie
   Recording recording;
-  bool sweep = false, turntable = false;        // which was asked for
+  bool sweep = false, turntable = false;        // which of the two was requested
   std::string scaling = "linear", axis = "up";  // kScalings, kTurnAxes
   FramesCommandOptions() { picture.caption = usual_caption(); }
 };

@@ -1,4 +1,4 @@
-// See the header.
+// Turns options or a session into the data of pictures.
 #include "app/cli/pictures/pictured.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@
 namespace alphascope::cli {
 namespace {
 
-// "1920x1080"; the bounds are render_screenshot's.
+// Reads "1920x1080". render_screenshot checks the bounds.
 void set_size(const std::string& text, ScreenshotOptions& picture) {
   const char* const end = text.data() + text.size();
   const auto width = std::from_chars(text.data(), end, picture.width);
@@ -37,7 +37,7 @@ void set_size(const std::string& text, ScreenshotOptions& picture) {
   throw UsageError("--size takes WIDTHxHEIGHT in pixels, such as 1920x1080; not \"" + text + "\".");
 }
 
-// "ligands,ions" or "none".
+// Reads "ligands,ions" or "none".
 AtomsBesideBody beside_body(const std::string& text) {
   AtomsBesideBody shown{false, false, false, false};
   if (text == "none") return shown;
@@ -60,13 +60,13 @@ AtomsBesideBody beside_body(const std::string& text) {
   return shown;
 }
 
-// Of simplices; one colour where they cannot have the balls'.
+// The paint of simplices: that of the balls, or one colour where simplices cannot have it.
 Paint like_balls(const Paint& paint) {
   if (can_paint(scheme_info(paint.by), Painted::simplices)) return paint;
   return {ColourBy::single, {}, {}, {}};
 }
 
-// What the window's Display panel would say.
+// The settings that the window's Display panel would hold.
 DisplayControls display(const ScreenshotCommandOptions& options) {
   DisplayControls d;
   d.triangles = d.edges = true;
@@ -95,7 +95,7 @@ DisplayControls display(const ScreenshotCommandOptions& options) {
   return d;
 }
 
-// Of the file; what is drawn follows.
+// The options of the picture's file, without its contents.
 ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
   ScreenshotOptions picture;
   set_size(options.size, picture);
@@ -167,7 +167,7 @@ Pictured::Pictured(const ScreenshotCommandOptions& options, const RunContext& co
   maker_.emplace(*input_.prepared().balls);
 }
 
-// Labels, distances, angles and marks, of what is drawn.
+// The layer of labels, distances, angles and marks for the drawn atoms.
 std::shared_ptr<const Layer> Pictured::annotation_layer() const {
   const OpenedMolecule& opened = input_.opened;
   const BallReferences atoms(opened.molecule, opened.prepared);
@@ -202,7 +202,7 @@ void Pictured::follow_options(const ScreenshotCommandOptions& options, const Run
                              options.annotations);
 }
 
-// As the window's “Save picture” draws it, but for what pages below the view lay over it.
+// Takes the settings of the window's "Save picture", without the drawings of pages below the view.
 void Pictured::follow_session(const ScreenshotCommandOptions& options, const RunContext& context) {
   SessionToDraw found = open_session(options, context);
   for (const std::string& note : found.notes) print_note(note);
@@ -210,7 +210,7 @@ void Pictured::follow_session(const ScreenshotCommandOptions& options, const Run
   display_ = s.settings.display;
   theme_ = s.view.light_theme ? Theme::light : Theme::dark;
   request_ = s.settings.request;
-  // All engines answer alike, and this machine may lack the one that the window had.
+  // All engines give the same complex, and this machine may lack the session's engine.
   request_.engine = EngineChoice::automatic;
   appearance_ = s.settings.appearance;
   annotations_ = s.settings.annotations;
@@ -241,7 +241,8 @@ PaintedBalls Pictured::painted_by(const Paint& paint, const EngineAnswer& answer
                      paint);
 }
 
-// Those of the simplices go into the picture. What colours lack is said.
+// Puts the colours of the simplices into the picture, and returns those of the balls. Prints a note
+// on missing colours.
 std::vector<Rgb8> Pictured::follow_colours(const EngineAnswer& answer, const RunContext& context) {
   const auto tell = [this](const std::string& lacks) {
     if (lacks.empty()) return;
@@ -259,7 +260,7 @@ std::vector<Rgb8> Pictured::follow_colours(const EngineAnswer& answer, const Run
   return std::move(balls.colours);
 }
 
-// What differs from one complex to the next.
+// Updates all that depends on the complex.
 std::vector<Rgb8> Pictured::follow_answer(const EngineAnswer& answer, const RunContext& context) {
   picture_.balls = ball_style(display_, &answer.request);
   picture_.free_bytes = available_or(drawing_memory_mb_);

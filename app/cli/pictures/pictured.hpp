@@ -1,5 +1,5 @@
-// What the pictures of the command line show, by options or by a session: of one complex, or of one
-// after another. Part of the program that start_screenshot.cpp starts.
+// The pictures of the command line, of one complex or of several in turn. Options or a session set
+// their contents. Part of the program that start_screenshot.cpp starts.
 #pragma once
 
 #include <optional>
@@ -22,11 +22,11 @@ class Pictured {
 
   const Input& input() const { return input_; }
   const ScreenshotOptions& options() const { return picture_; }
-  // Of alpha (Å²), or of the one that options or session say.
+  // The complex at this alpha (Å²). Without one, at that of the options or the session.
   std::shared_ptr<const EngineAnswer> compute(std::optional<double> alpha,
                                               const RunContext& context);
   Picture picture(const EngineAnswer& answer, const RunContext& context);
-  // Of all of them: program, molecule, radii and the command line.
+  // Texts common to all pictures: program, molecule, radii and the command line.
   PictureTexts texts() const;
 
  private:
@@ -47,15 +47,15 @@ class Pictured {
   Annotations annotations_;
   ScreenshotOptions picture_;
   CaptionParts caption_;
-  std::string command_;  // that makes it again
-  std::string told_;     // what the colours lack
+  std::string command_;  // the command that makes the same picture
+  std::string told_;     // the last note on missing colours
   std::optional<std::uint64_t> drawing_memory_mb_;
   EngineCache engines_{&make_engine};
   std::optional<PictureMaker> maker_;
 };
 
-// Files that a picture reads, which no output may replace. Throws ReadError for those that cannot
-// be read.
+// The input files of a picture, which no output may replace. Throws ReadError for an unreadable
+// one.
 std::vector<std::filesystem::path> files_of_picture(const ScreenshotCommandOptions& options);
 
 }  // namespace alphascope::cli

@@ -1,4 +1,4 @@
-// alphascope-cli screenshot: a picture of a complex, without a display. Part of the program that
+// Runs alphascope-cli screenshot: draws a complex without a display. Part of the program that
 // start_screenshot.cpp starts.
 #include <sys/mman.h>
 #include <unistd.h>
@@ -19,7 +19,7 @@
 namespace alphascope::cli {
 namespace {
 
-// A file in memory that has a path as long as this object is there.
+// A file in memory, with a path that is valid during the object's lifetime.
 class MemoryFile {
  public:
   MemoryFile() : descriptor_(::memfd_create("picture", MFD_CLOEXEC)) {
@@ -31,7 +31,8 @@ class MemoryFile {
   std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
   std::string bytes() const {
     std::ostringstream bytes;
-    bytes.exceptions(std::ios::badbit | std::ios::failbit);  // else it may be half of them
+    // Without exceptions a failure could return a part of the bytes.
+    bytes.exceptions(std::ios::badbit | std::ios::failbit);
     bytes << std::ifstream(path(), std::ios::binary).rdbuf();
     return std::move(bytes).str();
   }
@@ -48,10 +49,10 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   AtomicFile* const file = outputs.add("--output", options.out.string(), {".png"});
   if (file == nullptr) throw UsageError("--output needs the name of a file, or -.");
   Pictured pictured(options, context);
-  outputs.refuse_what_was_read();  // a session's molecule
+  outputs.refuse_what_was_read();  // the session's molecule has been read by now
   const auto answer = pictured.compute(std::nullopt, context);
   const EngineAnswer& result = *answer;
-  const MemoryFile drawn;  // the renderer writes to a path, which standard output has none of
+  const MemoryFile drawn;  // the renderer needs a path, which standard output lacks
   const std::string not_drawn =
       render_picture(pictured.picture(result, context), drawn.path(), context);
   file->write(drawn.bytes());

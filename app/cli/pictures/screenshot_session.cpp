@@ -1,4 +1,4 @@
-// See the header.
+// Reads a session and opens its molecule.
 #include "app/cli/pictures/screenshot_session.hpp"
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// What a session says, for a picture of it without a window.
+// Opens a session for a picture without a window.
 #pragma once
 
 #include "app/cli/input.hpp"
@@ -10,12 +10,12 @@ namespace alphascope::cli {
 struct SessionToDraw {
   SessionDocument session;
   Input input;
-  std::vector<std::string> notes;  // to be told; no full stop is missing
+  std::vector<std::string> notes;  // to be printed; each ends with a full stop
 };
 
-// The session of `options.session`, with its molecule, or with options.input.file in its place.
-// Throws ReadError where that is not the one that was saved with; a file that is named is used
-// whatever it is, with a note.
+// Opens the session with its molecule, or with options.input.file in its place. Throws ReadError if
+// the session's molecule has changed since it was saved. A named file that differs is used with a
+// note.
 SessionToDraw open_session(const ScreenshotCommandOptions& options, const RunContext& context);
 
 }  // namespace alphascope::cli

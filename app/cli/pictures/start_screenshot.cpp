@@ -1,5 +1,5 @@
-// alphascope-cli screenshot and frames, as everybody starts them: goes over to alphascope-cli-draw,
-// which is the same command line with the renderer. Its 60 libraries are loaded for pictures only.
+// Starts alphascope-cli-draw in place of this program, for screenshot and frames. It is the same
+// command line with the renderer, whose 60 libraries are loaded for pictures only.
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kDrawingProgram = "alphascope-cli-draw";
 
-// Beside this program, as it is built, or where it is installed.
+// The program lies beside this one in a build, or in its own folder where it is installed.
 std::vector<std::filesystem::path> candidates() {
   const std::filesystem::path folder =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
@@ -27,13 +27,15 @@ std::vector<std::filesystem::path> candidates() {
 [[noreturn]] void start_drawing(const std::vector<std::string>& given) {
   std::vector<char*> arguments;
   for (const std::string& argument : given) {
-    arguments.push_back(const_cast<char*>(argument.c_str()));  // execv's type; it changes nothing
+    // The type of execv's parameter; it changes nothing.
+    arguments.push_back(const_cast<char*>(argument.c_str()));
   }
   arguments.push_back(nullptr);
-  run_context().cancel.throw_if_cancelled();  // the other program knows of no signal before it
+  // The other program would not notice a signal that came before execv.
+  run_context().cancel.throw_if_cancelled();
   std::string tried;
   for (const std::filesystem::path& program : candidates()) {
-    ::execv(program.c_str(), arguments.data());  // returns only when it fails
+    ::execv(program.c_str(), arguments.data());  // returns only on failure
     tried += (tried.empty() ? "" : " nor ") + program.string() + " (" + std::strerror(errno) + ")";
   }
   throw std::runtime_error("The program that draws cannot be started: neither " + tried +

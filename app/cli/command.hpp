@@ -1,4 +1,4 @@
-// A command of the command line. One source makes it, and command_list.cpp lists it.
+// A command of the command line. Each command has its own source, and command_list.cpp lists it.
 #pragma once
 
 #include <functional>
@@ -14,12 +14,13 @@ namespace alphascope::cli {
 
 struct Command {
   OptionCommand table;  // name, help, examples, options and their check
-  // `arguments`: as given, the program's name first. Throws what went wrong (failure.hpp).
+  // `arguments`: as given, the program's name first. Throws the exceptions of failure.hpp.
   std::function<ExitCode(const std::vector<std::string>& arguments)> run;
-  bool times_are_the_result = false;  // then it has no --no-times
+  bool times_are_the_result = false;  // if true, the command has no --no-times
 };
 
-// `describe` makes the table, which sets an Options; `run` gets this. Examples are whole lines.
+// Makes a command. `describe` makes a table that sets an Options, and `run` gets this Options.
+// Examples are whole lines.
 template <class Options>
 Command make_command(OptionCommand (*describe)(Options&), ExitCode (*run)(const Options&),
                      std::vector<std::string> examples) {
@@ -30,7 +31,7 @@ Command make_command(OptionCommand (*describe)(Options&), ExitCode (*run)(const 
   return command;
 }
 
-// In the order of the help.
+// All commands, in the order of the help.
 std::vector<Command> all_commands();
 
 }  // namespace alphascope::cli

@@ -1,4 +1,4 @@
-// Running the command that the arguments name; exceptions as messages and exit codes.
+// Runs the command that the arguments name, and turns exceptions into messages and exit codes.
 #include "app/cli/command_line.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ int parse_and_run(int argc, const char* const* argv) {
   if (parsed.ended) {
     if (parsed.exit_code == 0) {
       std::cout << parsed.text << std::flush;
-    } else {  // some lines, which may quote what was typed
+    } else {  // an error of several lines, which may quote typed text
       for (const std::string& line : parts_of(parsed.text, '\n')) {
         std::cerr << printable(line) << '\n';
       }

@@ -1,9 +1,9 @@
-// Parsing the command line and running the command it names.
+// The command line's entry: parses the arguments and runs the command that they name.
 #pragma once
 
 namespace alphascope::cli {
 
-// Returns the process' exit status. Prints messages; throws nothing.
+// Returns the exit status of the process. Prints messages and throws nothing.
 int run_command_line(int argc, const char* const* argv);
 
 }  // namespace alphascope::cli

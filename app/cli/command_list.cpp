@@ -1,7 +1,7 @@
-// The list of commands. A new one is a source that defines its function, and a line here.
+// The list of commands. A new command is a source that defines its function, and a line here.
 #include "app/cli/command.hpp"
 
-// In the order of the help.
+// The order is that of the help.
 #define ALPHASCOPE_COMMANDS(COMMAND) \
   COMMAND(info)                      \
   COMMAND(compute)                   \

@@ -1,3 +1,4 @@
+// The program's own options, and the notes of its help: formats, exit codes, examples.
 #include "app/cli/command_table.hpp"
 
 #include "app/cli/option_groups.hpp"
@@ -15,7 +16,7 @@ Option no_times_option(bool& times) {
                      times, false);
 }
 
-// -q and -v.
+// The options -q and -v.
 Options verbosity_options(Verbosity& verbosity) {
   Option quiet{.names = "-q,--quiet",
                .text = "Print results and errors only: no notes, no times, no progress"};

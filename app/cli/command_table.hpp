@@ -1,4 +1,4 @@
-// The options of every command and of the program, as one table.
+// The options of the program and of all its commands, as one table.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct CommandOptions {
   bool times = true;  // false: --no-times
 };
 
-// The table sets `options`, which must outlive it.
+// Parsing the table sets `options`, which must outlive the table.
 OptionProgram command_table(CommandOptions& options);
 
 }  // namespace alphascope::cli

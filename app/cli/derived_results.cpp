@@ -1,3 +1,4 @@
+// Fills in the inputs of derived results on the command line.
 #include "app/cli/derived_results.hpp"
 
 #include <bit>

@@ -1,4 +1,5 @@
-// Derived results on the command line: the same definitions as the window's, made at once.
+// Derived results on the command line. They have the same definitions as in the window, and are
+// evaluated at once.
 #pragma once
 
 #include <limits>
@@ -10,12 +11,12 @@ namespace alphascope::cli {
 
 inline constexpr double kNoAlpha = std::numeric_limits<double>::quiet_NaN();
 
-// The balls of the input grown by the solvent radius, and their atoms. An evaluator may be asked
-// with several solvent radii and alphas of one input.
+// Inputs with the molecule's atoms and its balls, grown by the solvent radius. One evaluator takes
+// inputs with several solvent radii and alphas of the same molecule.
 Inputs derived_inputs(const Input& input, double solvent_radius_angstrom,
                       const Alpha& alpha_angstrom2 = kNoAlpha);
 
-// Its results may take all memory that the system still has.
+// Its results may take all memory that is free.
 Evaluator make_evaluator();
 
 }  // namespace alphascope::cli

@@ -1,3 +1,4 @@
+// Maps exceptions to messages and exit codes.
 #include "app/cli/failure.hpp"
 
 #include <iostream>

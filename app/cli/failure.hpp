@@ -1,4 +1,4 @@
-// Exceptions as what a command line says of them: a message and an exit code.
+// Exceptions as messages and exit codes of the command line.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace alphascope::cli {
 
-// A sensible-looking command line that asks for what cannot be.
+// A command line that can be parsed, but that requests something impossible.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -17,17 +17,18 @@ struct UsageError : std::runtime_error {
 struct Failure {
   ExitCode code;
   std::string message;  // sentences
-  // Whether another file may go well: not when the user cancelled or an output cannot be written.
+  // Whether a run over many files goes on with the next one. False after Ctrl-C, and if an output
+  // cannot be written.
   bool of_this_file;
 };
 
-// What to do where memory is short, as far as this command has options for it.
+// Sets the advice of out-of-memory messages, as far as this command has options for it.
 void set_memory_remedy(const OptionCommand& command);
 
-// Of the exception being handled: to be called in a catch block.
+// Describes the exception being handled. Call in a catch block.
 Failure current_failure();
 
-// "alphascope-cli: MESSAGE" on standard error, after what standard output has waiting.
+// Prints "alphascope-cli: MESSAGE" to standard error, after flushing standard output.
 void print_error(const std::string& message);
 
 }  // namespace alphascope::cli

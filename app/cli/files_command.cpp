@@ -1,3 +1,4 @@
+// Runs a command on each model of each file, and completes its outputs.
 #include "app/cli/files_command.hpp"
 
 #include <utility>
@@ -38,7 +39,7 @@ ExitCode FilesCommand::run(
   const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
     for_each_model(file, input_, open_, run_context(), [&](const Input& model) {
       use(file, model);
-      csv.flush();  // who reads along sees each model when it is done
+      csv.flush();  // a reader of the table sees each model as soon as it is done
     });
   });
   json.finish(further_json(outcome, many));

@@ -1,4 +1,4 @@
-// What commands that take many files have in common: names, outputs, one model after another.
+// The common part of commands that take many files: input names, outputs, and the loop over models.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace alphascope::cli {
 
-// As given: "-" is standard output, empty is none.
+// Paths as given: "-" is standard output, and an empty path is no output.
 struct ResultPaths {
   std::string json, csv, out = {};
 };
@@ -20,22 +20,23 @@ class FilesCommand {
   const OpenOptions open_;
 
  public:
-  // Finds the files and opens the results, before anything is computed. `input` must outlive the
-  // command. Throws what file_names(), require_readable() and Outputs::add() throw.
+  // Finds the files and opens the outputs before any computation. `input` must outlive the command.
+  // Throws as file_names(), require_readable() and Outputs::add() do.
   FilesCommand(const InputFiles& files, const InputOptions& input, OpenOptions open,
                const ResultPaths& results);
 
   const bool many, each_model;
   const std::vector<std::string> files;
   Outputs outputs;
-  AtomicFile* const out;  // null: not asked for
+  AtomicFile* const out;  // null: not requested
   CsvResults csv;
   JsonResults json;
 
-  // False where quiet: beside a result on standard output the summary is a note.
+  // Whether the summary is printed. It is left out if the program is quiet and a result takes
+  // standard output: there it counts as a note.
   bool shown() const;
 
-  // Calls `use` with each model asked for of each file, then gives the outputs their names.
+  // Calls `use` with each wanted model of each file, then commits the outputs.
   ExitCode run(const std::function<void(const std::string& file, const Input& input)>& use);
 };
 

@@ -1,3 +1,4 @@
+// Opens molecules by the input options, and checks that the options fit them.
 #include "app/cli/input.hpp"
 
 #include <unistd.h>
@@ -23,7 +24,7 @@ namespace {
 void set_radii(const std::string& radii, BallOptions& balls, const RunContext& context) {
   if (radii == "auto") return;
   if (find_radii_set(radii, balls.radii) && balls.radii != RadiiSet::user) return;
-  // What is there and cannot be looked at, such as a loop of links, is refused by its reader.
+  // An existing path that cannot be read, such as a loop of links, is refused by its reader.
   std::error_code ignored;
   if (std::filesystem::status(radii, ignored).type() != std::filesystem::file_type::not_found) {
     balls.radii = RadiiSet::user;
@@ -43,7 +44,7 @@ void set_radii(const std::string& radii, BallOptions& balls, const RunContext& c
 
 int model_index(const std::string& text) {
   if (text == "joined") return kAllModels;
-  if (text == "all") return 0;  // and the others after it
+  if (text == "all") return 0;  // the first model; the others follow
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || number < 1) {
@@ -55,7 +56,7 @@ int model_index(const std::string& text) {
   return number - 1;
 }
 
-// "B" for a file with chains A and C would be an empty set of balls: rather a slip of the pen.
+// A chain that does not exist is probably a typing error: it would give an empty set of balls.
 void require_chains(const std::vector<std::string>& asked, const MoleculeContents& contents) {
   constexpr std::size_t kListed = 20;
   for (const std::string& name : asked) {
@@ -73,8 +74,8 @@ void require_chains(const std::vector<std::string>& asked, const MoleculeContent
   }
 }
 
-// The option that would bring back what was dropped for a reason. Commands that look for cavities
-// drop ligands and ions unless they are told not to, and have other options for that.
+// The option that brings back atoms dropped for this reason. Commands on cavities drop ligands and
+// ions by default, and have other options for them.
 const char* remedy_for(DropReason reason, const InputOptions& options) {
   switch (reason) {
     case DropReason::chain:
@@ -102,7 +103,7 @@ const char* remedy_for(DropReason reason, const InputOptions& options) {
   return "Choose a radii set with --radii";
 }
 
-// A complex of no atoms answers a question that nobody asks.
+// Refuses a complex of no atoms, which is hardly wanted, and says why all atoms were dropped.
 [[noreturn]] void refuse_without_atoms(const std::filesystem::path& file,
                                        const InputOptions& options, const SelectionReport& report) {
   const std::vector<CountedReason> reasons = drop_reasons(report);
@@ -138,7 +139,7 @@ Input open_input(const std::filesystem::path& file, const InputOptions& options,
   return input;
 }
 
-// Before any file is read.
+// Checks the treatments before any file is read.
 const std::vector<std::string>& checked_treatments(const std::vector<std::string>& treated) {
   try {
     for (const std::string& text : treated) parse_treatment(text);
@@ -152,7 +153,7 @@ const std::vector<std::string>& checked_treatments(const std::vector<std::string
 
 OpenOptions open_options(const InputOptions& options, const RunContext& context) {
   OpenOptions open;
-  open.read.format = format_from_id(options.format);  // null of auto
+  open.read.format = format_from_id(options.format);  // null for auto
   set_radii(options.radii, open.balls, context);
   open.balls.model = model_index(options.model);
   open.balls.hydrogens = options.hydrogens == "keep"   ? HydrogenRule::keep
@@ -197,7 +198,7 @@ void for_each_model(const std::filesystem::path& file, const InputOptions& optio
     used += input.prepared().report.used;
     use(input);
   }
-  // One model may lack what is asked for, but not all of them.
+  // One model may lack the wanted atoms, but not all models.
   if (used == 0) refuse_without_atoms(file, options, input.prepared().report);
 }
 

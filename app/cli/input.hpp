@@ -1,4 +1,4 @@
-// From the input options to an open molecule and its balls.
+// Opens a molecule by the input options, and prepares its balls.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@ namespace alphascope::cli {
 // A molecule and the balls of one of its models.
 struct Input {
   OpenedMolecule opened;
-  BallOptions balls;             // what was chosen; balls.model is this one
-  double open_milliseconds = 0;  // reading (the first model only), selecting, radii
+  BallOptions balls;             // the chosen options, with balls.model of this model
+  double open_milliseconds = 0;  // for reading (the first model only), selection and radii
 
   const Molecule& molecule() const { return *opened.molecule; }
   const PreparedBalls& prepared() const { return *opened.prepared; }
@@ -23,34 +23,33 @@ struct Input {
   }
 };
 
-// What the options say to open_molecule(), with a table of radii read: for files opened one after
-// another. Throws UsageError for an option that says nothing known, ReadError for the table.
+// The options of open_molecule(), with a table of radii already read, for files opened one after
+// another. Throws UsageError for an unknown value, and ReadError for the table.
 OpenOptions open_options(const InputOptions& options, const RunContext& context);
 
-// Reads the file once and calls `use` with the model asked for, or with --model all with each in
-// turn. Throws UsageError for an option that the molecule cannot satisfy, and what open_molecule()
-// throws.
+// Reads the file once and calls `use` with the chosen model, or with each in turn for --model all.
+// Throws UsageError for an option that the molecule cannot satisfy, and as open_molecule() does.
 void for_each_model(const std::filesystem::path& file, const InputOptions& options,
                     const OpenOptions& open, const RunContext& context,
                     const std::function<void(const Input&)>& use);
-// The same of options.file.
+// The same for options.file.
 void for_each_model(const InputOptions& options, const RunContext& context,
                     const std::function<void(const Input&)>& use);
 
-// For commands that take one model: UsageError, with this reason, for --model all.
+// For commands that take one model. Throws UsageError with the reason `why_one` for --model all.
 Input open_one_model(const InputOptions& options, const char* why_one, const RunContext& context);
 
-// The same of the body whose cavities are looked for: cavity_body()'s choices where the options
-// make none. What is open already gets its radii by with_body_radii().
+// The options for the body of a search for cavities. Open choices are those of cavity_body(). The
+// second function gives an open molecule the radii of this body.
 OpenOptions body_options(const InputOptions& options, const BodyOptions& body,
                          const RunContext& context);
 Input with_body_radii(Input input, const InputOptions& options);
 
-// Sentences about what had to be assumed: the reader's notes, and that no atom is left.
+// Sentences on assumptions: the reader's notes, and a note if no atom is left.
 std::vector<std::string> input_notes(const Input& input);
 
-// "FILE: used … of … atoms; …", with the notes on lines of their own unless the program is to be
-// quiet; ended.
+// "FILE: used … of … atoms; …", with the notes on separate lines unless the program is quiet. Ends
+// with a line end.
 std::string input_text(const Input& input);
 
 }  // namespace alphascope::cli

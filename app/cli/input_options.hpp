@@ -1,4 +1,4 @@
-// What is read and which atoms of it become balls, as the command line says it.
+// The input options: the file, its format, and the atoms that become balls.
 #pragma once
 
 #include <filesystem>
@@ -9,30 +9,30 @@ namespace alphascope::cli {
 
 struct InputOptions {
   std::filesystem::path file;   // "-" for standard input
-  std::string format = "auto";  // or an id of a format, as format_from_id() takes it
-  std::string radii = "auto";   // id of a radii set, or a file with a table of radii
-  std::string model = "1";      // counted from 1; "all": each by itself; "joined": all as one
+  std::string format = "auto";  // or an id for format_from_id()
+  std::string radii = "auto";   // id of a radii set, or path of a table of radii
+  std::string model = "1";      // from 1; "all": each model separately; "joined": all models as one
   std::string hydrogens = "auto", altlocs = "best";
   bool waters = false, dummies = false, no_ligands = false, no_ions = false, no_polymers = false;
   std::vector<std::string> chains, without_chains, treated;
-  std::string select;    // core/selection/selection_expression.hpp
-  std::string assembly;  // id, empty = as deposited
+  std::string select;    // an expression of core/selection/selection_expression.hpp
+  std::string assembly;  // id; empty: as deposited
 };
 
 inline bool each_model(const InputOptions& options) {
   return options.model == "all";
 }
 
-// The files of a command that takes many.
+// The input files of a command that takes many.
 struct InputFiles {
   std::vector<std::string> named;
-  std::string list;             // file with more names, "-" for standard input, empty for none
-  bool null_separated = false;  // names in the list end with a NUL byte, not with the line
-  // Then results are a table and go on after an error.
+  std::string list;             // path of a list of names; "-" is standard input, empty is none
+  bool null_separated = false;  // each name in the list ends with NUL instead of a line end
+  // With many files results form a table, and an error does not end the run.
   bool many() const { return named.size() > 1 || !list.empty(); }
 };
 
-// What belongs to the body whose cavities are looked for, beside proteins and nucleic acids.
+// Atoms of the body besides proteins and nucleic acids, in a search for cavities.
 struct BodyOptions {
   bool ligands = false, ions = false;
 };

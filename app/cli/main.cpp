@@ -1,4 +1,4 @@
-// alphascope-cli: the exact alpha complex of a molecule, without a window.
+// The main function of alphascope-cli, which computes exact alpha complexes without a window.
 #include "app/cli/command_line.hpp"
 #include "app/cli/text/terminal.hpp"
 

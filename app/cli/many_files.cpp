@@ -1,3 +1,4 @@
+// Reads lists of names, and runs commands on many files.
 #include "app/cli/many_files.hpp"
 
 #include <algorithm>
@@ -13,13 +14,15 @@
 namespace alphascope::cli {
 namespace {
 
-// Of a million files, with room for long names.
+// Limits of a list: a million names and 64 MiB, so that many names may be long.
 constexpr std::uint64_t kLargestList = std::uint64_t{64} << 20;
-constexpr std::size_t kMostNames = 1'000'000, kLongestName = 4095;  // Linux opens no longer one
+// Linux opens no longer name than kLongestName.
+constexpr std::size_t kMostNames = 1'000'000, kLongestName = 4095;
 
-constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // UTF-8's
+constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
-// Names with NUL bytes or line ends inside are names that end with the other of the two.
+// Refuses a list whose names contain NUL bytes or line ends: its names end with the other of the
+// two.
 [[noreturn]] void refuse_other_ends(const std::string& list, char end) {
   if (end == '\n') {
     throw UsageError(list +
@@ -34,7 +37,7 @@ void append_names(const std::string& file, char end, std::vector<std::string>& n
   std::istringstream stream(
       read_small_text(file, {"the list of files", kLargestList,
                              "Give the names of the files, one a line, in lists of their own"}));
-  stream.exceptions(std::ios::badbit);  // else a list would end where memory does
+  stream.exceptions(std::ios::badbit);  // otherwise a failed allocation would end the list early
   const std::string list = file == "-" ? "standard input" : file;
   bool first = true;
   std::size_t number = 0;

@@ -1,4 +1,4 @@
-// Commands that take many files: their names, and going on after an error.
+// The files of commands that take many: their names, and a loop that continues after an error.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace alphascope::cli {
 
-// Those named and those of the list, in this order. Throws ReadError for a list that cannot be
-// read, UsageError for names that cannot be meant: standard input twice, none at all.
+// The named files, then those of the list. Throws ReadError for an unreadable list, and UsageError
+// for impossible names: standard input twice, or none at all.
 std::vector<std::string> file_names(const InputFiles& files);
 
 struct FailedFile {
@@ -20,12 +20,12 @@ struct FailedFile {
 
 struct FilesOutcome {
   std::vector<FailedFile> failed;
-  ExitCode code = ExitCode::ok;  // of the first that failed
+  ExitCode code = ExitCode::ok;  // of the first failed file
 };
 
-// Calls `use` with each. Of many, one that fails is named on standard error with the reason, the
-// others go on, and in the end their number is printed; of one, the exception is passed on. So is
-// what concerns no single file: Cancelled, WriteError, EngineUnavailable.
+// Calls `use` with each file. A failure among many files is printed to standard error with file and
+// reason, and the next file follows. At the end the number of failures is printed. The exception of
+// a single file is passed on. Cancelled, WriteError and EngineUnavailable are always passed on.
 FilesOutcome for_each_file(const std::vector<std::string>& files, bool many,
                            const std::function<void(const std::string&)>& use);
 

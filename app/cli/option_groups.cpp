@@ -1,3 +1,5 @@
+// The options of molecules, files and cavities' bodies. Options of alpha and engines are in
+// option_groups_engine.cpp.
 #include "app/cli/option_groups.hpp"
 
 #include <stdexcept>
@@ -40,7 +42,7 @@ Options input_but_ligands(InputOptions& input) {
       choice_option(
           {"--altlocs", "best|all", "Alternative locations: the best of each residue, or all"},
           input.altlocs),
-      // "" is the chain without a name.
+      // "" is the name of the chain without a name
       may_be_empty(
           texts_option({"--chain", "ID", "Keep only these chains, such as A,B"}, input.chains)),
       may_be_empty(

@@ -1,4 +1,4 @@
-// Options that several commands have. For the sources of the command table.
+// Groups of options that several commands share.
 #pragma once
 
 #include <string>
@@ -19,34 +19,35 @@ using Options = std::vector<Option>;
 
 void append(Options& options, Options more);
 
-// What is read, without the two kinds of atoms that commands treat differently.
+// The input options, without those for ligands and ions, which commands treat differently.
 Options input_but_ligands(InputOptions& input);
-// All of what is read.
+// All input options.
 Options input(InputOptions& input);
 std::string radii_choices();
 
-// The help of an argument that is a molecule.
+// The help of an argument that names a molecule.
 std::string file_text();
 
-// The body whose cavities are looked for.
+// The options of the body in a search for cavities.
 Options body(InputOptions& input, BodyOptions& body);
 
 Option one_file(InputOptions& input, bool must_be = true);
 Options many_files(InputFiles& files);
-// Throws std::invalid_argument.
+// Throws std::invalid_argument if no file is named.
 void require_files(const InputFiles& files);
 
 Option alpha(Request& request);
 Option alphas(std::vector<Alpha>& alphas, const char* text);
-// With `text` and the default that it has; exact, so with at most 18 digits behind the point.
+// An option with the help `text`, whose default is the present target. It is exact and takes at
+// most 18 decimals.
 Option alpha_option(const char* text, Alpha& target);
-// As it is typed; throws std::invalid_argument that says what is wrong with it.
+// Reads alpha exactly as typed. Throws std::invalid_argument that says what is wrong.
 Alpha alpha_in(const std::string& value);
 // The switches of the tuple engine that change its work on the CPU.
 Options tuple_work(TupleOptions& tuples);
-// Solvent radius, engine and its switches; `threads`: and how many.
+// Options of solvent radius, engine and its switches. `threads`: also of the number of threads.
 Options engine(Request& request, bool threads);
-// Switches of the tuple engines want one of them. Throws std::invalid_argument.
+// Throws std::invalid_argument for switches of the tuple engines with another engine.
 void require_tuple_engine(const Request& request);
 
 Option output(const char* name, const char* text, std::string& path);

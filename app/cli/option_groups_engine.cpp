@@ -1,4 +1,4 @@
-// Options of alpha and of engines. See the header.
+// The options of alpha and of engines.
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -8,7 +8,8 @@
 namespace alphascope::cli {
 namespace {
 
-// The switches of the tuple engines; refused with another engine, where they would do nothing.
+// The switches of the tuple engines. They are refused with another engine, where they would have no
+// effect.
 Options tuples(Request& request) {
   TupleOptions& tuples = request.tuples;
   const auto off = [](const char* name, const char* text, bool& value) {
@@ -40,7 +41,7 @@ Option alpha(Request& request) {
 }
 
 Alpha alpha_in(const std::string& value) {
-  number_in(value, kAlphaRange);  // refuses what is no number
+  number_in(value, kAlphaRange);  // refuses text that is not a number
   Alpha alpha;
   const Alpha::Reading reading = Alpha::read(value, alpha);
   if (reading == Alpha::Reading::too_fine) {
@@ -63,7 +64,7 @@ Option alpha_option(const char* text, Alpha& target) {
 
 Option alphas(std::vector<Alpha>& alphas, const char* text) {
   Option option{.names = "--alpha", .value = "A", .text = text, .list = true};
-  // The first that is given replaces the default.
+  // The first given value replaces the default.
   option.set = [&alphas, fresh = true](const std::string& value) mutable {
     const Alpha alpha = alpha_in(value);
     if (std::exchange(fresh, false)) alphas.clear();

@@ -1,3 +1,4 @@
+// Opens outputs, and compares files by device and inode.
 #include "app/cli/outputs.hpp"
 
 #include <fcntl.h>
@@ -22,7 +23,7 @@ bool is_dash(const fs::path& path) {
   return path == "-";
 }
 
-// An ordinary file, whatever its names are.
+// Identifies an ordinary file independently of its names.
 struct FileIdentity {
   dev_t device;
   ino_t number;
@@ -44,7 +45,7 @@ std::optional<FileIdentity> identity(int descriptor) {
   return ::fstat(descriptor, &status) == 0 ? identity(status) : std::nullopt;
 }
 
-// Also of files that are not there yet: then the same name in the same folder.
+// Compares folder and name for files that do not exist yet.
 bool same_file(const fs::path& a, const fs::path& b) {
   const auto first = identity(a), second = identity(b);
   if (first || second) return first == second;
@@ -57,7 +58,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
 }  // namespace
 
 std::vector<fs::path> files_read(const InputOptions& input) {
-  return {input.file, input.radii};  // a radii set's name is no file, which does no harm
+  return {input.file, input.radii};  // the name of a radii set is noted too, which does no harm
 }
 
 std::vector<fs::path> files_read(const std::vector<std::string>& files, const std::string& list,
@@ -92,7 +93,7 @@ Outputs::Outputs(const std::vector<fs::path>& inputs) {
       note_read(input);
     }
   }
-  // As by ">> FILE", which the summary would be added to.
+  // For example ">> FILE": the summary would be appended to the input.
   for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
     if (const auto input = read_behind(descriptor)) {
       throw UsageError(std::string("Standard ") +
@@ -119,7 +120,7 @@ AtomicFile* Outputs::add(const char* option, const std::string& path, Endings en
       throw UsageError(std::string(option) + " " + path + ": " + fault + ".");
     }
     outputs_.emplace_back(option, fs::path(path));
-    // Links may lead two names to one file that is not there yet.
+    // Links may give one missing file two names.
     for (const Output& other : outputs_) {
       if (&other != &outputs_.back() &&
           same_file(other.file.replaced(), outputs_.back().file.replaced())) {

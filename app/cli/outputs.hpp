@@ -1,5 +1,5 @@
-// The files that a command writes, or standard output in their place, opened before it computes:
-// that one cannot be written should not show only after hours.
+// The output files of a command, or standard output in their place. They are opened before the
+// computation, so that an unwritable path fails at once.
 #pragma once
 
 #include <filesystem>
@@ -14,14 +14,14 @@
 
 namespace alphascope::cli {
 
-// Every file that `input` reads; "-" is standard input.
+// All files that `input` reads; "-" is standard input.
 std::vector<std::filesystem::path> files_read(const InputOptions& input);
-// `list`: where some of their names come from; may be empty.
+// `list`: path of a list with some of the names; may be empty.
 std::vector<std::filesystem::path> files_read(const std::vector<std::string>& files,
                                               const std::string& list, const InputOptions& input);
 
-// Throws ReadError for the first that is missing or may not be read. For commands that take many
-// molecules and would otherwise notice only after work on those before it.
+// Throws ReadError for the first file that is missing or unreadable. Commands on many molecules
+// call this first, so that work on other files is not lost.
 void require_readable(const std::vector<std::filesystem::path>& files);
 
 class Outputs {
@@ -29,28 +29,28 @@ class Outputs {
   using Endings = std::initializer_list<std::string_view>;
   static inline const Endings kCsv{".csv", ".txt"}, kJson{".json", ".txt"}, kText{".alpha", ".txt"};
 
-  // `inputs`: what is going to be read, which no output may replace. Throws UsageError where
-  // standard output or error goes to one of them.
+  // `inputs`: files that will be read, which no output may replace. Throws UsageError if standard
+  // output or error goes to one of them.
   explicit Outputs(const std::vector<std::filesystem::path>& inputs);
 
-  // Opens what `option` names: null for "", standard output for "-"; the summary then goes to
-  // standard error. Throws UsageError for a file that is also an input, another output, or where
-  // standard output goes, for a name with another ending than these, and for a second "-";
-  // WriteError for what cannot be opened.
+  // Opens the file that `option` names. "" gives null. "-" gives standard output, and the summary
+  // then goes to standard error. Throws UsageError for an input, another output, or the file behind
+  // standard output. Throws it also for an ending not in `endings`, and for a second "-". Throws
+  // WriteError if the file cannot be opened.
   AtomicFile* add(const char* option, const std::string& path, Endings endings);
 
-  // Whether one of them is standard output.
+  // Whether one output is standard output.
   bool take_standard_output() const { return on_standard_output_ != nullptr; }
 
-  // Throws UsageError and ReplacesInput for a file that is an input, or where standard output or
-  // error goes.
+  // Throws UsageError or ReplacesInput for an input file, and for the file behind standard output
+  // or error.
   void refuse_clash(const char* option, const std::filesystem::path& path) const;
 
-  // Throws ReplacesInput when one of them has been read since it was opened, as a session's
-  // molecule is.
+  // Throws ReplacesInput if an output was read after it had been opened, as a session's molecule
+  // may be.
   void refuse_what_was_read() const;
 
-  // Gives every file its name, or none. Throws WriteError.
+  // Renames all files to their final names, or none. Throws WriteError.
   void commit();
 
  private:
@@ -63,7 +63,7 @@ class Outputs {
     AtomicFile file;
   };
   std::list<Output> outputs_;
-  const char* on_standard_output_ = nullptr;  // the option that took it
+  const char* on_standard_output_ = nullptr;  // the option that uses it
 };
 
 }  // namespace alphascope::cli

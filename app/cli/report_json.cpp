@@ -1,3 +1,4 @@
+// JSON objects of program, input and comparison.
 #include "app/cli/report_json.hpp"
 
 #include "app/cli/text/terminal.hpp"

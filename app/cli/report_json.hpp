@@ -1,4 +1,4 @@
-// Results with their provenance as JSON (docs/output-files.md) and as the header of a text file.
+// The provenance of results: as JSON (docs/output-files.md), and as the header of text files.
 #pragma once
 
 #include <string>
@@ -15,14 +15,14 @@ ProgramName program();
 std::string program_text();  // "alphascope-cli 0.1.0 (0123456789ab)"
 Json program_json();
 RecordSource source_of(const Input& input);
-// `computed_on`: the lattice of the balls that were computed with.
+// `computed_on`: the lattice of the balls in the computation.
 Json input_json(const Input& input, const Lattice& computed_on);
 Json comparison_json(const Comparison& comparison);
 
-// As it is written: without what depends on time and threads where that is not wanted.
+// The JSON to be written. The option --no-times removes all that depends on time and threads.
 Json written(Json json);
 
-// With every note of the readers and of the engine.
+// The header with all notes of reader and engine.
 ComplexHeader complex_header(const Input& input, const EngineAnswer& answer);
 
 }  // namespace alphascope::cli

@@ -1,3 +1,4 @@
+// Writes results to CSV and JSON files one by one.
 #include "app/cli/result_files.hpp"
 
 #include "app/cli/text/terminal.hpp"
@@ -8,7 +9,7 @@ namespace {
 
 constexpr std::size_t kBuffered = 1 << 18;  // bytes
 
-// Each line but the first moved right, for an object inside of others; the end of the last is lost.
+// Indents each line but the first, for an object inside others. Drops the last line end.
 std::string indented(std::string text, const char* margin) {
   if (text.ends_with('\n')) text.pop_back();
   std::string result;
@@ -19,7 +20,7 @@ std::string indented(std::string text, const char* margin) {
   return result;
 }
 
-// The columns stay, so that tables of both kinds can be joined.
+// Empties the columns that depend on the run. They remain as columns, so that tables can be joined.
 CsvRow without_run(CsvRow row) {
   for (auto& [name, value] : row) {
     for (const char* of_run : {"wall_ms", "device", "route", "measured_by"}) {

@@ -1,5 +1,5 @@
-// Results written as they come, so that ten thousand of them take no more memory than one. Files
-// are those of Outputs; null for what nobody asked for. All throw WriteError.
+// Writes results one by one, so that ten thousand take no more memory than one. The files belong to
+// Outputs, and are null if not requested. All functions throw WriteError.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace alphascope::cli {
 
-// One row a result, below a line with the names of the first row. Written a quarter of a megabyte
-// at a time; flush() writes the rest.
+// One row a result, below the names of the first row's columns. Rows are written in pieces of a
+// quarter megabyte; flush() writes the rest.
 class CsvResults {
  public:
   explicit CsvResults(AtomicFile* file) : file_(file) {}
@@ -26,8 +26,8 @@ class CsvResults {
   bool begun_ = false;
 };
 
-// One object: the results as a list under the key `list` and further keys behind it; without `list`
-// the one result with further keys.
+// One JSON object. With `list`, this key holds the results, and further keys follow. Without it,
+// the object is the one result with further keys.
 class JsonResults {
  public:
   JsonResults(AtomicFile* file, std::string list) : file_(file), list_(std::move(list)) {}
@@ -42,7 +42,8 @@ class JsonResults {
   bool begun_ = false;
 };
 
-// The further keys of compute and info: of many files "failed", [{"file", "error"}]; "program".
+// The further keys of compute and info: "program" and, for many files, "failed": [{"file",
+// "error"}].
 Json further_json(const FilesOutcome& outcome, bool many);
 
 }  // namespace alphascope::cli

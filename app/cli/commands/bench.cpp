@@ -1,7 +1,7 @@
-// alphascope-cli bench: our engine and CGAL in one process, cold and warm, medians.
-// Cold: a new engine, made and asked once; what a user waits for after opening a molecule. CGAL's
-// cold time is its own route, the triangulation and the filter. Warm: the same engine asked again
-// for a slightly different alpha, as a slider does.
+// Runs alphascope-cli bench: medians of our engine and CGAL in one process, cold and warm. Cold: a
+// new engine is made and asked once, as after opening a molecule. CGAL's cold time covers its own
+// route, triangulation and filter. Warm: the same engine is asked again at a slightly different
+// alpha, as with a slider.
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -32,11 +32,11 @@ double median(std::vector<double> values) {
 
 struct Series {
   std::vector<double> cold, warm;  // ms
-  AlphaComplex complex;            // of the last cold run, its lists empty
+  AlphaComplex complex;            // of the last cold run, with empty lists
   std::size_t tetrahedra = 0;
 };
 
-// The step between two places of a slider that a hand can still tell apart.
+// The smallest step of a slider that a user can still notice.
 constexpr double kSliderStep = 0.001;  // Å²
 
 void run_once(const std::shared_ptr<const BallSet>& balls, const Request& request,
@@ -79,7 +79,7 @@ Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls, con
   Request cgal = request;
   cgal.engine = EngineChoice::cgal;
   for (int run = 0; run < runs; ++run) {
-    // In turns, so that a machine that slows down meanwhile slows both.
+    // The engines take turns, so that a machine that slows down slows both.
     run_once(balls, request, context, row.ours);
     run_once(balls, cgal, context, row.cgal);
   }
@@ -148,7 +148,7 @@ ExitCode run_bench(const BenchOptions& options) {
     throw UsageError("--engines, --json and --charts need --suite thesis");
   }
   const RunContext& context = run_context();
-  RunContext quiet;  // no progress reports while the clock runs
+  RunContext quiet;  // no progress reports during timing
   quiet.cancel = context.cancel;
   require_readable({options.files.begin(), options.files.end()});
   Outputs outputs(files_read(options.files, {}, options.input));
@@ -190,7 +190,7 @@ ExitCode run_bench(const BenchOptions& options) {
   return same ? ExitCode::ok : ExitCode::differs;
 }
 
-// What only --suite thesis has.
+// The options of --suite thesis alone.
 Options thesis_suite(BenchOptions& options) {
   Options suite{
       choice_option({"--suite", "thesis",

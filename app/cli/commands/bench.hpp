@@ -1,4 +1,4 @@
-// What `bench` is asked; --suite thesis has a source of its own.
+// The options of `bench`. Another source runs --suite thesis.
 #pragma once
 
 #include <string>
@@ -18,12 +18,12 @@ struct BenchOptions {
   std::vector<int> threads{1};
   int runs = 5;
   std::string csv;
-  // What follows is of --suite thesis.
+  // The following options belong to --suite thesis.
   std::string suite;                 // "thesis", or empty
-  std::vector<std::string> engines;  // ids; empty: all that can run here
+  std::vector<std::string> engines;  // ids; empty: all engines that can run here
   double seconds_per_row = 20;
   bool ablation = true;
-  std::string json, charts;  // charts: a folder
+  std::string json, charts;  // charts: path of a folder
 };
 
 ExitCode run_thesis_bench(const BenchOptions& options);

@@ -1,5 +1,5 @@
-// alphascope-cli compute: the complex of each file, or of each of its models: its numbers, and its
-// simplices in a file.
+// Runs alphascope-cli compute: prints the numbers of each file's or model's complex, and writes its
+// simplices to a file.
 #include <iostream>
 #include <optional>
 
@@ -27,7 +27,7 @@ struct ComputeOptions {
   std::string json, csv, out;
 };
 
-// Counts, or "" for what a tetrahedra-only complex does not hold.
+// The count, or "" for a list that a tetrahedra-only complex lacks.
 template <class List>
 std::string count_text(const AlphaComplex& complex, const List& list) {
   return complex.tetrahedra_only ? "" : std::to_string(list.size());
@@ -55,7 +55,7 @@ CsvRow csv_row(const Input& input, const EngineAnswer& result) {
              {"route", complex.engine.route},
              {"wall_ms", csv_milliseconds(complex.timings.wall_milliseconds)}};
   for (auto& [key, value] : input.provenance()) {
-    // A solvent radius may have put the balls on a finer lattice.
+    // The solvent radius may need a finer lattice.
     if (key == "lattice_unit_angstrom") value = lattice_unit_text(complex.lattice);
     if (key != "model") row.emplace_back(key, std::move(value));
   }
@@ -68,13 +68,13 @@ std::string request_text(const Request& request) {
          shortest_number(request.solvent_radius_angstrom) + " Å\n";
 }
 
-// What --verbose adds to a result.
+// The lines that --verbose adds to a result.
 std::string effort_text(const Input& input) {
   return "opened in   " + milliseconds_text(input.open_milliseconds) + "\nmemory      " +
          grouped(resident_bytes() / 1'000'000) + " MB in use by the program\n";
 }
 
-// Not written out before the files are whole, so that `| head` costs none of them.
+// Flushed only after the files are complete, so that `| head` loses no file.
 void print_one(const Input& input, const EngineAnswer& result) {
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
             << request_text(result.request) << complex_text(result.complex);
@@ -84,10 +84,10 @@ void print_one(const Input& input, const EngineAnswer& result) {
   if (verbosity() == Verbosity::verbose && times_shown()) std::cout << effort_text(input);
 }
 
-// One line a result, under a heading at the first.
+// Prints one line a result, under a heading before the first.
 class ResultTable {
  public:
-  // `files`: as they were named; one only: its name stands above the table, not in it.
+  // `files`: names as given. The name of a single file stands above the table.
   ResultTable(const std::vector<std::string>& files, bool many, bool models)
       : many_(many), models_(models), table_(columns(files, many, models)) {}
 
@@ -99,7 +99,7 @@ class ResultTable {
       print_error(file + ": note: " + rounding);
     }
     begun_ = true;
-    // One file has its notes above the table.
+    // The notes of a single file stand above the table.
     if (many_ && verbosity() != Verbosity::quiet) {
       for (const std::string& note : input_notes(input)) print_error(file + ": note: " + note);
     }

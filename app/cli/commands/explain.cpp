@@ -1,4 +1,4 @@
-// alphascope-cli explain: why a simplex is in the alpha complex, or not.
+// Runs alphascope-cli explain: says why a simplex is or is not in the alpha complex.
 #include <iostream>
 
 #include "app/cli/command.hpp"
@@ -23,8 +23,8 @@ namespace {
 
 struct ExplainOptions {
   InputOptions input;
-  std::vector<int> simplex;  // 1 to 4 different balls, from 0; or none, then there are atoms
-  std::string atoms;         // 1 to 4 of them by address or expression
+  std::vector<int> simplex;  // 1 to 4 different balls, from 0; empty if `atoms` is given
+  std::string atoms;         // 1 to 4 balls by address or expression
   std::optional<Alpha> alpha_angstrom2;
   double solvent_radius_angstrom = 0;
   std::string json;

@@ -1,4 +1,4 @@
-// alphascope-cli export: a complex, its boundary or its balls in a file for another program.
+// Runs alphascope-cli export: writes a complex, its boundary or its balls for another program.
 #include <iostream>
 
 #include "app/cli/command.hpp"
@@ -21,7 +21,8 @@ struct ExportOptions {
   InputOptions input;
   Request request;
   std::filesystem::path out;  // "-" for standard output
-  std::string as;  // an id of core/document/export/complex_export.hpp; empty: by out's ending
+  // An id in core/document/export/complex_export.hpp. Empty: by the ending of `out`.
+  std::string as;
   std::string colours = "element";
 };
 
@@ -41,7 +42,7 @@ ExportColours colours_of(const ExportOptions& options) {
                                       : ExportColours::element;
 }
 
-// Opened before anything is computed.
+// Opens the files before the computation.
 std::vector<AtomicFile*> open_files(const ExportFormatInfo& format, const fs::path& path,
                                     Outputs& outputs) {
   if (format.script && path == "-") {
@@ -50,7 +51,7 @@ std::vector<AtomicFile*> open_files(const ExportFormatInfo& format, const fs::pa
   std::vector<AtomicFile*> files;
   const std::string ending = std::string(".") + format.id;
   for (const fs::path& file : export_files(format, path)) {
-    // Those beside a script are named by the format.
+    // The format names the files beside a script.
     files.push_back(file == path
                         ? outputs.add("--output", file.string(), {ending})
                         : outputs.add("--output", file.string(), {".pqr", ".glb", ".obj"}));

@@ -1,4 +1,4 @@
-// alphascope-cli info: what is in files, and what would be used of them.
+// Runs alphascope-cli info: prints the contents of files, and the atoms that would be used.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -25,7 +25,7 @@ namespace {
 struct InfoOptions {
   InputFiles files;
   InputOptions input;
-  // File, "-" for standard output, empty for none; so everywhere.
+  // Paths; "-" is standard output, empty is none.
   std::string json, csv;
   bool residues = false, each_residue = false;
 };
@@ -56,7 +56,7 @@ Json radii_json(const BallSet& balls) {
   return json;
 }
 
-// Atoms of each kind, of all models.
+// Number of atoms of each kind, over all models.
 Json kinds_json(const MoleculeContents& contents) {
   Json json = Json::object();
   for (std::size_t k = 0; k < contents.kinds.size(); ++k) {
@@ -66,7 +66,7 @@ Json kinds_json(const MoleculeContents& contents) {
 }
 
 void print_guesses(std::vector<GuessedRadius> guesses) {
-  // What comes from outside of the set says more than that a ligand's carbon is a carbon.
+  // Guesses from sources outside the set come first: they matter more than a ligand's usual carbon.
   std::stable_partition(guesses.begin(), guesses.end(), [](const GuessedRadius& guess) {
     return guess.source != kTypicalOfTheSet;
   });
@@ -82,7 +82,7 @@ void print_guesses(std::vector<GuessedRadius> guesses) {
   }
 }
 
-// Atoms and memory are those of copying this molecule, so they are only said of a deposited one.
+// Atoms and memory hold for copies of this molecule, so only a deposited one prints them.
 void print_assemblies(const Molecule& molecule) {
   for (const AssemblyInfo& assembly : list_assemblies(molecule)) {
     std::cout << "assembly    --assembly " << assembly.id << ": " << grouped(assembly.copies)
@@ -96,7 +96,7 @@ void print_assemblies(const Molecule& molecule) {
   }
 }
 
-// An upper bound on the rounding with two digits, for people.
+// An upper bound of the rounding, with two digits.
 std::string rounding_text(double angstrom) {
   const double unit = std::pow(10, std::floor(std::log10(angstrom)) - 1);
   return shortest_number(std::ceil(angstrom / unit) / std::round(1 / unit));
@@ -155,7 +155,7 @@ ResidueListing listing_of(const InfoOptions& options) {
   return options.each_residue ? ResidueListing::each : ResidueListing::grouped;
 }
 
-// Of the model that is looked at.
+// The residues of the chosen model.
 std::vector<ListedResidues> residues_of(const Input& input, ResidueListing listing) {
   const Molecule& molecule = input.molecule();
   if (input.balls.model == kAllModels) {
@@ -210,7 +210,7 @@ Table info_table(const std::vector<std::string>& files, bool models) {
   return Table(columns);
 }
 
-// A line of the table: `models` when each model has one.
+// A line of the table. `models`: each model has a line.
 std::string table_line(const Table& table, const std::string& file, const Input& input,
                        bool models) {
   const Molecule& molecule = input.molecule();

@@ -1,5 +1,5 @@
-// alphascope-cli measure: exact area and volume of the union of balls of each file, or of each of
-// its models: in all, of each component, and by atom, residue or chain.
+// Runs alphascope-cli measure: exact area and volume of the union of balls of each file or model.
+// Prints totals, components, and values by atom, residue or chain.
 #include <algorithm>
 #include <iostream>
 #include <utility>
@@ -31,7 +31,7 @@ struct MeasureCommandOptions {
 
 struct Answer {
   MeasureFacts facts;
-  std::shared_ptr<const UnionDerivatives> derivatives;  // null unless asked for
+  std::shared_ptr<const UnionDerivatives> derivatives;  // null if not requested
 };
 
 Answer measure(const Input& input, const MeasureCommandOptions& options, EngineCache& engines,
@@ -45,7 +45,7 @@ Answer measure(const Input& input, const MeasureCommandOptions& options, EngineC
   MeasuredUnion by =
       engines.measure(*complex, context, options.derivatives ? &derivatives : nullptr);
   Inputs inputs = derived_inputs(input, 0, options.request.alpha_angstrom2);
-  inputs.balls = complex->balls;  // with the solvent radius
+  inputs.balls = complex->balls;  // grown by the solvent radius
   inputs.complex = {complex, &complex->complex};
   inputs.measures = std::make_shared<const MeasuredUnion>(std::move(by));
   answer.facts.measured = make_evaluator().evaluate(union_measures(), inputs, context);

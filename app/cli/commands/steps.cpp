@@ -1,4 +1,4 @@
-// alphascope-cli steps: how an engine finds the simplices of one ball, step after step.
+// Runs alphascope-cli steps: prints step by step how an engine finds the simplices of one ball.
 #include <algorithm>
 #include <iostream>
 
@@ -24,9 +24,9 @@ namespace {
 
 struct StepsOptions {
   InputOptions input;
-  std::string ball;  // a number from 0, or an address
+  std::string ball;  // its index from 0, or an address
   std::string engine = "tuples";
-  Request request;  // alpha, solvent, the tuple engine's switches
+  Request request;  // alpha, solvent radius and the switches of the tuple engine
   std::string json;
 };
 

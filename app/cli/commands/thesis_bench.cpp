@@ -1,5 +1,6 @@
-// alphascope-cli bench --suite thesis: the thesis' Table 4.1 and the data of its figures, for the
-// molecules named, on this machine. What is measured: app/bench/thesis_suite.hpp.
+// Runs alphascope-cli bench --suite thesis for the named molecules on this machine. Writes the
+// thesis' Table 4.1 and the data of its figures. The suite, app/bench/thesis_suite.hpp, describes
+// the measurements.
 #include <cstdio>
 #include <iostream>
 

@@ -1,5 +1,5 @@
-// alphascope-cli verify: is our complex CGAL's, simplex by simplex? And where it is made from
-// CGAL's triangulation, is it what the definition says?
+// Runs alphascope-cli verify: compares our complex with CGAL's, simplex by simplex. A complex that
+// comes from CGAL's triangulation is checked against the definition.
 #include "core/verify/verify.hpp"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ void print_comparison(std::ostream& out, const Comparison& comparison, const Inp
   }
 }
 
-// Prints what is wrong; true when nothing is.
+// Prints all faults; true if there are none.
 bool check_definition(std::ostream& out, const BallSet& balls, const AlphaComplex& complex,
                       Json& json) {
   const Verification found = verify(balls, complex, run_context());
@@ -87,7 +87,8 @@ struct BothEngines {
   EngineCache ours, cgal;
 };
 
-// One alpha: computes both, prints, fills `json`; true when nothing is wrong.
+// Computes and compares both complexes at one alpha, prints, and fills `json`. True if nothing
+// differs.
 bool verify_one(const Input& input, const Request& request, const VerifyOptions& options,
                 BothEngines& engines, Json& json) {
   std::ostream& out = std::cout;

@@ -1,4 +1,4 @@
-// What `verify` is asked, and the comparison: for tests with engines that are wrong on purpose.
+// The options of `verify`, and the comparison itself. Tests pass engines with deliberate errors.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct VerifyOptions {
   Request request;
   std::vector<Alpha> alphas;  // Å²
   int cgal_threads = 1;
-  bool definition = false;  // also check the definition of the complex, without CGAL
-  int shown = 10;           // differences printed per kind of simplex
+  bool definition = false;  // also checks the definition of the complex, without CGAL
+  int shown = 10;           // number of printed differences for each kind of simplex
   std::string json;
 };
 

@@ -1,3 +1,4 @@
+// Finds balls by address or index, and prints sentences in columns.
 #include "app/cli/text/sentences.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// What explain and steps share: balls as people name them, and sentences in columns.
+// The common parts of explain and steps: finding balls by name or index, and printing sentences in
+// columns.
 #pragma once
 
 #include <iosfwd>
@@ -13,17 +14,17 @@ namespace alphascope::cli {
 
 struct AddressedBalls {
   std::vector<BallIndex> balls;
-  bool others = false;  // atoms that are no balls were named as well
-  // " Atoms that ..." if there are others.
+  bool others = false;  // some named atoms are not balls
+  // A sentence on the atoms that are not balls; empty if there are none.
   std::string note_on_others() const;
 };
-// Of an address or an expression. Throws UsageError that names the option.
+// `text` is an address or an expression. Throws UsageError that names the option.
 AddressedBalls balls_by_address(const BallReferences& atoms, const std::string& option,
                                 const std::string& text);
-// Throws UsageError that names the option when there is no such ball.
+// Throws UsageError that names the option if the ball does not exist.
 BallIndex ball_by_index(const Input& input, const std::string& option, int index);
 
-// Lines of at most 96 columns; the heading in the first one's margin.
+// Prints lines of at most 96 columns, with the heading in the margin of the first.
 void print_line(std::ostream& out, const ExplanationLine& line);
 
 }  // namespace alphascope::cli

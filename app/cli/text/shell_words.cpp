@@ -1,4 +1,4 @@
-// See the header.
+// Quotes arguments for a shell.
 #include "app/cli/text/shell_words.hpp"
 
 #include "core/text/printable.hpp"
@@ -27,7 +27,7 @@ std::string command_text(const std::vector<std::string>& arguments, bool threads
     const std::string& argument = arguments[k];
     const bool of_threads = !threads && argument == "--threads";
     const bool separate = argument == "-o" || argument == "--output" || of_threads;
-    if (separate) ++k;  // and its value
+    if (separate) ++k;  // skips the option's value
     if (separate || argument.starts_with("-o") || argument.starts_with("--output=")) continue;
     if (!threads && argument.starts_with("--threads=")) continue;
     text += " " + quoted(argument);

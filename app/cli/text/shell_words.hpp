@@ -1,4 +1,4 @@
-// A command line as text that a shell takes back.
+// A command line as text that a shell accepts.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace alphascope::cli {
 
-// "alphascope-cli screenshot 'my molecule.pdb' --alpha 1.4": the program by its name, then its
-// arguments, quoted where they must be, but for the name of the output: the same picture holds the
-// same text wherever it is written. One line; what cannot be shown is escaped.
-// `threads`: false leaves out how many there were.
+// The program's name and its arguments as one line, quoted where needed, such as "alphascope-cli
+// screenshot 'my molecule.pdb' --alpha 1.4". The output's name is left out, so that equal pictures
+// hold equal text. Unprintable characters are escaped. `threads`: false leaves out the number of
+// threads.
 std::string command_text(const std::vector<std::string>& arguments, bool threads = true);
 
 }  // namespace alphascope::cli

@@ -1,3 +1,4 @@
+// Aligns cells by their width on a terminal.
 #include "app/cli/text/table.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Rows under a heading, aligned as they come.
+// Prints rows under a heading, one at a time, in aligned columns.
 #pragma once
 
 #include <string>
@@ -8,23 +8,23 @@ namespace alphascope::cli {
 
 struct TableColumn {
   std::string heading;
-  std::size_t width = 0;  // at least; of the heading, if that is wider
-  bool left = false;      // aligned; numbers stand right
+  std::size_t width = 0;  // least width; a wider heading counts
+  bool left = false;      // left-aligned; numbers are right-aligned
 };
 
 class Table {
  public:
   explicit Table(std::vector<TableColumn> columns);
   std::string heading() const;
-  std::string line(const std::vector<std::string>& cells) const;  // ended
+  std::string line(const std::vector<std::string>& cells) const;  // with a line end
 
  private:
   std::vector<TableColumn> columns_;
 };
 
-// Columns that a text takes on a terminal: characters of UTF-8.
+// Columns that a text takes on a terminal: its number of UTF-8 characters.
 std::size_t shown_width(const std::string& text);
-// The widest of them.
+// The greatest shown_width() of the texts.
 std::size_t widest(const std::vector<std::string>& texts);
 
 }  // namespace alphascope::cli

@@ -1,3 +1,4 @@
+// Signals, the progress line, and a buffer of standard output that remembers errors.
 #include "app/cli/text/terminal.hpp"
 
 #include <fcntl.h>
@@ -24,7 +25,7 @@
 namespace alphascope::cli {
 namespace {
 
-// std::cout's way to a descriptor, which knows why writing failed.
+// The buffer between std::cout and a descriptor. It keeps the error of a failed write.
 class DescriptorBuffer : public std::streambuf {
  public:
   explicit DescriptorBuffer(int descriptor) : descriptor_(descriptor) { text_.reserve(kBytes); }
@@ -60,7 +61,7 @@ class DescriptorBuffer : public std::streambuf {
   std::string text_;
 };
 
-// Never destroyed: std::cout is written out after all that is static.
+// Never destroyed, since std::cout is flushed after all static objects are gone.
 DescriptorBuffer& standard_output() {
   static auto& buffer = *new DescriptorBuffer(STDOUT_FILENO);
   return buffer;
@@ -73,10 +74,11 @@ DescriptorBuffer& standard_error() {
 Verbosity chosen_verbosity = Verbosity::normal;
 bool chosen_times = true;
 
-// A pointer, since a signal handler may touch no object under construction. Never destroyed.
+// A pointer, since a signal handler must not touch an object under construction. The token is never
+// destroyed.
 const CancelToken* interrupted = nullptr;
 std::atomic<int> cancelling_signal{0};
-constexpr unsigned kMostSeconds = 2;  // from cancelling to the end, whatever is going on
+constexpr unsigned kMostSeconds = 2;  // seconds from cancelling to the forced end
 
 extern "C" void on_cancel(int signal) {
   int none = 0;
@@ -88,7 +90,8 @@ extern "C" void on_cancel(int signal) {
   }
 }
 
-// Some work asks no token for long: OpenGL drawing a picture, or opening a pipe without a reader.
+// Ends the program when work ignores its token, such as drawing in OpenGL or opening a pipe without
+// a reader.
 extern "C" void on_deadline(int signal) {
   if (cancelling_signal.load() == 0) return die_of(signal);
   end_all_writing();
@@ -106,7 +109,7 @@ class ProgressLine {
     next_ = now + std::chrono::milliseconds(100);
     const int width = std::fprintf(stderr, "\r%.*s %3.0f %%", static_cast<int>(stage.size()),
                                    stage.data(), share * 100);
-    // What is longer of the line before is written over with blanks.
+    // Blanks cover the rest of a longer previous line.
     if (width < width_) std::fprintf(stderr, "%*s", width_ - width, "");
     width_ = std::max(width, 0);
   }
@@ -118,10 +121,10 @@ class ProgressLine {
 
  private:
   std::mutex mutex_;
-  // Nothing for quick work: a line that flashes up tells nobody anything.
+  // No line for the first 300 ms: a short flash informs nobody.
   std::chrono::steady_clock::time_point next_ =
       std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
-  int width_ = 0;  // of the line that stands there; 0: none does
+  int width_ = 0;  // width of the present line; 0: none
 };
 
 ProgressLine& progress_line() {
@@ -129,7 +132,7 @@ ProgressLine& progress_line() {
   return line;
 }
 
-// Says when another stage begins.
+// Prints a line when another stage begins.
 class StageLog {
  public:
   void show(std::string_view stage) {
@@ -144,7 +147,7 @@ class StageLog {
   std::string last_;
 };
 
-// Whether standard error shows a line that is written over.
+// Whether standard error is a terminal on which a line can be rewritten.
 bool rewrites_lines() {
   const char* const terminal = std::getenv("TERM");
   return ::isatty(STDERR_FILENO) == 1 && terminal != nullptr && *terminal != '\0' &&
@@ -172,8 +175,8 @@ RunContext make_context() {
 void set_up_standard_streams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-    // Open the other way round: reading from it, or writing to it, fails as before. The lowest
-    // number that is free is this one.
+    // Opened in the wrong direction, so that reading or writing still fails. The lowest free number
+    // is this descriptor.
     static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   }
   std::cout.rdbuf(&standard_output());

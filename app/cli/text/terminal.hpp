@@ -1,53 +1,52 @@
-// The terminal's side of long work: signals cancel, progress shows on one line of standard error,
-// and what standard output loses is noticed.
+// The terminal during long work. Signals cancel the work, progress is shown on one line of standard
+// error, and losses of standard output are noticed.
 #pragma once
 
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope::cli {
 
-// First of all. The first SIGINT (Ctrl-C), SIGTERM or SIGHUP cancels run_context(), and where the
-// work does not notice, the program ends 2 s later; the next signal kills it. A signal that was
-// ignored at the start stays so. Whatever signal kills it, no temporary file stays.
+// Call first of all. The first SIGINT (Ctrl-C), SIGTERM or SIGHUP cancels run_context(). If the
+// work does not react, the program ends after 2 s. The next signal kills it. Signals ignored at the
+// start stay ignored. Temporary files are removed in every case.
 void set_up_signals();
 
-// Before a file is opened: gives descriptors 0, 1 and 2 that are closed something
-// that only fails, so that no file becomes standard output; from here on std::cout remembers the
-// first error of writing.
+// Call before a file is opened. Opens closed descriptors 0, 1 and 2 so that their use fails, and no
+// file becomes standard output. From here on std::cout remembers its first write error.
 void set_up_standard_streams();
 
-// Summaries written to std::cout go to standard error from here on: a result takes standard output.
+// Sends later summaries from std::cout to standard error, since a result takes standard output.
 void summary_to_standard_error();
 
-// Writes out std::cout. Returns the exit status of a process whose work ended with `status`: 0
-// becomes another one, with a message, when standard output lost something. A pipe that was closed
-// at its other end gives no message and 141, which is what the shell shows for SIGPIPE.
+// Flushes std::cout and returns the exit status of a process whose work ended with `status`. If
+// standard output lost data, status 0 becomes an error with a message. A pipe closed by its reader
+// gives 141 without a message, as shells show for SIGPIPE.
 int finish_standard_output(int status);
 
-// How much is said besides results and errors. quiet: nothing. verbose: also progress as lines, and
-// with each result its stages, the time for opening and the memory used.
+// The amount of output besides results and errors. Quiet: none. Verbose: also progress as lines,
+// and for each result its stages, the time for opening and the memory in use.
 enum class Verbosity { quiet, normal, verbose };
 
-// How much is said; to be set before the rest is called. Normal unless set.
+// Set before other calls. Default: normal.
 void set_verbosity(Verbosity verbosity);
 Verbosity verbosity();
 
-// Whether results may hold what depends on time and threads: not with --no-times. True unless set.
+// Whether results may hold data that depends on time and threads. False with --no-times. Default:
+// true.
 void set_times_wanted(bool wanted);
 bool times_wanted();
-// Whether summaries have times: neither then nor when quiet.
+// Whether summaries hold times. False with --no-times or when quiet.
 bool times_shown();
 
-// The context for the program's one piece of work. Progress shows when standard error is a
-// terminal, unless the program is to be quiet; when it is to be verbose, each stage is a line
-// instead, terminal or not. A dumb terminal (TERM=dumb, or no TERM) gets no line that changes; no
-// terminal ever gets escape sequences.
+// The context of the program's work. Progress is shown if standard error is a terminal and the
+// program is not quiet. When verbose, each stage is a line of its own, also without a terminal. A
+// dumb terminal (TERM=dumb or unset) gets no rewritten line. No terminal gets escape sequences.
 const RunContext& run_context();
 
-// 128 + the signal that cancelled the work: the exit status that shells expect.
+// The exit status after cancelling, as shells expect: 128 + the signal.
 int cancelled_status();
 
-// Removes the progress line, before other text is printed.
+// Removes the progress line. Call before printing other text.
 void clear_progress();
 
 }  // namespace alphascope::cli

@@ -1,3 +1,4 @@
+// Formats numbers, times and complexes for people.
 #include "app/cli/text/text.hpp"
 
 #include <cstdarg>

@@ -1,4 +1,4 @@
-// Numbers and results as people read them.
+// Numbers and results as text for people.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ namespace alphascope::cli {
 std::string format_text(const char* format, ...) __attribute__((format(printf, 1, 2)));
 std::string milliseconds_text(double milliseconds);  // "0.42 ms", "1.53 s"
 
-// How long it takes, in milliseconds.
+// The duration of work(), milliseconds.
 template <class Work>
 double timed(Work work) {
   const auto start = std::chrono::steady_clock::now();
@@ -23,10 +23,10 @@ double timed(Work work) {
       .count();
 }
 
-// Several lines, each ended: counts, Euler characteristic, hash, engine; where times are shown,
-// also what the engine counted, and times.
+// Several lines with line ends: counts, Euler characteristic, hash and engine. If times are shown,
+// also the engine's counters and times.
 std::string complex_text(const AlphaComplex& complex);
-// The stages alone, a line each.
+// The stages alone, one a line.
 std::string stages_text(const AlphaComplex& complex);
 
 }  // namespace alphascope::cli

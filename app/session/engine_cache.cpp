@@ -1,3 +1,4 @@
+// Finds or makes the engine of a request, and hands results that cover all balls to their owner.
 #include "app/session/engine_cache.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
     entries_.splice(entries_.begin(), entries_, found);
     return entries_.front();
   }
-  // Engines of another molecule will not be asked for again; free them before making a new one.
+  // Engines of another molecule are not needed again. They are freed before a new one is made.
   std::erase_if(entries_, [&](const Entry& entry) { return entry.base != balls; });
   while (entries_.size() >= kEntries) entries_.pop_back();
 
@@ -78,7 +79,7 @@ std::uint64_t EngineCache::kept_bytes() const {
   return bytes;
 }
 
-// What an engine had made before it was cancelled is for the next request.
+// A cancelled engine's results for all balls serve the next request.
 AlphaComplex EngineCache::complex_of(Entry& entry, const Request& request,
                                      const RunContext& context, const OfAllBalls& of_all) {
   OfAllBalls owned{entry.grown, entry.taken_triangulation.lock(), entry.taken_filtration.lock()};
@@ -97,7 +98,8 @@ AlphaComplex EngineCache::complex_of(Entry& entry, const Request& request,
   }
 }
 
-// A first answer without set-up stages follows one that was cancelled after them: it is not cold.
+// After a cancelled request that had finished its set-up, the first answer has no set-up stages. It
+// is not cold.
 EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const RunContext& context,
                                  const OfAllBalls& of_all) {
   AlphaComplex complex = complex_of(entry, request, context, of_all);
@@ -116,7 +118,7 @@ EngineAnswer EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
                                   const OfAllBalls& of_all) {
   context.cancel.throw_if_cancelled();
   Entry& entry = find_or_make(balls, request, of_all);
-  // What another engine keeps for its next results would be idle, and is much on a GPU.
+  // Other engines free the memory for their next results, which is large on a GPU.
   for (Entry& other : entries_) {
     if (&other != &entry) other.made.engine->rest();
   }

@@ -1,5 +1,5 @@
-// Keeps the engines of the last few settings, so that going back to one costs no setup. With each
-// it keeps what is known of its balls, where nobody else does.
+// Keeps the engines of the last few settings, so that going back to one needs no set-up. With each
+// engine it keeps the results for all its balls, unless another owner has them.
 #pragma once
 
 #include <cstddef>
@@ -13,40 +13,40 @@
 
 namespace alphascope {
 
-// Belongs to one thread at a time.
+// One thread at a time may use it.
 class EngineCache {
  public:
-  // `threads`: whose the engines work on; null: each has its own.
+  // `threads`: those of all engines. Null: each engine has its own.
   explicit EngineCache(EngineFactory factory, std::shared_ptr<SharedThreads> threads = {})
       : factory_(std::move(factory)), threads_(std::move(threads)) {}
 
-  // `balls` without solvent radius. `of_all`: what another owner has of all balls of this or an
-  // earlier answer; of other balls it is not looked at. What is done when a GPU fails is not
-  // decided here but in the engine (core/engines/short_of_memory.hpp). Throws what make_engine(),
-  // with_solvent() and Engine::compute() throw.
+  // `balls` come without solvent radius. `of_all`: results of an earlier answer for all balls,
+  // which another owner has. Results for other balls are ignored. The engine itself handles a
+  // failing GPU (core/engines/short_of_memory.hpp). Throws as make_engine(), with_solvent() and
+  // Engine::compute() do.
   EngineAnswer compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
                        const RunContext& context, const OfAllBalls& of_all = {});
-  // Hands over what the last answer's engine has made of all balls. The next answers are made from
-  // it as long as the new owner has it.
+  // Hands over the results for all balls of the last answer's engine. The next answers use them
+  // while the new owner keeps them.
   OfAllBalls take_made();
-  // The last answer, now that it is shared: smaller alphas may be thresholds of it.
+  // Call when the last answer is shared: complexes of smaller alphas may be thresholds of it.
   void share(const std::shared_ptr<const EngineAnswer>& answer);
 
-  // Areas and volumes of the last answer's complex, by the device of its engine; on the CPU, with a
-  // note, where that cannot. Nothing when it has none. Throws what measure_union() throws.
+  // Areas and volumes of the last answer's complex, by its engine's device. If the device fails,
+  // the CPU measures and adds a note. Nothing without a device. Throws as measure_union() does.
   std::optional<MeasuredUnion> measure_on_device(const EngineAnswer& answer,
                                                  const RunContext& context);
-  // The outside of the last answer's complex by the device of its engine, into that complex, and
-  // how long that took; nothing where it has none, or that cannot.
+  // Lets the engine's device find the outer faces of the last answer's complex. Stores them in the
+  // complex, and the time in `answer`. No effect without a device, or if it fails.
   void find_outside_on_device(EngineAnswer& answer);
-  // By the device, else on the CPU; derivatives are of the CPU only.
+  // Measures by the device, or on the CPU if there is none. Derivatives need the CPU.
   MeasuredUnion measure(const EngineAnswer& answer, const RunContext& context,
                         UnionDerivatives* derivatives = nullptr);
 
-  // Nothing will be asked for a while: gives back what engines keep for their next results alone.
+  // Call before idle time: engines free the memory that they keep for their next results alone.
   void rest();
   void clear() { entries_.clear(); }
-  std::uint64_t kept_bytes() const;  // for later answers
+  std::uint64_t kept_bytes() const;  // bytes kept for later answers
 
  private:
   // An engine may hold a triangulation of millions of balls, so only the last settings are kept.
@@ -54,10 +54,10 @@ class EngineCache {
 
   struct Entry {
     std::shared_ptr<const BallSet> base, grown;
-    Request request;  // the first; others are answered that have the same set-up
+    Request request;  // the first request; requests with the same set-up share the entry
     MadeEngine made;
-    bool answered = false;    // by `made`
-    KnownOfBalls known = {};  // but for what others own
+    bool answered = false;    // `made` has answered a request
+    KnownOfBalls known = {};  // results without those of other owners
     std::weak_ptr<const Triangulation> taken_triangulation = {};
     std::weak_ptr<const Filtration> taken_filtration = {};
   };
@@ -74,7 +74,7 @@ class EngineCache {
 
   EngineFactory factory_;
   std::shared_ptr<SharedThreads> threads_;
-  std::list<Entry> entries_;  // the last used one first
+  std::list<Entry> entries_;  // the last used entry first
 };
 
 }  // namespace alphascope

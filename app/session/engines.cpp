@@ -1,3 +1,4 @@
+// Makes the engines that this build has.
 #include "app/session/engines.hpp"
 
 #include <stdexcept>

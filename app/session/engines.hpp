@@ -1,4 +1,4 @@
-// Choosing and making an engine by name.
+// Makes an engine by its name.
 #pragma once
 
 #include <functional>
@@ -12,33 +12,33 @@
 
 namespace alphascope {
 
-// The chosen engine cannot work here; what() says why and what to choose instead.
+// The chosen engine cannot run here. what() gives the reason and an alternative.
 struct EngineUnavailable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 struct MadeEngine {
   std::unique_ptr<Engine> engine;
-  std::string note;  // why `automatic` did not take the GPU; empty when it did or was not asked
+  std::string note;  // why `automatic` did not choose the GPU; otherwise empty
 };
 
 struct EngineSettings {
-  int threads = 0;                           // 0: as many as the machine has
-  TupleOptions tuples;                       // of the tuple engines only
+  int threads = 0;                           // 0: all threads of the machine
+  TupleOptions tuples;                       // for the tuple engines only
   std::shared_ptr<WorkThreads> shared = {};  // as EngineOptions::shared
 };
 
 using EngineFactory = std::function<MadeEngine(
     EngineChoice choice, std::shared_ptr<const BallSet> balls, const EngineSettings& settings)>;
 
-// The factory of the program. Throws EngineUnavailable (only for gpu and tuples_gpu).
+// The program's own factory. Throws EngineUnavailable, for gpu and tuples_gpu only.
 MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
                        const EngineSettings& settings);
 
-// Memory of results that no engine will use any more, after the last of them is gone: is there any?
-// Quick, from any thread.
+// Whether results that are gone have left memory which no engine will use again. Quick; any thread
+// may call it.
 bool is_engine_memory_unused();
-// Frees it. Takes time: not for the main thread.
+// Frees this memory. Takes time, so not for the main thread.
 void free_unused_engine_memory();
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Asks the system for its processor and GPU.
 #include "app/session/machine.hpp"
 
 #include <algorithm>

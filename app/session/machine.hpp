@@ -1,4 +1,4 @@
-// What the program runs on, in words, for panels and for whatever carries a time.
+// Describes the machine in words, for panels and for results that carry times.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 namespace alphascope {
 
 struct MachineInfo {
-  std::string cpu;  // "AMD EPYC 7B13"; "unknown CPU" where the system does not say
-  int threads = 1;  // that the program may use
+  std::string cpu;  // such as "AMD EPYC 7B13"; "unknown CPU" if the system does not say
+  int threads = 1;  // usable by the program
   GpuDevice gpu;
 };
 
-// The first call looks for a GPU and runs a small kernel on it, which may take a second; the answer
-// is kept. Thread-safe; never throws.
+// The first call looks for a GPU and runs a small kernel on it, which may take a second. Later
+// calls return the same object. Thread-safe; never throws.
 const MachineInfo& machine_info();
 
-// "AMD EPYC 7B13, 16 threads; NVIDIA H200, CUDA driver 13.0".
+// For example "AMD EPYC 7B13, 16 threads; NVIDIA H200, CUDA driver 13.0".
 std::string machine_text(const MachineInfo& machine);
 
 }  // namespace alphascope

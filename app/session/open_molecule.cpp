@@ -1,3 +1,4 @@
+// Reads, expands and prepares a molecule, and repeats only the changed steps under other options.
 #include "app/session/open_molecule.hpp"
 
 #include <utility>
@@ -44,7 +45,7 @@ void expand(OpenedMolecule& opened, const OpenOptions& options, const RunContext
   opened.contents = std::make_shared<const MoleculeContents>(contents_of(*opened.molecule));
 }
 
-// After prepare(), which refuses a model that is not there.
+// Call after prepare(), which refuses a model that does not exist.
 void list_residues_of_model(OpenedMolecule& opened, const OpenOptions& options) {
   const Molecule& molecule = *opened.molecule;
   std::size_t begin = 0, end = molecule.atoms.size();

@@ -1,4 +1,4 @@
-// See the header.
+// Handlers of signals, of terminate and of exhausted memory.
 #include "app/session/orderly_end.hpp"
 
 #include <cxxabi.h>
@@ -21,8 +21,8 @@ const char* program_name = "";
 int status_without_memory = 1;
 std::terminate_handler terminate_before = nullptr;
 
-// What is given back when memory is used up for the first time: objects that end then may still
-// need some, and a message does.
+// Memory that is freed when an allocation first fails. Destructors and a message may still need
+// some.
 constexpr std::size_t kReserveBytes = std::size_t{1} << 18;
 std::atomic<void*> reserve{nullptr};
 
@@ -35,8 +35,8 @@ void say(const char* text) {
   static_cast<void>(!::write(STDERR_FILENO, text, std::strlen(text)));
 }
 
-// Reached where an exception meets an end that may not throw: nlohmann's values allocate while they
-// are destroyed.
+// Called when an exception leaves a noexcept function, such as a destructor: nlohmann's values
+// allocate in theirs.
 [[noreturn]] void on_terminate() {
   const std::type_info* const type = abi::__cxa_current_exception_type();
   if (type != nullptr && *type == typeid(std::bad_alloc)) {
@@ -53,7 +53,7 @@ extern "C" void on_last_signal(int signal) {
   die_of(signal);
 }
 
-// Of errors of the program; sanitizers report them themselves.
+// Ends the program on its own faults. Sanitizers have handlers of their own.
 void end_on_fault(int signal) {
   struct sigaction action {};
   if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) return;
@@ -71,7 +71,7 @@ void prepare_orderly_end(const char* program, int status) {
   reserve = std::malloc(kReserveBytes);
   std::set_new_handler(on_no_memory);
   for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) end_on_fault(signal);
-  std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the limit of the shell fails with a message
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the shell's limit fails with a message
 }
 
 void handle_signal(int signal, void (*handler)(int)) {
@@ -79,7 +79,7 @@ void handle_signal(int signal, void (*handler)(int)) {
   if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) return;
   action = {};
   action.sa_handler = handler;
-  action.sa_flags = 0;  // a read that waits for input ends, too
+  action.sa_flags = 0;  // without SA_RESTART, so that a read that waits for input ends, too
   ::sigaction(signal, &action, nullptr);
 }
 
@@ -90,7 +90,7 @@ void end_on_signals(std::initializer_list<int> signals) {
 void die_of(int signal) {
   end_all_writing();
   std::signal(signal, SIG_DFL);
-  std::raise(signal);  // delivered when the handler returns
+  std::raise(signal);  // takes effect when the handler returns
 }
 
 }  // namespace alphascope

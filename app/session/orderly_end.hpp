@@ -1,22 +1,22 @@
-// How both programs end when something else ends them: a signal, an error of the program, memory
-// that is used up. No temporary file stays, and no half file.
+// The end of both programs by a signal, by a fault, or by exhausted memory. No temporary file and
+// no incomplete file stays.
 #pragma once
 
 #include <initializer_list>
 
 namespace alphascope {
 
-// First of all in main(). `program` begins messages; `status` is the exit status where memory is
-// used up at a place that cannot say so, as in the end of an object.
+// Call first in main(). `program` begins messages. `status` is the exit status when memory is
+// exhausted where no exception can pass, as in a destructor.
 void prepare_orderly_end(const char* program, int status);
 
-// Handles a signal, unless it was ignored at the start: nohup and shells ignore those that a
-// program is to outlive.
+// Handles a signal, unless it was ignored at the start. For example nohup ignores signals that a
+// program has to survive.
 void handle_signal(int signal, void (*handler)(int));
-// These end the program, after its temporary files.
+// The given signals end the program after its temporary files are removed.
 void end_on_signals(std::initializer_list<int> signals);
 
-// For a handler: removes the temporary files, then the signal kills the program.
+// For a handler: removes the temporary files, then lets the signal kill the program.
 void die_of(int signal);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Builds the header from molecule, request and answer.
 #include "app/session/result_header.hpp"
 
 #include "app/session/rounding_note.hpp"
@@ -21,7 +21,7 @@ ComplexHeader result_header(std::string_view program, const Provenance& balls,
   const AlphaComplex& complex = answer.complex;
   ComplexHeader header{{"program", program_text(program)}};
   header.insert(header.end(), balls.begin(), balls.end());
-  // A solvent radius may have put the balls on a finer lattice.
+  // The solvent radius may need a finer lattice.
   for (auto& [key, value] : header) {
     if (key == "lattice_unit_angstrom") value = lattice_unit_text(complex.lattice);
   }

@@ -1,4 +1,4 @@
-// Where a result comes from, for whatever is written of it: the same for window and command line.
+// The provenance of a result as lines for all its files, the same for window and command line.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@
 namespace alphascope {
 
 ProgramName program_named(std::string_view program);
-// "alphascope-cli 0.1.0 (0123456789ab)".
+// For example "alphascope-cli 0.1.0 (0123456789ab)".
 std::string program_text(std::string_view program);
 
-// `program`, then `balls`, then what was asked of an engine and what it answered, then the notes of
-// the molecule's reader and the engine's.
+// `program`, then `balls`, then the request and its answer, then the notes of the molecule's reader
+// and of the engine.
 ComplexHeader result_header(std::string_view program, const Provenance& balls,
                             const std::vector<std::string>& notes, const EngineAnswer& answer);
 
 // The same as texts of a picture (docs/output-files.md).
 std::vector<std::pair<std::string, std::string>> picture_texts(const ComplexHeader& header);
-// Where some are hidden, says so: nobody sees it in a saved picture.
+// Adds a note if atoms are hidden, since a saved picture does not show it.
 void note_hidden_atoms(std::vector<std::pair<std::string, std::string>>& texts, std::size_t hidden);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Compares the typed solvent radius with that on the lattice.
 #include "app/session/rounding_note.hpp"
 
 #include <cmath>
@@ -17,7 +18,7 @@ std::string text_of(double number) {
 double solvent_rounding_angstrom(const Request& request, const Lattice& lattice) {
   const double asked = request.solvent_radius_angstrom;
   if (lattice.holds(asked)) return 0;
-  // Of 1.4 - 1 the decimals are wanted, not the double's.
+  // Rounds to 12 decimals: 1.4 - 1 as a double has wrong last digits.
   return std::round(std::fabs(solvent_on_lattice(lattice, asked) - asked) * 1e12) / 1e12;
 }
 

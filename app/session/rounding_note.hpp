@@ -1,4 +1,4 @@
-// What the lattice made of the numbers that a user typed.
+// Notes on typed numbers that the lattice has rounded.
 #pragma once
 
 #include <string>
@@ -8,11 +8,10 @@
 
 namespace alphascope {
 
-// By how much (Å) the solvent radius of a request is rounded on the lattice that was computed on.
+// Rounding error (Å) of the request's solvent radius on the lattice of the computation.
 double solvent_rounding_angstrom(const Request& request, const Lattice& lattice);
 
-// A sentence for people where the solvent radius acts otherwise than it was typed; else empty.
-// Alpha is never rounded.
+// A sentence if the solvent radius was rounded; otherwise empty. Alpha is never rounded.
 std::string rounding_note(const Request& request, const Lattice& lattice);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Moves files, requests and results between the main thread and the workers.
 #include "app/session/session.hpp"
 
 #include <thread>
@@ -10,8 +11,8 @@ namespace alphascope {
 
 namespace {
 
-// Slider moves come every few milliseconds. Recomputes shorter than this finish, so that pictures
-// flow while the hand moves; longer ones give way to the newest request.
+// Slider moves come every few milliseconds. A computation that is shorter than this finishes, so
+// that pictures keep coming. A longer one gives way to the newest request.
 constexpr std::chrono::milliseconds kSliderGrace{150};
 constexpr std::chrono::milliseconds kAlways = std::chrono::hours(24);
 
@@ -133,8 +134,8 @@ void Session::take_opened(std::shared_ptr<const OpenedMolecule> opened, const Re
   submit_compute();
 }
 
-// The molecule that is open stays. Options that were set while another file was being read are
-// still to be applied to it; options that it refused are taken back.
+// The open molecule stays. Options set during the reading of another file still apply to it.
+// Options that the molecule has refused are taken back.
 void Session::opening_failed() {
   if (opener_.activity().busy) return;
   const bool was_a_file = !opening_path_.empty();
@@ -155,7 +156,7 @@ void Session::set_request(const Request& request, const OfAllBalls& of_all) {
   if (request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {
     forget_reference_timings();
   }
-  // It would take the cores from what is now to be computed and timed.
+  // Timing CGAL would take cores from the new computation, which is also timed.
   if (timing_parallel_) comparer_.cancel();
   state_.request = request;
   if (state_.prepared) submit_compute(Engines::kept, of_all);
@@ -196,11 +197,11 @@ void Session::submit_compute(Engines which, const OfAllBalls& of_all) {
 }
 
 void Session::take_answer(std::shared_ptr<const Answer> answer) {
-  if (answer->prepared != state_.prepared) return;  // of the molecule before
+  if (answer->prepared != state_.prepared) return;  // belongs to the previous molecule
   if (same_setup(answer->request, state_.request)) {
     state_.our_timings.note(answer->complex, answer->cold);
   }
-  // The picture of the answer before may never come.
+  // The previous answer may never reach the screen.
   if (state_.ours && state_.ours->balls == answer->balls) {
     answer->made->add(std::exchange(*state_.ours->made, {}));
   }
@@ -221,7 +222,8 @@ void Session::cancel_comparison() {
   comparer_.cancel();
 }
 
-// Without the tuple engine's switches: they are nothing to CGAL, whose triangulation is kept.
+// Leaves out the switches of the tuple engine, which CGAL does not use, so that its triangulation
+// is kept.
 Request Session::reference_request(int threads) const {
   Request request = state_.ours->request;
   request.engine = EngineChoice::cgal;
@@ -254,14 +256,14 @@ void Session::submit_comparison() {
 
 void Session::take_agreement(std::shared_ptr<const Agreement> agreement) {
   const Answer& ours = *agreement->ours;
-  if (ours.prepared != state_.prepared) return;  // of the molecule before
+  if (ours.prepared != state_.prepared) return;  // belongs to the previous molecule
   if (ours.request.solvent_radius_angstrom == state_.request.solvent_radius_angstrom) {
     state_.reference_timings.note(*agreement->reference, agreement->reference_cold);
   }
   state_.agreement = std::move(agreement);
   changes_.agreement = true;
   succeeded(Source::comparing);
-  // CGAL's parallel code starts at three threads (core/engine/engine.hpp).
+  // CGAL's parallel code needs three threads (core/engine/engine.hpp).
   if (services_.cgal_threads >= 3 && state_.up_to_date()) submit_parallel_timing();
 }
 
@@ -271,7 +273,7 @@ void Session::submit_parallel_timing() {
   comparer_.submit(
       [this, request, ours = state_.ours, references = references_](const RunContext& context) {
         EngineAnswer result = references->compute(ours->prepared->balls, request, context);
-        // Only the times are wanted; the lists are as long as those that were compared.
+        // Only the times are used. The lists are as long as those already compared.
         auto times = std::make_shared<EngineAnswer>();
         times->cold = result.cold;
         times->complex = without_simplices(std::move(result.complex));
@@ -317,7 +319,7 @@ SessionChanges Session::poll() {
   opener_.poll();
   computer_.poll();
   comparer_.poll();
-  // Results that the main thread let go of, which it must not wait for.
+  // The main thread must not wait while memory of dropped results is freed.
   if (services_.is_memory_unused && services_.is_memory_unused()) {
     computer_.when_idle(services_.free_unused_memory);
   }

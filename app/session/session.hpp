@@ -1,5 +1,5 @@
-// One open molecule and its latest exact results, for a main thread that never waits: what the
-// window shows and changes. No GUI type; drawing is not its business.
+// One open molecule and its latest exact results, for a main thread that never waits. Holds no GUI
+// type and does not draw.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace alphascope {
 
-// An answer beside CGAL's; immutable once handed over.
+// An answer and CGAL's complex. Immutable once published.
 struct Agreement {
   std::shared_ptr<const Answer> ours;
   std::shared_ptr<const AlphaComplex> reference;
@@ -25,29 +25,30 @@ struct Agreement {
   std::uint64_t kept_bytes = 0;  // by CGAL's engines
 };
 
-// Pointers are null as long as there is nothing.
+// Pointers are null until there is a value.
 struct SessionState {
-  std::shared_ptr<const OpenedMolecule> opened;  // what the next two are parts of
+  std::shared_ptr<const OpenedMolecule> opened;  // holds the next two
   std::shared_ptr<const Molecule> molecule;
-  std::shared_ptr<const PreparedBalls> prepared;  // radii before any solvent radius
-  Request request;                                // the latest asked for
+  std::shared_ptr<const PreparedBalls> prepared;  // radii without solvent radius
+  Request request;                                // the latest request
   std::shared_ptr<const Answer> ours;
   std::shared_ptr<const Agreement> agreement;  // of `ours` when agreement->ours == ours
-  ColdAndWarm our_timings, reference_timings;  // of the present balls, solvent radius and engine
-  // CGAL with all threads; not of machines without enough threads. Follows an agreement.
+  ColdAndWarm our_timings, reference_timings;  // for the present balls, solvent radius and engine
+  // CGAL with all threads, timed after an agreement. Empty if the machine has too few threads.
   ColdAndWarm parallel_timings;
-  // Of what failed last; the text is empty once the same thing has succeeded.
-  enum class Source { none, opening, changing, computing, comparing };  // changing: what is open
+  // The last failure. The text becomes empty when the same action succeeds.
+  // changing: options of the open molecule
+  enum class Source { none, opening, changing, computing, comparing };
   std::string last_error;
   Source error_source = Source::none;
 
-  // `ours` answers the latest request.
+  // True if `ours` answers the latest request.
   bool up_to_date() const { return ours && ours->request == request; }
 };
 
 struct SessionActivity {
   Worker::Activity opening, computing, comparing;
-  Worker::Activity timing;             // of CGAL with all threads, after a comparison
+  Worker::Activity timing;             // CGAL with all threads, after a comparison
   std::filesystem::path opening_path;  // while opening.busy
 };
 
@@ -56,7 +57,7 @@ struct SessionChanges {
   bool answer = false;     // ours, our_timings
   bool agreement = false;  // agreement, reference_timings
   bool error = false;      // last_error
-  bool options = false;    // open_options(), by the session itself
+  bool options = false;    // the session itself changed open_options()
   bool any() const { return molecule || answer || agreement || error || options; }
 };
 
@@ -67,68 +68,68 @@ class Session {
   using Reopener =
       std::function<OpenedMolecule(const OpenedMolecule&, const OpenOptions&, const RunContext&)>;
   struct Services {
-    EngineFactory make_engine;  // also asked, on another thread, for the CGAL reference
+    EngineFactory make_engine;  // another thread calls it for the CGAL reference
     Opener open_molecule;
     Reopener reopen_molecule;
-    // Of the parallel CGAL that is timed after a comparison; fewer than three: it is not.
+    // Threads of the parallel CGAL that is timed after a comparison. Fewer than three: it is not
+    // timed.
     int cgal_threads = 0;
-    // As is_engine_memory_unused() and free_unused_engine_memory(); may be empty.
+    // As is_engine_memory_unused() and free_unused_engine_memory(). May be empty.
     std::function<bool()> is_memory_unused = {};
     std::function<void()> free_unused_memory = {};
   };
   static Services program_services();
 
-  // `wake` as in Worker: called from other threads when poll() has something to do.
+  // `wake` as in Worker: other threads call it when poll() has work.
   explicit Session(std::function<void()> wake = {}, Services services = program_services());
   ~Session();
 
-  // Reads a file in the background; then its complex is computed at the present request. The old
-  // molecule and its results stay until that has succeeded. After the first file, the options that
-  // were chosen for one file only go back to their defaults (for_another_file()).
+  // Reads a file in the background, then computes its complex at the present request. The old
+  // molecule and its results stay until the file is read. A second or later file resets the options
+  // that hold for one file only (for_another_file()).
   void open(const std::filesystem::path& path);
-  // The same with options and a request that hold from the moment that the file is there; until
-  // then, and when it cannot be read, everything stays.
+  // The same with options and a request that hold once the file is read. Until then, and if reading
+  // fails, nothing changes.
   void open(const std::filesystem::path& path, const OpenOptions& options, const Request& request);
-  // Applies to the open molecule at once, and to those opened later. When it fails or is cancelled
-  // the molecule stays as it was, and the options go back to those that it was made with.
+  // Applies to the open molecule at once, and to later ones. If this fails or is cancelled, the
+  // molecule stays, and the options go back to those of the molecule.
   void set_open_options(const OpenOptions& options);
   const OpenOptions& open_options() const { return options_; }
   void cancel_opening() { opener_.cancel(); }
 
-  // Latest wins. Does nothing when `request` is the present one and already answered or on its way.
-  // `of_all`: what the store has of all balls, for engines on the CPU; of other balls it is not
-  // looked at. The comparison with CGAL does not use it.
+  // The latest request wins. No effect if `request` is the present one and is answered or being
+  // computed. `of_all`: the store's results for all balls, for engines on the CPU; results for
+  // other balls are ignored. The comparison with CGAL does not use them.
   void set_request(const Request& request, const OfAllBalls& of_all = {});
-  // Whether answers to come have their areas and volumes with them where the engine has a device
-  // that keeps the complex (EngineAnswer::measures).
+  // Whether answers come with areas and volumes (EngineAnswer::measures), if the engine's device
+  // keeps the complex.
   void set_measuring(bool measuring) { measuring_ = measuring; }
-  // Likewise, whether they have the outside of their tetrahedra (AlphaComplex::outside).
+  // Whether answers come with the outer faces of their tetrahedra (AlphaComplex::outside).
   void set_finding_outside(bool finding) { finding_outside_ = finding; }
-  // Memory is about to be short: the engines give back what they keep for their next results
-  // alone, when none is being computed.
+  // Call when memory gets short. If nothing is being computed, engines free the memory that they
+  // keep for their next results alone.
   void let_engines_rest();
   void cancel_computing() { computer_.cancel(); }
-  // While a slider is dragged, a computation that has begun finishes although a newer request
-  // waits: else a slow one would show nothing until the hand rests. At rest it soon gives way.
+  // While a slider is dragged, a running computation finishes although a newer request waits.
+  // Otherwise slow computations would never show a result. At rest it soon gives way.
   void let_finish(bool dragging);
 
-  // Answers the present request once more, set-up included, as if the molecule had just been
-  // opened; so does CGAL when it is next asked to compare. For the cold times of engines that were
-  // kept.
+  // Computes the present request once more with its set-up, as after opening the molecule. CGAL
+  // does the same at its next comparison. This gives cold times of engines that were kept.
   void compute_anew();
 
-  // Compares with CGAL's triangulation, on a thread of its own: the present answer, or the next
-  // when one is on its way. `threads` for CGAL: 1 is its sequential triangulation, 0 all of the
-  // machine.
+  // Compares the present answer with CGAL's triangulation, on a thread of its own. If an answer is
+  // being computed, it is compared instead. `threads` for CGAL: 1 is its sequential triangulation,
+  // 0 all threads of the machine.
   void request_comparison(int threads = 1);
   void cancel_comparison();
 
-  // To be called on the main thread, every frame or when woken.
+  // Call on the main thread, every frame or when woken.
   SessionChanges poll();
   const SessionState& state() const { return state_; }
-  // Those that the complexes are computed on, for the number of them that is set.
+  // The threads of the computation, for the present number of threads.
   std::shared_ptr<WorkThreads> threads() const { return threads_->of(state_.request.threads); }
-  // Complexes and what engines keep for the next ones, as far as it is known.
+  // Known bytes of complexes and of results that engines keep.
   std::uint64_t held_bytes() const;
   SessionActivity activity() const;
 
@@ -158,18 +159,18 @@ class Session {
   OpenOptions options_;
   SessionState state_;
   SessionChanges changes_;
-  std::filesystem::path opening_path_;  // empty when none is on its way
-  std::optional<Asked> asked_;          // with it; none: what is in force
+  std::filesystem::path opening_path_;  // empty: no file is being opened
+  std::optional<Asked> asked_;          // for opening_path_; none: the options and request in force
   bool measuring_ = false, finding_outside_ = false;
   bool comparison_wanted_ = false;
-  bool reference_anew_ = false;   // of the next comparison
-  bool timing_parallel_ = false;  // is what the comparer does
+  bool reference_anew_ = false;   // the next comparison needs a new engine
+  bool timing_parallel_ = false;  // the comparer times parallel CGAL
   int comparison_threads_ = 1;
   const std::shared_ptr<SharedThreads> threads_ = std::make_shared<SharedThreads>();
-  // Each is touched by the jobs of one worker only.
+  // Only the jobs of one worker use each cache.
   std::shared_ptr<EngineCache> engines_, references_;
 
-  // Last, so that they are joined before anything that their jobs use goes.
+  // Last members, so that their threads are joined before their jobs' data is destroyed.
   Worker opener_, computer_, comparer_;
 };
 

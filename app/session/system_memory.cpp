@@ -1,4 +1,4 @@
-// See the header.
+// Reads memory and its limits from /proc, control groups and the C library.
 #include "app/session/system_memory.hpp"
 
 #include <malloc.h>
@@ -17,7 +17,7 @@ namespace {
 
 using Bytes = std::optional<std::uint64_t>;
 
-// Of lines "key value", with or without a colon after the key.
+// Reads lines "key value", with or without a colon after the key.
 Bytes value_of(const std::filesystem::path& file, const std::string& wanted) {
   std::ifstream lines(file);
   std::string key;
@@ -32,7 +32,7 @@ Bytes value_of(const std::filesystem::path& file, const std::string& wanted) {
 
 Bytes number_in(const std::filesystem::path& file) {
   std::uint64_t value = 0;
-  return std::ifstream(file) >> value ? Bytes(value) : std::nullopt;  // "max" is none
+  return std::ifstream(file) >> value ? Bytes(value) : std::nullopt;  // "max" gives no value
 }
 
 Bytes lesser(Bytes a, Bytes b) {
@@ -46,9 +46,9 @@ std::uint64_t pages(bool resident) {
   return (resident ? in_memory : total) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-// The limit is of addresses, of which OpenGL and every thread reserve many that they never use: an
-// EGL context with two threads of llvmpipe took 590 MB of them and 64 MB of memory; a thread's heap
-// and stack are 72 MB, and the window has six threads of its own.
+// The limit counts addresses, and OpenGL and each thread reserve many that they never use. An EGL
+// context with two threads of llvmpipe took 590 MB of addresses and 64 MB of memory. A thread's
+// heap and stack take 72 MB, and the window has six threads of its own.
 Bytes left_of_address_space() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
@@ -58,8 +58,8 @@ Bytes left_of_address_space() {
   return limit.rlim_cur > taken ? limit.rlim_cur - taken : 0;
 }
 
-// The least that a group from this process' up to the root has left. What files take of a group is
-// given back when needed.
+// The smallest free amount of all groups from this process' group up to the root. Memory of cached
+// files counts as free, since it is given back when needed.
 Bytes left_of_control_group(const SystemFiles& system) {
   std::ifstream groups(system.groups);
   std::string path;

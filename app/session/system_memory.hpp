@@ -1,4 +1,4 @@
-// How much memory the program has and may still have.
+// Memory that the program uses, and memory that it may still allocate.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ struct SystemFiles {
   std::filesystem::path group_root = "/sys/fs/cgroup";
 };
 
-std::uint64_t resident_bytes();   // of this process; 0 where /proc is missing
-std::uint64_t allocated_bytes();  // of the C library's heap, in use
+std::uint64_t resident_bytes();   // of this process; 0 without /proc
+std::uint64_t allocated_bytes();  // in use in the C library's heap
 
-// Without swapping, and within the limits set for this process (ulimit -v) and its control group
-// (containers, systemd; version 2); nothing where none of them can be read.
+// Free bytes without swapping, within the limits of the process (ulimit -v) and of its control
+// group. Control groups (version 2) belong to containers and systemd. Nothing if none can be read.
 std::optional<std::uint64_t> available_bytes(const SystemFiles& files = {});
 
-// Of the option --drawing-memory: so many megabytes (10^6 bytes), or what is available.
+// The value of --drawing-memory in bytes, from megabytes (10^6 bytes), or available_bytes().
 std::optional<std::uint64_t> available_or(std::optional<std::uint64_t> megabytes);
 
 }  // namespace alphascope

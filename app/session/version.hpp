@@ -1,4 +1,4 @@
-// Which program made a result.
+// Version and commit of the program.
 #pragma once
 
 #include <string_view>
@@ -6,7 +6,7 @@
 namespace alphascope {
 
 std::string_view program_version();  // "0.1.0"
-// Short commit id, with "-dirty" for a changed working tree; "unknown" outside of a repository.
+// Short commit id, with "-dirty" for a changed working tree. "unknown" outside a repository.
 std::string_view program_commit();
 
 }  // namespace alphascope

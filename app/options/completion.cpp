@@ -1,3 +1,4 @@
+// Writes the scripts for bash, zsh and fish.
 #include "app/options/completion.hpp"
 
 namespace alphascope {
@@ -10,7 +11,7 @@ std::string joined(const Words& words, const char* between) {
   return text;
 }
 
-// What may stand where no option does.
+// Words that may stand where no option does.
 struct Arguments {
   bool files = false;
   std::vector<std::string> words;
@@ -26,14 +27,14 @@ Arguments arguments_of(const std::vector<Option>& options) {
   return found;
 }
 
-// "alphascope_cli", a name for a function of a shell.
+// The name of a shell function, such as "_alphascope_cli".
 std::string function_name(const std::string& program) {
   std::string name = "_" + program;
   for (char& c : name) c = c == '-' ? '_' : c;
   return name;
 }
 
-// What follows an option that takes a value, and all that may stand where no value is expected.
+// Cases for the value of each option, and for all words where no value is expected.
 std::string bash_cases(const std::string& command, const std::vector<Option>& options) {
   std::string text;
   for (const Option& option : options) {
@@ -102,7 +103,7 @@ complete -o filenames -F )sh" +
   return text;
 }
 
-// For zsh's _arguments and fish: text without what they take for their own.
+// The text without characters that are special to zsh's _arguments or to fish.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -161,7 +162,8 @@ std::string zsh(const OptionProgram& program) {
     }
     text += "  esac\n";
   }
-  // Loaded from a folder of completions, the file is the function; sourced, it is not.
+  // A file loaded from a folder of completions is the function itself. A sourced file must register
+  // it.
   return text + "}\nif [ \"$funcstack[1]\" = \"_" + program.name + "\" ]; then\n  " + function +
          " \"$@\"\nelse\n  compdef " + function + " " + program.name + "\nfi\n";
 }

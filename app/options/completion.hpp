@@ -1,4 +1,4 @@
-// Scripts that let shells complete commands, options and values, from the table of options.
+// Scripts with which shells complete commands, options and values, made from the table of options.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace alphascope {
 
-// For "bash", "zsh" or "fish"; for another shell, nothing.
+// The script for "bash", "zsh" or "fish"; empty for another shell.
 std::string completion_script(const OptionProgram& program, const std::string& shell);
 
 }  // namespace alphascope

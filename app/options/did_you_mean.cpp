@@ -1,3 +1,4 @@
+// Finds the nearest word by edit distance.
 #include "app/options/did_you_mean.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@ namespace alphascope {
 namespace {
 
 constexpr std::size_t kShortestWord = 3;  // all words of two letters are near each other
-constexpr std::size_t kLongestWord = 64;  // a longer one is no slip of the keys
+constexpr std::size_t kLongestWord = 64;  // longer words are not typing errors
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -15,7 +16,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// Changes, insertions, removals and swaps of neighbours that lead from a to b.
+// Number of changes, insertions, removals and swaps of neighbours that turn a into b.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -41,7 +42,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   const std::string* nearest = nullptr;
   std::size_t least = 1 + std::max<std::size_t>(1, typed.size() / 3);
   for (const std::string& candidate : known) {
-    // The beginning of a word is nearer than any typing error.
+    // The beginning of a word counts as nearer than any typing error.
     const bool begun = typed.size() >= 3 && lower(candidate).starts_with(typed);
     const std::size_t far = begun ? 0 : distance(typed, lower(candidate));
     if (far >= least) continue;

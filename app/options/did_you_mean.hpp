@@ -1,4 +1,4 @@
-// The nearest of the words that exist, for whoever mistyped one.
+// Proposes the nearest existing word for a mistyped one.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace alphascope {
 
-// " Did you mean "compute"?", or nothing when no known word is near. Upper and lower case count as
-// equal; one letter in three may be wrong, missing, too many or swapped with its neighbour.
+// " Did you mean "compute"?", or nothing if no known word is near. Case is ignored. One letter in
+// three may be wrong, missing, added or swapped with its neighbour.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// The table of exit codes.
 #include "app/options/exit_code.hpp"
 
 namespace alphascope {

@@ -1,3 +1,4 @@
+// Lays out the help in columns.
 #include "app/options/help_text.hpp"
 
 #include <algorithm>
@@ -10,22 +11,22 @@ namespace {
 constexpr std::size_t kWidth = 100;      // columns of a line
 constexpr std::size_t kTextColumn = 32;  // where the explanations begin
 
-constexpr char kUnbroken = '\x1F';  // stands for a blank at which no line is broken
+constexpr char kUnbroken = '\x1F';  // replaces a blank at which no line may break
 
-// Characters of UTF-8, which are columns here.
+// Columns of a text: its number of UTF-8 characters.
 std::size_t columns(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-// "left   explanation", wrapped; a long `left` gets a line of its own.
+// Lays out "left   explanation" with wrapped lines. A long `left` gets a line of its own.
 std::string entry(const std::string& left, const std::string& explanation) {
   std::string line = "  " + left, text;
   if (columns(line) + 2 > kTextColumn) {
     text = line + "\n";
     line.clear();
   }
-  bool blank = true;  // no word of the explanation is on this line yet
+  bool blank = true;  // the line holds no word of the explanation yet
   line.append(kTextColumn - std::min(kTextColumn, columns(line)), ' ');
   for (const std::string& word : words_of(explanation)) {
     if (!blank && columns(line) + 1 + columns(word) > kWidth) {

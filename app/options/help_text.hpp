@@ -1,4 +1,4 @@
-// --help, from the table of options.
+// The text of --help, made from the table of options.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace alphascope {
 
-// Of the program, or with `command` of that one.
+// The help of the program or, with `command`, of this command.
 std::string help_text(const OptionProgram& program, const OptionCommand* command);
 
-// "alphascope-cli compute [OPTIONS] FILE..."
+// For example "alphascope-cli compute [OPTIONS] FILE..."
 std::string usage_line(const OptionProgram& program, const OptionCommand* command);
 
 }  // namespace alphascope

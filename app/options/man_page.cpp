@@ -1,3 +1,4 @@
+// Writes the manual page in roff.
 #include "app/options/man_page.hpp"
 
 #include <cctype>
@@ -7,7 +8,7 @@
 namespace alphascope {
 namespace {
 
-// Text as roff prints it unchanged.
+// Escapes a text, so that roff prints it unchanged.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -16,7 +17,7 @@ std::string escaped(const std::string& text) {
         result += "\\e";
         break;
       case '-':
-        result += "\\-";  // a minus sign, which can be copied into a shell; not a hyphen
+        result += "\\-";  // a minus sign, which can be copied into a shell, not a hyphen
         break;
       case '\'':
         result += "\\(aq";
@@ -34,7 +35,7 @@ std::string escaped(const std::string& text) {
         result += c;
     }
   }
-  // A line that begins with a dot would be a command.
+  // A line that begins with a dot would be a roff command.
   return result.starts_with('.') ? "\\&" + result : result;
 }
 
@@ -74,7 +75,7 @@ std::string entries(const std::vector<Option>& options) {
 std::string man_page(const OptionProgram& program) {
   std::string text = ".\\\" -*- coding: utf-8 -*-\n.TH " + escaped(upper(program.name)) +
                      " 1 \"\" \"" + escaped(program.name + " " + program.version) + "\"\n";
-  text += ".ad l\n";  // words apart as far as they are written
+  text += ".ad l\n";  // left-aligned, without stretched blanks
   text += section("Name") + escaped(program.name + " - " + program.text) + "\n";
   text += section("Synopsis");
   if (program.commands.empty()) text += escaped(usage_line(program, nullptr)) + "\n";

@@ -1,4 +1,4 @@
-// The manual page, from the table of options.
+// The manual page, made from the table of options.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace alphascope {
 
-// In the language of man(7), as UTF-8.
+// The page in the language of man(7), as UTF-8.
 std::string man_page(const OptionProgram& program);
 
 }  // namespace alphascope

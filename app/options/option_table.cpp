@@ -1,3 +1,4 @@
+// Derives names and choices of options, and adds the standard options.
 #include "app/options/option_table.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ bool is_placeholder(const std::string& word) {
   return std::isupper(static_cast<unsigned char>(word.front())) != 0;
 }
 
-// `help` and `help COMMAND`, as many programs have them beside --help.
+// The command `help`, which many programs have besides --help. `help COMMAND` works, too.
 OptionCommand help_command(const OptionProgram& program) {
   std::string known;
   for (const OptionCommand& c : program.commands) known += c.name + "|";

@@ -1,3 +1,4 @@
+// Makes options by the kind of their value, and checks values.
 #include "app/options/option_values.hpp"
 
 #include <charconv>
@@ -9,7 +10,7 @@
 namespace alphascope {
 namespace {
 
-// Shortest that reads back as the same number.
+// The shortest text that reads back as the same number.
 std::string shortest(double number) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, number).ptr};
@@ -61,7 +62,7 @@ std::string list_text(const std::vector<Number>& numbers) {
   return text;
 }
 
-// The first value that is given replaces the default, those after it are added.
+// The first given value replaces the default, and later ones are added.
 template <class T>
 auto appending(std::vector<T>& target) {
   return [&target, fresh = true](T value) mutable {

@@ -1,4 +1,4 @@
-// Options by the kind of their value: each sets a variable and shows what that held as the default.
+// Options by the kind of their value. Each sets a variable, whose present value is the default.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace alphascope {
 
-// Names, placeholder and help of an option that is made below.
+// Names, placeholder and help of an option, for the functions below.
 struct OptionText {
   std::string names, value, text;
 };
@@ -18,12 +18,12 @@ struct OptionText {
 Option flag_option(std::string names, std::string text, bool& target, bool given = true);
 Option text_option(OptionText text, std::string& target);
 Option path_option(OptionText text, std::filesystem::path& target);
-// Any of "A,B", which may be given more than once.
+// Takes any words, as "A,B" or by repetition.
 Option texts_option(OptionText text, std::vector<std::string>& target);
-// One of the words of `value`, which is in small letters: "auto|keep|drop".
+// Takes one of the lower-case words of `value`, such as "auto|keep|drop".
 Option choice_option(OptionText text, std::string& target);
 Option choices_option(OptionText text, std::vector<std::string>& target);
-// From `least` to `most`; `unit` is shown behind the default.
+// Bounds of a number. The help shows `unit` after the default.
 struct NumberRange {
   double least, most;
   std::string unit = {};
@@ -34,15 +34,15 @@ Option whole_number_option(OptionText text, int& target, const NumberRange& rang
 Option numbers_option(OptionText text, std::vector<double>& target, const NumberRange& range);
 Option whole_numbers_option(OptionText text, std::vector<int>& target, const NumberRange& range);
 
-// The same with a default that says more than the value does ("0 = all").
+// The same option with another text for its default, such as "0 = all".
 Option with_default(Option option, std::string fallback);
 Option in_group(Option option, std::string group);
 Option may_be_empty(Option option);
 Option required(Option option);
 
-// What is wrong with a value, unless it is one of `choices`; throws std::invalid_argument.
+// Throws std::invalid_argument unless `value` is one of `choices`.
 void require_choice(const std::string& value, const std::vector<std::string>& choices);
-// Throws std::invalid_argument.
+// Both throw std::invalid_argument for text that is not a number in the range.
 double number_in(const std::string& value, const NumberRange& range);
 int whole_number_in(const std::string& value, const NumberRange& range);
 

@@ -1,3 +1,4 @@
+// Parses arguments by CLI11, and words its errors anew.
 #include "app/options/parse_arguments.hpp"
 
 #include <CLI/CLI.hpp>
@@ -13,10 +14,10 @@
 namespace alphascope {
 namespace {
 
-// Begins the words behind "--", which CLI11 would not give to a list that has begun before it.
+// Marks words after "--". CLI11 would not add them to a list that has begun before.
 constexpr char kBehindDashes = '\x01';
 
-// Thrown while parsing: --help and the like were asked for.
+// Thrown while parsing, for --help and similar options.
 struct Answered {
   std::string text;
 };
@@ -55,7 +56,7 @@ std::vector<std::string> values_of(const Option& option, const std::string& give
   return values;
 }
 
-// What is said of an empty value.
+// The message about an empty value.
 std::string empty_value(const Option& option, std::size_t of_values) {
   if (of_values > 1) return "there is nothing between two commas; leave the comma out";
   const std::string wanted =
@@ -93,7 +94,7 @@ void add(CLI::App& app, const OptionProgram& program, const OptionCommand* comma
          const Option& option) {
   if (option.is_flag()) {
     app.add_flag_callback(option.names, [&, command] { give(program, command, option, ""); })
-        ->disable_flag_override();  // --waters=no would keep them
+        ->disable_flag_override();  // refuses "--waters=no", which would set the flag
     return;
   }
   CLI::Option* const added =
@@ -101,7 +102,7 @@ void add(CLI::App& app, const OptionProgram& program, const OptionCommand* comma
                        for (const std::string& text : results) give(program, command, option, text);
                        return true;
                      }));
-  // An option never takes more than one word: else "--chain A FILE" would swallow the file.
+  // An option takes one word only: otherwise "--chain A FILE" would take the file, too.
   if (option.list) added->expected(1, CLI::detail::expected_max_vector_size);
   added->allow_extra_args(option.list && option.is_argument())->required(option.required);
   if (option.list) added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -116,7 +117,8 @@ const Option* find(const std::vector<Option>& options, const std::string& name) 
   return nullptr;
 }
 
-// "--json=" would take the next word for its value. Empty: there is no such word.
+// A complaint about an option such as "--json=", which would take the next word for its value.
+// Empty: no such word.
 std::string nothing_behind_equals(const OptionProgram& program,
                                   const std::vector<std::string>& words) {
   const std::vector<Option>* options = &program.options;
@@ -135,7 +137,8 @@ std::string nothing_behind_equals(const OptionProgram& program,
   return {};
 }
 
-// A mistyped command or option explains every other complaint of the parser. Empty: there is none.
+// A complaint about an unknown command or option, which explains all errors of the parser. Empty:
+// no such word.
 std::string unknown_word(const OptionProgram& program, const std::vector<std::string>& words) {
   const OptionCommand* command = nullptr;
   const std::vector<Option>* options = &program.options;
@@ -164,7 +167,7 @@ std::string unknown_word(const OptionProgram& program, const std::vector<std::st
   return {};
 }
 
-// As CLI11 takes them: the last one first.
+// The words in CLI11's order, the last one first.
 std::vector<std::string> words_for_cli11(const std::vector<std::string>& words) {
   std::vector<std::string> marked;
   bool behind = false;
@@ -181,7 +184,7 @@ std::vector<std::string> words_for_cli11(const std::vector<std::string>& words) 
   return marked;
 }
 
-// CLI11's complaints in our words.
+// The errors of CLI11 in our words.
 std::string in_words(const OptionProgram& program, const OptionCommand* command,
                      const CLI::ParseError& error) {
   std::string said = error.what();

@@ -1,4 +1,4 @@
-// From arguments to set variables: the only place that knows the parser (CLI11).
+// Parses arguments and sets variables. Only this source uses the parser CLI11.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@
 namespace alphascope {
 
 struct ParsedArguments {
-  const OptionCommand* command = nullptr;  // of the program's commands; null where it has none
-  bool ended = false;                      // the program should print `text` and end
-  int exit_code = 0;                       // then; not 0: `text` is an error
-  std::string text;                        // ended with a line end
+  // The command that was named. Null for a program without commands.
+  const OptionCommand* command = nullptr;
+  bool ended = false;  // the program has to print `text` and exit
+  int exit_code = 0;   // for `ended`; if not 0, `text` is an error
+  std::string text;    // with a final line end
 };
 
-// Sets what the arguments say. An error names program, option and reason, and proposes what may
-// have been meant.
+// Sets the variables of the options. An error names program, option and reason, and proposes
+// similar names.
 ParsedArguments parse_arguments(const OptionProgram& program, int argc, const char* const* argv);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Draws each figure from the rows of a report.
 #include "app/bench/thesis_charts.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The figures of the thesis' chapter 4, from the suite's rows.
+// The figures of the thesis' chapter 4, made from the suite's rows.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace alphascope {
 
-// In the thesis' order: speed-up (Figure 4.1), improvement over alpha (4.2 to 4.4; over CGAL, where
-// the thesis had gReg3d), alpha up to which CGAL is beaten (4.5), share of the full triangulation
-// (4.6), ablation (4.7), shares of the stages (4.8). One of a kind for each engine where it has
-// one. Charts without any value are left out.
+// Charts in the thesis' order. Figure 4.1: speed-up. 4.2 to 4.4: improvement over alpha, over CGAL
+// instead of gReg3d. 4.5: largest alpha at which CGAL is beaten. 4.6: share of the full
+// triangulation. 4.7: ablation. 4.8: shares of the stages. Some figures have one chart for each
+// engine. Charts without values are left out.
 std::vector<Chart> thesis_charts(const ThesisReport& report);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Runs the contestants in turns, each with a deadline of its own.
 #include "app/bench/thesis_contest.hpp"
 
 #include <algorithm>
@@ -12,14 +13,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The step between two places of a slider that a hand can still tell apart.
+// The smallest step of a slider that a user can still notice.
 constexpr double kSliderStep = 0.001;  // Å²
 
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Cancels its token when the time is over, or when the caller's token is cancelled.
+// Cancels its token at the end of the time, or when the caller's token is cancelled.
 class Deadline {
  public:
   Deadline(const CancelToken& outer, double seconds)
@@ -68,7 +69,7 @@ class Contest {
   Contest(const ContestRules& rules, const EngineFactory& factory, const CancelToken& cancel)
       : rules_(rules), factory_(factory), cancel_(cancel) {}
 
-  // False when the contestant is to run no more.
+  // False if the contestant runs no more: its time is over, or it has failed.
   bool turn(Contestant& c, double& seconds_spent) {
     const double left = rules_.seconds - seconds_spent;
     if (left <= 0) return false;
@@ -93,7 +94,7 @@ class Contest {
 
  private:
   void run(Contestant& c, const CancelToken& token) {
-    RunContext quiet;  // no progress reports while the clock runs
+    RunContext quiet;  // no progress reports during timing
     quiet.cancel = token;
     AlphaRequest at = rules_.request;
     Clock::time_point start = Clock::now();
@@ -117,7 +118,7 @@ class Contest {
     c.hash = complex->hash;
   }
 
-  // An engine may keep the memory of a result for a later one, as it does while a slider moves.
+  // The engine may keep the memory of a result for the next one, as while a slider moves.
   static void let_go(AlphaComplex& complex) {
     complex.vertices = {};
     complex.edges = {};
@@ -137,7 +138,7 @@ class Contest {
   const CancelToken& cancel_;
 };
 
-// The first run pays for pages, caches and the device's start that no later one pays for.
+// The first run alone pays for page faults, caches and the device's start.
 void drop_first_run(Contestant& c) {
   if (c.cold.size() < 2) return;
   c.cold.erase(c.cold.begin());
@@ -181,7 +182,7 @@ void run_contest(std::vector<Contestant>& contestants, const ContestRules& rules
   std::vector<char> live;
   live.reserve(contestants.size());
   for (const Contestant& c : contestants) live.push_back(c.skipped.empty());
-  // In turns, so that a machine that slows down meanwhile slows all.
+  // Contestants take turns, so that a machine that slows down slows all.
   for (int round = 0; round <= rules.repeats; ++round) {
     for (std::size_t n = 0; n < contestants.size(); ++n) {
       cancel.throw_if_cancelled();

@@ -1,5 +1,5 @@
 // Runs engines in turns on one molecule at one alpha, each within its own time, and takes medians.
-// What is measured and why is thesis_suite.hpp's business.
+// The caller, thesis_suite.hpp, decides what is measured.
 #pragma once
 
 #include <chrono>
@@ -11,24 +11,25 @@
 
 namespace alphascope {
 
-double median(std::vector<double> values);  // of at least one
+double median(std::vector<double> values);  // `values` must not be empty
 
 struct Contestant {
   EngineChoice choice = EngineChoice::cpu;
   EngineSettings settings;
-  std::string skipped;  // set: does not run, or did not finish once; why
+  std::string skipped;  // why the contestant does not run or did not finish; empty: it runs
 
-  // Of the counted runs: the first is not, unless it is the only one that fitted the time.
+  // Times of the counted runs. The first run is not counted, unless no other fitted into the time.
   std::vector<double> cold, warm;  // ms
   std::vector<std::vector<StageTime>> cold_stages;
   EngineInfo engine;
   std::size_t tetrahedra = 0;
   std::uint64_t hash = 0;
-  bool hashes_agree = true;  // of all its runs
-  bool too_slow = false;     // skipped for lack of time
+  bool hashes_agree = true;  // over all its runs
+  bool too_slow = false;     // skipped because its time was over
 
   bool measured() const { return !cold.empty(); }
-  // Median of each stage, in the order of the engine's first run; 0 where a run had none.
+  // The median of each stage, in the order of the engine's first run. A run without the stage
+  // counts as 0.
   std::vector<StageTime> stage_medians() const;
 };
 
@@ -36,11 +37,11 @@ struct ContestRules {
   std::shared_ptr<const BallSet> balls;
   AlphaRequest request;
   int repeats = 5;      // counted runs
-  double seconds = 20;  // for all runs of one contestant
+  double seconds = 20;  // limit for all runs of one contestant
 };
 
-// Throws Cancelled when `cancel` says so. A contestant that throws anything else is skipped, with
-// its message.
+// Throws Cancelled when `cancel` is cancelled. A contestant that throws another exception is
+// skipped with its message.
 void run_contest(std::vector<Contestant>& contestants, const ContestRules& rules,
                  const EngineFactory& factory, const CancelToken& cancel);
 

@@ -1,6 +1,6 @@
-// A figure of the thesis compares with gReg3d or with sequential CGAL; here it is always CGAL, in
-// turns with each engine. Alphas are measured in ascending order, since an engine that is too slow
-// at one is left out at the larger ones: the work of every engine grows with alpha.
+// Runs the suite and fills its rows. The thesis compares with gReg3d or sequential CGAL, this suite
+// always with CGAL, in turns with each engine. Alphas ascend, since the work of every engine grows
+// with alpha. An engine that is too slow at one alpha is left out at larger ones.
 #include "app/bench/thesis_suite.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 struct Ablation {
   const char* name;
-  bool of_gpu;  // says nothing on the CPU
+  bool of_gpu;  // has no effect on the CPU
   void (*apply)(TupleOptions&);
 };
 
@@ -39,7 +39,7 @@ void add(std::optional<double>& column, double milliseconds) {
   column = column.value_or(0) + milliseconds;
 }
 
-// Which column of the thesis' Table 4.1 a stage belongs to.
+// The column of the thesis' Table 4.1 to which each stage belongs.
 ThesisStages to_columns(const std::vector<StageTime>& stages) {
   ThesisStages columns;
   for (const StageTime& s : stages) {
@@ -68,7 +68,7 @@ struct Entrant {
   int threads;
   std::string variant;
   TupleOptions tuples;
-  std::string skipped;  // at all alphas from here on
+  std::string skipped;  // why it is left out at all further alphas
 };
 
 class Suite {
@@ -125,7 +125,7 @@ class Suite {
     using Kind = ThesisRow::Kind;
     std::vector<Entrant> field{{Kind::cgal, EngineChoice::cgal, 1, "one thread", {}, {}}};
     const int threads = options_.threads > 0 ? options_.threads : report_.machine.threads;
-    // CGAL's parallel code starts at three threads (core/engine/engine.hpp).
+    // CGAL's parallel code needs three threads (core/engine/engine.hpp).
     if (threads >= 3) {
       field.push_back({Kind::cgal, EngineChoice::cgal, threads, "parallel", {}, {}});
     }
@@ -204,7 +204,7 @@ class Suite {
     return row;
   }
 
-  // Faster than CGAL at this alpha? Empty when CGAL could not be measured.
+  // Whether the engine is faster than CGAL at this alpha. Empty if CGAL could not be measured.
   std::optional<bool> wins(std::size_t molecule, EngineChoice choice, const Alpha& alpha) const {
     std::vector<Contestant> two(2);
     two[0].choice = EngineChoice::cgal;
@@ -225,7 +225,7 @@ class Suite {
           row.kind != ThesisRow::Kind::engine || found.lost_at_angstrom2) {
         continue;
       }
-      // What is left out for lack of time has lost; of what failed otherwise nothing is known.
+      // A row that ran out of time has lost. Another failure decides nothing.
       if (!row.speed_up() && !row.too_slow) return;
       if (!row.too_slow && *row.speed_up() > 1) {
         found.alpha_angstrom2 = row.alpha_angstrom2;

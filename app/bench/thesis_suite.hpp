@@ -1,6 +1,7 @@
-// Measures what the thesis' chapter 4 reports, for molecules at hand: times of each stage, speed-up
-// over CGAL, the alpha up to which CGAL is beaten, the share of the full triangulation, and what
-// each optimisation saves. Times nothing that it does not also check against CGAL; prints nothing.
+// Measures the quantities of the thesis' chapter 4 for given molecules. These are times of stages,
+// speed-up over CGAL, and the largest alpha at which CGAL is beaten. They are also the share of the
+// full triangulation, and the gain by each optimisation. Each timed result is also checked against
+// CGAL. Prints nothing.
 #pragma once
 
 #include <functional>
@@ -17,30 +18,30 @@ namespace alphascope {
 
 struct ThesisMolecule {
   std::string name;
-  std::shared_ptr<const BallSet> balls;  // with the solvent radius
+  std::shared_ptr<const BallSet> balls;  // grown by the solvent radius
   Provenance provenance;
 };
 
 struct ThesisOptions {
   std::vector<Alpha> alphas{0, 1.4, 3};  // Å²
-  std::vector<EngineChoice> engines;     // neither automatic nor cgal, which is always there
-  double solvent_radius_angstrom = 0;    // already in the balls; told again in every row
-  int threads = 0;                       // of engines on the CPU; 0: as many as there are
-  int repeats = 5;                       // counted runs; one more comes first and is not counted
-  double seconds_per_row = 20;           // a row that needs longer is cut short or left out
-  bool tetrahedra_only = true;           // the thesis' sub-complex
-  bool ablation = true;                  // of the tuple engines, at the smallest alpha
-  int bisections = 3;                    // between a won and a lost alpha; 0: only the alphas given
+  std::vector<EngineChoice> engines;     // without `automatic` and `cgal`; CGAL always runs
+  double solvent_radius_angstrom = 0;  // Å; the balls already contain it, and each row repeats it
+  int threads = 0;                     // of engines on the CPU; 0: all
+  int repeats = 5;                     // counted runs; one more run comes first
+  double seconds_per_row = 20;         // limit; a row that needs longer is cut short or left out
+  bool tetrahedra_only = true;         // as in the thesis
+  bool ablation = true;                // for the tuple engines, at the smallest alpha
+  int bisections = 3;                  // between a won and a lost alpha; 0: given alphas only
 };
 
-// "tuples-cpu", …: those that can run here, all but CGAL.
+// All engines that can run here without CGAL, such as "tuples-cpu".
 std::vector<EngineChoice> thesis_engines(const MachineInfo& machine);
 
-// Milliseconds, medians of the counted cold runs; empty where the engine has no such stage.
+// Medians of the counted cold runs in milliseconds. Empty if the engine has no such stage.
 struct ThesisStages {
   std::optional<double> memcpy, kernel1, prefix_sum, kernel2, kernel3;
   std::optional<double> other;  // grid, coincident centres, classification, hash, triangulation
-  bool kernel1_has_kernel2 = false;  // one launch does both: kernel2 is empty
+  bool kernel1_has_kernel2 = false;  // one launch does both, and kernel2 is empty
 };
 
 struct ThesisRow {
@@ -50,37 +51,37 @@ struct ThesisRow {
   std::size_t molecule_index = 0, balls = 0;
   Alpha alpha_angstrom2;
   EngineChoice choice = EngineChoice::cpu;
-  int threads = 0;        // asked for; 0: all
-  std::string variant;    // of ablation rows: "without textures"
-  std::string skipped;    // why nothing below was measured; empty when it was
-  bool too_slow = false;  // skipped for lack of time
+  int threads = 0;        // requested number; 0: all
+  std::string variant;    // of ablation rows, such as "without textures"
+  std::string skipped;    // why nothing below was measured; empty: measured
+  bool too_slow = false;  // skipped because its time was over
 
   EngineInfo engine;
   ThesisStages stages;
-  std::vector<StageTime> stage_medians;  // all stages of the cold runs, in the engine's words
-  int runs = 0;                          // counted
-  // Median wall times. Cold: a new engine, made and asked once. Warm: the same one asked again for
-  // an alpha smaller by 0.001 Å².
+  std::vector<StageTime> stage_medians;  // all stages of the cold runs, named as by the engine
+  int runs = 0;                          // number of counted runs
+  // Median wall times. Cold: a new engine, made and asked once. Warm: the same engine, asked again
+  // at an alpha smaller by 0.001 Å².
   double cold_milliseconds = 0, warm_milliseconds = 0;
   std::optional<double> cgal_cold_milliseconds;           // one thread, in turns with this row
   std::optional<double> cgal_parallel_cold_milliseconds;  // with three threads or more
   std::size_t tetrahedra = 0;
   std::optional<std::size_t> full_tetrahedra;  // of the molecule's whole regular triangulation
   std::uint64_t hash = 0;
-  std::optional<bool> same_as_cgal;  // by hash; empty when CGAL was left out
+  std::optional<bool> same_as_cgal;  // by hash; empty if CGAL was left out
 
   bool measured() const { return skipped.empty(); }
   std::optional<double> speed_up() const;  // over CGAL with one thread, cold
   std::optional<double> share_of_full() const;
 };
 
-// Up to which alpha an engine is faster than CGAL with one thread, both cold.
+// The largest alpha at which an engine is faster than CGAL with one thread, both cold.
 struct BreakEven {
   std::size_t molecule_index = 0;
   EngineChoice choice = EngineChoice::cpu;
-  std::optional<double> alpha_angstrom2;  // the largest alpha won; empty: none of those tried
-  bool beyond = false;                    // the largest alpha tried was still won
-  // The smallest alpha found lost: the truth is between the two. Empty when `beyond`.
+  std::optional<double> alpha_angstrom2;  // the largest alpha won; empty: none was won
+  bool beyond = false;                    // the largest tried alpha was won
+  // The smallest alpha lost. The break-even lies between the two. Empty if `beyond`.
   std::optional<double> lost_at_angstrom2;
 };
 
@@ -91,22 +92,22 @@ struct ThesisReport {
   std::vector<ThesisMolecule> molecules;
   std::vector<ThesisRow> rows;
   std::vector<BreakEven> break_even;
-  bool complete = true;  // false: cancelled, and what followed these rows was not measured
+  bool complete = true;  // false: cancelled, and the rows after these are missing
 
-  // No measured row differs from CGAL.
+  // True if no measured row differs from CGAL.
   bool all_same() const;
 };
 
-// Called on the measuring thread, as each row is complete.
+// Called on the measuring thread when a row is complete.
 using RowListener = std::function<void(const ThesisRow&)>;
 
-// Everything but the rows: what is measured, where and by what.
+// The report without rows: molecules, options, machine and program.
 ThesisReport thesis_report(const std::vector<ThesisMolecule>& molecules,
                            const ThesisOptions& options);
 
-// `factory` makes all engines, CGAL's too. Progress: what is measured, and the share of the whole.
-// Throws Cancelled; std::invalid_argument for options that ask for nothing. An engine that fails
-// gives a skipped row with its message.
+// `factory` makes all engines, also CGAL's. Progress reports name the present measurement and the
+// finished share. Throws Cancelled, and std::invalid_argument for options that request nothing. A
+// failing engine gives a skipped row with its message.
 ThesisReport run_thesis_suite(const std::vector<ThesisMolecule>& molecules,
                               const ThesisOptions& options, const EngineFactory& factory,
                               const RunContext& context, const RowListener& listener = {});

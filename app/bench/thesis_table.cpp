@@ -1,3 +1,4 @@
+// Fills the columns of the table.
 #include "app/bench/thesis_table.hpp"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ std::string stages_text(const std::vector<StageTime>& stages) {
   return text;
 }
 
-// A number where a double says it, else all digits as text, as everywhere in JSON.
+// A number if a double represents it, else all digits as text, as in all our JSON.
 ThesisCell alpha_cell(const Alpha& alpha) {
   if (alpha.is_shortest_of_double()) return alpha.nearest();
   return alpha.digits();

@@ -29,8 +29,8 @@ std::uint64_t large_object_budget(std::uint64_t held) {
   return (available_bytes().value_or(0) + held) / 2;
 }
 
-// While the slider moves, the running model may finish before the next is requested, so that
-// pictures keep coming. This is the longest wait for it.
+// While the slider of models moves, a model that is being computed may finish, so that pictures
+// keep coming. The next request waits for it no longer than this.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
 }  // namespace

@@ -78,7 +78,7 @@ class Viewer {
   void redo() { history_.redo(); }
 
   ViewState& state() { return state_; }
-  Calls calls();  // they wait for the end of the frame
+  Calls calls();  // they wait until the panels of the frame are drawn
   const Commands& commands() const { return commands_; }
   const WidgetRects& widgets() const { return rects_; }
   PanelSet& panels() { return panels_; }
@@ -177,7 +177,7 @@ class Viewer {
   std::uint64_t balls_seen_ = 0, bodies_seen_ = 0, frames_key_ = 0;
   std::shared_ptr<const PreparedBalls> body_;  // the body that bodies_seen_ counted last
   Store store_;
-  Session session_;  // below the members that its threads use: it is destroyed first
+  Session session_;  // after what its threads wake; before the classes below, which use it
   History history_{state_, session_, scene_};
   WorkStatus status_{state_, session_, scene_, store_};
   Opening opening_{host_,    state_,       scene_, session_,

@@ -102,7 +102,7 @@ namespace {
 
 constexpr double kNarrowAngstrom = 0.5;
 
-// How a network comes apart at larger solvent radii.
+// How a network comes apart when solvent radius or alpha grows.
 std::string parting_text(const NetworkEnd* end) {
   if (!end) return "a larger --solvent parts it";
   const auto cavities = [](std::size_t n) {

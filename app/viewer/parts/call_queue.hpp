@@ -1,4 +1,4 @@
-// A queue of calls that are made after the frame is drawn.
+// A queue of calls that panels and scripts make. They are carried out after the panels of a frame.
 #pragma once
 
 #include <functional>

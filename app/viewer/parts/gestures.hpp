@@ -8,8 +8,8 @@ namespace alphascope {
 
 class Gestures {
  public:
-  // Call once a frame, after ImGui has begun it. Returns the current gesture, or 0 while no button
-  // or key is pressed.
+  // Call once a frame, after ImGui has begun it. Returns the current gesture, or 0 soon after all
+  // buttons and keys are released.
   Gesture in_this_frame();
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 // Limits of a list: a million names and 64 MiB, so that many names may be long.
 constexpr std::uint64_t kLargestList = std::uint64_t{64} << 20;
-// Linux opens no longer name than kLongestName.
+// The longest name that Linux opens has 4095 bytes.
 constexpr std::size_t kMostNames = 1'000'000, kLongestName = 4095;
 
 constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8

@@ -42,7 +42,7 @@ Options input_but_ligands(InputOptions& input) {
       choice_option(
           {"--altlocs", "best|all", "Alternative locations: the best of each residue, or all"},
           input.altlocs),
-      // "" is the name of the chain without a name
+      // The value "" means the chain without a name.
       may_be_empty(
           texts_option({"--chain", "ID", "Keep only these chains, such as A,B"}, input.chains)),
       may_be_empty(

@@ -32,8 +32,8 @@ class FilesCommand {
   CsvResults csv;
   JsonResults json;
 
-  // Whether the summary is printed. It is left out if the program is quiet and a result takes
-  // standard output: there it counts as a note.
+  // Whether the summary is printed. It counts as a note, and is left out when quiet, if a result
+  // takes standard output.
   bool shown() const;
 
   // Calls `use` with each wanted model of each file, then commits the outputs.

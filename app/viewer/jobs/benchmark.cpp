@@ -172,7 +172,7 @@ bool Benchmark::poll(BenchmarkInfo& info) {
   return changed;
 }
 
-// A cancelled run keeps its rows: they are valid and can be exported.
+// A run that was cancelled or has failed keeps its rows: they are valid and can be exported.
 void Benchmark::finish(BenchmarkInfo& info) {
   running_ = false;
   info.error = failure_;

@@ -41,7 +41,8 @@ class Benchmark {
 
   EngineFactory factory_;
   std::shared_ptr<Arrived> arrived_;
-  // The last complete report, or null; then the rows so far of the running measurement.
+  // The report of the last run, perhaps of its first rows only, and the rows so far of the running
+  // one. Either may be null.
   std::shared_ptr<const ThesisReport> report_;
   std::shared_ptr<ThesisReport> partial_;
   bool cancelled_ = false;

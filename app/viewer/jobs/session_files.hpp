@@ -30,7 +30,7 @@ class SessionFiles {
   explicit SessionFiles(std::function<void()> wake) : reader_(wake), writer_(std::move(wake)) {}
 
   void open(const std::filesystem::path& file);
-  // Opens the last session from poll() with another molecule.
+  // Opens `session` with another molecule.
   void open_with(std::shared_ptr<const FoundSession> session,
                  const std::filesystem::path& molecule);
   void cancel() { reader_.cancel(); }

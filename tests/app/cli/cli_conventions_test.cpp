@@ -84,7 +84,7 @@ TEST_F(CliConventions, TypingErrorsGetAProposal) {
       {compute + "--solvnt 1.4", "there is no option --solvnt. Did you mean \"--solvent\"?"},
       {compute + "--solvnt=1.4", "there is no option --solvnt. Did you mean \"--solvent\"?"},
       {compute + "--tetra", "Did you mean \"--tetrahedra-only\"?"},
-      {compute + "--engine cgla", "--engine: \"cgla\" is not one of auto, cpu, cgal"},
+      {compute + "--engine cgla", "--engine: \"cgla\" is not one of auto, gpu, cpu"},
       {compute + "--engine cgla", "Did you mean \"cgal\"?"},
       {compute + "--radii Bondy", "Did you mean \"bondi\"?"},
       {compute + "--altlocs bets", "Did you mean \"best\"?"},
@@ -235,7 +235,7 @@ TEST_F(CliConventions, BashCompletes) {
   EXPECT_EQ(completed("alphascope-cli help comp", 3), "compute\n");
   EXPECT_EQ(completed("alphascope-cli --vers", 2), "--version\n");
   EXPECT_EQ(completed("alphascope-cli compute --eng", 3), "--engine\n");
-  EXPECT_EQ(completed("alphascope-cli compute --engine tup", 4), "tuples-cpu tuples-gpu\n");
+  EXPECT_EQ(completed("alphascope-cli compute --engine tup", 4), "tuples-gpu tuples-cpu\n");
   EXPECT_EQ(completed("alphascope-cli compute --engine = cg", 5), "cgal\n");
   EXPECT_EQ(completed("alphascope-cli bench --engines cpu,gp", 4), "cpu,gpu\n");
   EXPECT_EQ(completed("alphascope-cli compute --alpha \"\"", 4), "\n") << "a number";

@@ -1,4 +1,4 @@
-// See the header.
+// Tells a cold run from a warm one, by the stages and the route that an answer reports.
 #include "core/engine/cold_and_warm.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Times of one engine at one set of balls: with its set-up, and without.
+// Times of one engine for one set of balls, with its set-up and without.
 #pragma once
 
 #include <optional>
@@ -9,32 +9,33 @@ namespace alphascope {
 
 struct MeasuredRun {
   StageTimes times;
-  double alpha_angstrom2 = 0;  // what was computed
+  double alpha_angstrom2 = 0;  // Å², of the computed complex
   bool tetrahedra_only = false;
-  // The engine made anew what it answers later alphas from; such a run is not to be compared with
-  // one that only looked there.
+  // The engine made the filtration or complex anew from which it answers later alphas. Such a run
+  // is not comparable with one that only takes a threshold.
   bool rebuilt = false;
-  bool rests_on_cgal = false;  // as EngineInfo has it
+  bool rests_on_cgal = false;  // EngineInfo::rests_on_cgal
 
-  // Times of different tasks are not to be compared.
+  // Only times of the same task are comparable.
   bool comparable(const MeasuredRun& o) const {
     return alpha_angstrom2 == o.alpha_angstrom2 && tetrahedra_only == o.tetrahedra_only &&
            rebuilt == o.rebuilt && !same_threshold(o);
   }
-  // Both only looked up in what was made of CGAL's triangulation: the same steps twice.
+  // Both runs only took a threshold of a filtration made from CGAL's triangulation. Their steps are
+  // the same, so a comparison says nothing.
   bool same_threshold(const MeasuredRun& o) const {
     return rests_on_cgal && o.rests_on_cgal && !rebuilt && !o.rebuilt;
   }
 };
 
-// Cold: the first answer of an engine, set-up included. Warm: the latest of the later ones, as the
-// slider asks for; what an engine prepares once in a while for the next ones is part of it.
+// Cold: the first answer of an engine, set-up included. Warm: the latest of its later answers, as
+// for a slider. A warm run includes work that the engine does now and then for its next answers.
 struct ColdAndWarm {
   EngineInfo engine;
   std::optional<MeasuredRun> cold, warm;
 
   bool any() const { return cold || warm; }
-  // Forgets what another engine took.
+  // Forgets the runs of another engine.
   void note(const AlphaComplex& complex, bool was_cold);
 };
 

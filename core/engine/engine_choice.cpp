@@ -1,3 +1,4 @@
+// The table of engines, and searches in it.
 #include "core/engine/engine_choice.hpp"
 
 #include <algorithm>

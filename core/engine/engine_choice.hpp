@@ -1,5 +1,5 @@
-// The engines, as every program offers them: an enumerator here and a line of the table each. The
-// one that makes them is make_engine(), since only the session sees the GPU's.
+// The engines that every program offers. A new engine is an enumerator here and a line of the
+// table. make_engine() in the session makes them, because only the session sees the GPU's engines.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace alphascope {
 
 // automatic: the dual-edge engine, on the GPU when it can be used, else on the CPU. The tuple
-// engines are the thesis' pipeline.
+// engines are the pipeline of the thesis.
 enum class EngineChoice : std::uint8_t { automatic, gpu, cpu, tuples_gpu, tuples_cpu, cgal };
 
 struct EngineEntry {
@@ -21,7 +21,7 @@ struct EngineEntry {
   std::string_view title;  // "Tuple engine (thesis), GPU": for people
   const char* help;        // a sentence or two
   bool needs_gpu = false;
-  bool is_tuples = false;  // TupleOptions are its options
+  bool is_tuples = false;  // it takes TupleOptions
   int suite_place = 0;     // its place in the thesis' suite; 0: not in it
 };
 
@@ -43,10 +43,12 @@ inline bool needs_gpu(EngineChoice choice) {
 }
 std::optional<EngineChoice> engine_from_id(std::string_view id);
 
-// Those of the thesis' suite, which CGAL is always part of.
+// The engines of the thesis' suite, by suite_place. The suite always has CGAL as well.
 std::vector<EngineChoice> suite_engines();
 
-// "auto|gpu|cpu", of all, of the tuple engines or of the suite's.
+// The ids of a group of engines, joined by the separator: "auto
+// gpu
+// cpu".
 enum class EngineGroup : std::uint8_t { all, tuples, suite };
 std::string engine_ids(EngineGroup group, std::string_view separator);
 

@@ -1,4 +1,4 @@
-// The graphics processor that engines may use, as it was found. Who looks for it is gpu's business.
+// Properties of the GPU that engines may use. The folder gpu/ looks for it.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@ namespace alphascope {
 struct GpuDevice {
   bool usable = false;
   std::string name = {};  // "NVIDIA H200"; empty without a device
-  // When not usable: why, what to do, and that the CPU engine gives the same results. Not that it
-  // runs instead, which is for whoever chooses the engine to say.
+  // Set when not usable: the reason, the remedy, and that the CPU engine gives the same results. It
+  // does not say that the CPU engine runs instead. The code that chooses the engine says so.
   std::string why_not = {};
   std::string driver = {};     // "CUDA driver 13.0"
   int compute_capability = 0;  // 90 for 9.0

@@ -1,5 +1,5 @@
-// What earlier requests have found out about a set of balls, so that the next one need not. An
-// engine keeps none of it; who asks the engine owns it.
+// Results of earlier requests for a set of balls, which later requests can use. The caller of an
+// engine owns them; an engine keeps none.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,21 @@ namespace alphascope {
 class Filtration;
 struct Triangulation;
 
-// Made of the set as a whole, for every alpha. Each part may be null.
+// Results for the set as a whole, which serve every alpha. Each part may be null.
 struct OfAllBalls {
   std::shared_ptr<const BallSet> balls;
   std::shared_ptr<const Triangulation> triangulation;
-  // Of `balls` itself, and made of their triangulation: every alpha is a threshold of it.
+  // Filtration of all simplices of `balls`, made from their triangulation. Every alpha is a
+  // threshold of it.
   std::shared_ptr<const Filtration> filtration;
 
   explicit operator bool() const { return triangulation || filtration; }
-  // Takes over what another has of the same balls.
+  // Takes the other's parts; both are of the same balls.
   void add(const OfAllBalls& other) {
     if (other.triangulation) triangulation = other.triangulation;
     if (other.filtration) filtration = other.filtration;
   }
-  // Lets go of the very objects that another has.
+  // Drops a part if the other holds the very same object.
   void drop(const OfAllBalls& other) {
     if (triangulation == other.triangulation) triangulation = nullptr;
     if (filtration == other.filtration) filtration = nullptr;
@@ -33,12 +34,12 @@ struct OfAllBalls {
 };
 
 struct KnownOfBalls : OfAllBalls {
-  // A whole complex, if the engine has asked for it: smaller alphas are thresholds of it, too.
+  // A whole complex, set if the engine has asked for it. Smaller alphas are thresholds of it.
   std::shared_ptr<const AlphaComplex> complex;
-  std::shared_ptr<const Filtration> below;  // made of such a complex
-  bool wants_complex = false;               // the engine asks for the answer that it has just given
+  std::shared_ptr<const Filtration> below;  // made from such a complex
+  bool wants_complex = false;               // the engine asks for the answer it has just given
 
-  // The answer, when it can be shared.
+  // Hands over the answer, if the engine has asked for it.
   void share(std::shared_ptr<const AlphaComplex> answer) {
     if (std::exchange(wants_complex, false)) complex = std::move(answer);
   }

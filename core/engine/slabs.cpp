@@ -1,6 +1,7 @@
-// Why a halo of one neighbourhood suffices: every simplex at an own ball v, whichever its lowest
-// vertex, is decided by balls that meet the grown ball v (docs/algorithm.md), and all of those are
-// in the part. So are all edges of v, from which its own value and class follow.
+// Cuts the balls into slabs with halos, computes each, and joins the results. A halo of one
+// neighbourhood suffices. Balls that meet the grown ball v decide every simplex at an own ball v,
+// whichever its lowest vertex (docs/algorithm.md). All of them are in the part. So are all edges of
+// v, which decide the alpha value and class of v.
 #include "core/engine/slabs.hpp"
 
 #include <algorithm>
@@ -30,7 +31,8 @@ int longest_axis(const BallSet& balls) {
   return longest;
 }
 
-// The first coordinate of every slab but the first: quantiles, so that the slabs are about equal.
+// The lowest coordinate of each slab but the first. They are quantiles, so the slabs have about as
+// many balls each.
 std::vector<std::int32_t> slab_bounds(const BallSet& balls, int axis, std::size_t slabs) {
   std::vector<std::int32_t> all(balls.size());
   for (std::size_t i = 0; i < balls.size(); ++i) all[i] = coordinate(balls.centres[i], axis);
@@ -43,7 +45,8 @@ std::vector<std::int32_t> slab_bounds(const BallSet& balls, int axis, std::size_
   return bounds;
 }
 
-// Farther apart than this, no two grown balls meet. Lattice units; infinite for infinite alpha.
+// No two grown balls meet whose centres are farther apart than this. Lattice units; infinite for
+// infinite alpha.
 double meeting_distance(const BallSet& balls, const LatticeAlpha& alpha) {
   std::int32_t largest = 0;
   for (const std::int32_t r : balls.radii) largest = std::max(largest, r);
@@ -57,7 +60,7 @@ struct Part {
   std::vector<bool> own;
 };
 
-// One dimension of all parts, in the order in which they came.
+// Simplices of one dimension from all parts, in the order of the parts.
 template <int N>
 struct Gathered {
   SimplexList<N> list;
@@ -73,7 +76,8 @@ struct Gathered {
     }
   }
 
-  // Lexicographic order: all simplices of one lowest vertex are from one part, and in order there.
+  // In lexicographic order. All simplices with one lowest vertex come from one part, where they are
+  // in order already.
   SimplexList<N> ordered(std::size_t balls) const {
     std::vector<std::size_t> place(balls + 1, 0);
     for (const auto& simplex : list.simplices) ++place[simplex[0] + 1];

@@ -1,5 +1,5 @@
-// K_alpha of a set of balls slab by slab, for executors that cannot hold the whole set at once.
-// Exact: the result is that of the whole set, in the same order.
+// K_alpha of a set of balls, computed slab by slab for executors that cannot hold the whole set at
+// once. The result is exactly that of the whole set, in the same order.
 #pragma once
 
 #include <functional>
@@ -8,13 +8,14 @@
 
 namespace alphascope {
 
-// Computes the whole request for a part of the balls, in their order.
+// Computes the whole request for some of the balls, which keep their order.
 using ComputePart = std::function<AlphaComplex(std::shared_ptr<const BallSet> part)>;
 
-// Cuts the set across its longest side into `slabs` (>= 1) of about as many balls, each with a halo
-// of all balls that may meet one of its own at this alpha, and keeps of each part the simplices
-// whose lowest vertex is its own. Timings are sums; `engine` is that of the last part, and rests on
-// CGAL if that of any part does. Throws Cancelled and what `compute` throws.
+// Cuts the set across its longest side into `slabs` (>= 1) of about as many balls. Each part has a
+// halo of all balls that may meet an own ball of its slab at this alpha. From each part the result
+// keeps the simplices whose lowest vertex is an own ball. Timings are sums. `engine` is that of the
+// last part, but it rests on CGAL if any part does. Throws Cancelled and the exceptions of
+// `compute`.
 AlphaComplex compute_in_slabs(const BallSet& balls, const AlphaRequest& request, std::size_t slabs,
                               const RunContext& context, const ComputePart& compute);
 

@@ -1,6 +1,5 @@
-// The reference engine: CGAL's whole triangulation once, then every alpha from it, as long as who
-// asks keeps it. The triangulation itself is cgal_triangulation.cpp's, the alpha values
-// filtration.hpp's.
+// The reference engine. It makes CGAL's triangulation once, and takes every alpha from it while the
+// caller keeps it. cgal_triangulation.cpp makes the triangulation, filtration.hpp the alpha values.
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -72,7 +71,7 @@ class CgalEngine : public Engine {
     }
     if (!request.tetrahedra_only) {
       known.filtration = std::make_shared<const Filtration>(balls_, known.triangulation, context);
-      known.forget_complex();  // it is part of the filtration
+      known.forget_complex();  // the filtration contains it
       timer.lap(stage::kClassification, true);
     }
     context.report(stage::kThreshold, 0);
@@ -85,7 +84,7 @@ class CgalEngine : public Engine {
     return complex;
   }
 
-  // What triangulated() is about to do.
+  // The route of the next call of triangulated().
   static std::string next_route(const AlphaRequest& request, const KnownOfBalls& known) {
     if (request.tetrahedra_only) {
       return known.triangulation ? "threshold of the whole triangulation"

@@ -1,5 +1,5 @@
-// The CPU engine: dual edges while alpha is small, CGAL's triangulation where that is faster
-// (route.hpp), and a threshold of what is known where it can.
+// The CPU engine. It clips dual edges while alpha is small, and uses CGAL's triangulation where
+// that is faster (route.hpp). Where a filtration is known, it takes a threshold.
 
 #include <cmath>
 #include <optional>
@@ -19,7 +19,7 @@ class CpuEngine : public Engine {
  public:
   CpuEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
       : balls_(std::move(balls)), options_(options), threads_(options.work_threads()) {
-    options_.shared = threads_;  // with the triangulation
+    options_.shared = threads_;  // the CGAL engine works on them, too
   }
 
   AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
@@ -70,7 +70,7 @@ class CpuEngine : public Engine {
     AlphaComplex complex = clipped(grid, alpha, request.tetrahedra_only, context, timer);
     if (!request.tetrahedra_only) {
       known.balls = balls_;
-      known.forget_complex();  // of a smaller alpha
+      known.forget_complex();  // it is of a smaller alpha
       known.wants_complex = true;
     }
     return complex;

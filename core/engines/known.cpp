@@ -1,3 +1,4 @@
+// Checks of known results, their bytes, and thresholds of them.
 #include "core/engines/known.hpp"
 
 #include <cmath>
@@ -59,7 +60,7 @@ std::optional<AlphaComplex> threshold_of_all(const BallSet& balls, const AlphaRe
                                              KnownOfBalls& known, const RunContext& context,
                                              StageTimer& timer) {
   if (!known.filtration) return std::nullopt;
-  known.forget_complex();  // it is part of the filtration
+  known.forget_complex();  // the filtration contains it
   context.report(stage::kThreshold, 0);
   context.cancel.throw_if_cancelled();
   return threshold_of(*known.filtration, balls.lattice.alpha_on_lattice(request.alpha_angstrom2),

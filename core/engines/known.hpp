@@ -1,4 +1,5 @@
-// Answers from what is known of the balls (core/engine/known_of_balls.hpp), alike in every engine.
+// Answers from known results of the balls (core/engine/known_of_balls.hpp), the same for every
+// engine.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +12,19 @@ namespace alphascope {
 std::uint64_t bytes_of(const OfAllBalls& of_all);
 std::uint64_t bytes_of(const KnownOfBalls& known);
 
-// Throws std::invalid_argument when it is known of other balls, or when the filtration of all
-// balls does not hold for every alpha.
+// Throws std::invalid_argument when `known` belongs to other balls, or when the filtration of all
+// balls does not cover every alpha.
 void require_known_of(const BallSet& balls, const KnownOfBalls& known);
 
-// K_alpha by threshold of the filtration of all balls, with its route; nothing where there is none.
-// Works in the caller's task arena. Throws Cancelled.
+// K_alpha as a threshold of the filtration of all balls, with its route. Nothing where there is no
+// such filtration. Works in the caller's task arena. Throws Cancelled.
 std::optional<AlphaComplex> threshold_of_all(const BallSet& balls, const AlphaRequest& request,
                                              KnownOfBalls& known, const RunContext& context,
                                              StageTimer& timer);
 
-// The same of an earlier complex, if alpha is not above that of the complex. The first answer makes
-// a filtration of it, which is setup. Throws Cancelled, and std::bad_alloc; both leave `known` as
-// it was.
+// K_alpha as a threshold of an earlier complex, if alpha is not above that complex's. The first
+// answer makes a filtration of the complex, which counts as setup. Throws Cancelled and
+// std::bad_alloc; `known` is then unchanged.
 std::optional<AlphaComplex> threshold_of_complex(const BallSet& balls, const AlphaRequest& request,
                                                  KnownOfBalls& known, const RunContext& context,
                                                  StageTimer& timer);

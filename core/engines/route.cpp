@@ -1,5 +1,6 @@
-// Costs are microseconds of one thread per ball: fits to 1K4C (16,068 balls, alpha 0 to 14 Å² and
-// solvent 1.4 Å: 5.8 to 88 neighbours a ball) on one core of an AMD EPYC.
+// Estimates the cost of clipping and of triangulating, in microseconds of one thread per ball. The
+// constants are fits to 1K4C (16,068 balls) on one core of an AMD EPYC. Alpha was 0 to 14 Å² and
+// the solvent radius 1.4 Å, with 5.8 to 88 neighbours a ball.
 #include "core/engines/route.hpp"
 
 #include <algorithm>
@@ -17,26 +18,26 @@ double clipping_cost(const NeighbourMoments& m, bool tetrahedra_only) {
 constexpr std::size_t kCostSamples = 256;
 
 constexpr double kTriangulationCost = 3.5;
-// What follows it: ortho-radii of the tetrahedra, or alpha values of all simplices.
+// Costs after the triangulation: ortho-radii of the tetrahedra, or alpha values of all simplices.
 constexpr double kTetrahedraCost = 0.2, kAlphaValuesCost = 4.7;
 double triangulating_cost(const RouteQuestion& question) {
   return (question.has_triangulation ? 0 : kTriangulationCost) +
          (question.tetrahedra_only ? kTetrahedraCost : kAlphaValuesCost);
 }
-// Clipping scales with the threads; the triangulation does so less.
+// Clipping scales with the threads. The triangulation scales less.
 double triangulating_speed_up(int threads) {
   return std::pow(threads, 0.75);
 }
 
-// A search of everything against everything is never worth it, whatever a sample says.
+// A search of all balls against all is never worth it, so no sample is taken.
 bool is_local(const UniformGrid& grid) {
   return grid.search_cost() < 2000.0 * static_cast<double>(grid.size()) + 1e6;
 }
 
 }  // namespace
 
-// Beyond this reach (lattice units) differences of neighbours may leave the clipping kernels'
-// range.
+// With a longer reach (lattice units), differences of neighbours may exceed the range of the
+// clipping kernels.
 bool within_clipping_reach(const UniformGrid& grid) {
   constexpr double kMaxClippingReach = 1 << 29;
   const auto largest = std::max_element(grid.reach.begin(), grid.reach.end());

@@ -1,5 +1,5 @@
-// Which way the CPU engine goes to a complex that it cannot threshold: the one place that knows
-// what the ways cost.
+// How the CPU engine computes a complex for which it has no filtration. Only this file knows the
+// costs.
 #pragma once
 
 #include "core/neighbours/uniform_grid.hpp"
@@ -11,14 +11,13 @@ enum class Route { clip_dual_edges, triangulate };
 struct RouteQuestion {
   int threads = 1;
   bool tetrahedra_only = false;
-  bool has_triangulation = false;  // so that only what comes after it is to be paid
+  bool has_triangulation = false;  // then only the steps after it cost
 };
 
-// Can dual edges be clipped at all: do the differences of neighbours stay within the kernels'
-// range?
+// True when the differences of neighbours stay within the clipping kernels' range.
 bool within_clipping_reach(const UniformGrid& grid);
 
-// Only the time depends on the choice, never the result. Works in the caller's task arena.
+// The faster route. The result does not depend on it. Works in the caller's task arena.
 Route choose_route(const UniformGrid& grid, const RouteQuestion& question);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// An engine made of executors: the whole set, then slabs, then the CPU engine.
 #include "core/engines/short_of_memory.hpp"
 
 #include <cmath>
@@ -11,7 +12,7 @@
 namespace alphascope {
 namespace {
 
-// How many slabs the next request is cut into.
+// The number of slabs for the next request.
 class SlabCount {
  public:
   explicit SlabCount(std::size_t balls) : balls_(balls) {}
@@ -22,7 +23,8 @@ class SlabCount {
     if (slabs_ > 1 && may_need_fewer(request)) slabs_ /= 2;
   }
   void answered() { ++answers_; }
-  // False when more slabs are of no use: their halos would be most of the work.
+  // Doubles the slabs. False when more slabs are of no use, because their halos would be most of
+  // the work.
   bool refused(const AlphaRequest& request) {
     constexpr std::size_t kMostSlabs = 256;
     if (slabs_ >= kMostSlabs || slabs_ > balls_) return false;
@@ -34,8 +36,8 @@ class SlabCount {
   }
 
  private:
-  // A request that is smaller than the one that half as many slabs had no room for; or any, once in
-  // a while.
+  // True for a request smaller than the last one for which half as many slabs had no room. Also
+  // true for any request once in a while.
   bool may_need_fewer(const AlphaRequest& request) const {
     constexpr int kAnswersBeforeTrial = 8;
     return request.alpha_angstrom2 < refused_alpha_ ||
@@ -45,9 +47,9 @@ class SlabCount {
 
   const std::size_t balls_;
   std::size_t slabs_ = 1;
-  Alpha refused_alpha_;  // Å²; of the last that half as many slabs had no room for
+  Alpha refused_alpha_;  // Å²; the last for which half as many slabs had no room
   bool refused_tetrahedra_only_ = false;
-  int answers_ = 0;  // since then
+  int answers_ = 0;  // since refused_alpha_
 };
 
 class EngineOfExecutors : public Engine {
@@ -69,7 +71,7 @@ class EngineOfExecutors : public Engine {
         return *std::move(complex);
       }
     } catch (const ExecutorFailed& error) {
-      whole_.reset();  // whatever it still holds is of no use
+      whole_.reset();  // its memory may be in any state
       why_cpu = error.what();
     } catch (const std::bad_alloc&) {
       why_cpu = "the GPU's memory is full";
@@ -95,8 +97,8 @@ class EngineOfExecutors : public Engine {
   }
 
  private:
-  // Has the executor of the whole set do `task`, which is more than to compute. Why it could not;
-  // empty: it did. What has no room for the whole complex, or failed at it, is not tried again.
+  // Has the executor of the whole set do `task`, which follows a computation. Returns why it could
+  // not; empty: it did. An executor that failed for this complex is not tried again.
   template <class Task>
   std::string by_whole(const Task& task) {
     if (!why_not_whole_.empty()) return why_not_whole_;
@@ -113,7 +115,7 @@ class EngineOfExecutors : public Engine {
     }
   }
 
-  // The set at once, or in as few slabs as the memory allows.
+  // The whole set at once, or as few slabs as the memory allows.
   std::optional<AlphaComplex> by_executors(const AlphaRequest& request, const RunContext& context) {
     slabs_.begin(request);
     for (;;) {
@@ -124,7 +126,7 @@ class EngineOfExecutors : public Engine {
         return complex;
       } catch (const std::bad_alloc&) {
         whole_.reset();
-        const bool held_more = std::exchange(holds_more_, false);  // now there may be room
+        const bool held_more = std::exchange(holds_more_, false);  // freed with whole_
         if (!held_more && !slabs_.refused(request)) throw;
       }
     }
@@ -168,7 +170,7 @@ class EngineOfExecutors : public Engine {
   SlabCount slabs_;
   std::unique_ptr<Executor> whole_;
   bool holds_more_ = false;    // `whole_` may hold memory for measures or the outside, too
-  std::string why_not_whole_;  // the last complex was not computed at once; empty: it was
+  std::string why_not_whole_;  // why the last complex was not computed at once; empty: it was
   std::unique_ptr<Engine> cpu_;
 };
 

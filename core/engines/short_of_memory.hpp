@@ -1,6 +1,6 @@
-// What is done when an executor's memory is short, or it fails: the one owner of that decision.
-// First the set is cut into ever more slabs, then the CPU engine computes. An executor knows
-// nothing of it: it computes what it is given, or says that it cannot.
+// Decides what to do when an executor fails or its memory is short; no other code does. First the
+// set is cut into ever more slabs, then the CPU engine computes. An executor knows nothing of this.
+// It computes its balls, or says that it cannot.
 #pragma once
 
 #include <functional>
@@ -16,29 +16,29 @@ namespace alphascope {
 class Executor {
  public:
   virtual ~Executor() = default;
-  // K_alpha, with its route and timings; nothing when that is beyond the executor's limits, however
-  // much memory there were. Throws std::bad_alloc when memory is short and ExecutorFailed; after
-  // either, this object is not asked again. Throws Cancelled.
+  // K_alpha, with its route and timings. Nothing when the request is beyond the executor's limits,
+  // with any amount of memory. Throws std::bad_alloc when memory is short, and ExecutorFailed.
+  // After either of them this object is not asked again. Throws Cancelled.
   virtual std::optional<AlphaComplex> compute(const AlphaRequest& request,
                                               const RunContext& context) = 0;
-  // As Engine::measure(), but throws std::bad_alloc when memory is short, and stays usable then;
-  // and ExecutorFailed.
+  // As Engine::measure(), but throws std::bad_alloc when memory is short, and stays usable then.
+  // Throws ExecutorFailed.
   virtual DeviceMeasuring measure(const AlphaComplex&, UnionMeasures&, const RunContext&) {
     return {};
   }
-  // As Engine::find_outside(), but throws as measure() does.
+  // As Engine::find_outside(), but throws as measure() here does.
   virtual std::optional<SharedFaces> find_outside(const AlphaComplex&) { return std::nullopt; }
   // As Engine::rest().
   virtual void rest() {}
 };
 
-// For the whole set or a part of it. Throws as Executor::compute() does.
+// Makes the executor of the whole set or of a part. Throws as Executor::compute() does.
 using MakeExecutor = std::function<std::unique_ptr<Executor>(std::shared_ptr<const BallSet> balls)>;
 
-// An engine that answers every request, whatever its executors can do. It remembers how many slabs
-// were needed, and tries fewer for smaller requests and once in a while, since others may have had
-// the memory. The route says what was done: "..., in 4 slabs", "... (on the CPU: the GPU's memory
-// is full)".
+// An engine that answers every request, even where its executors cannot. It remembers how many
+// slabs were needed. It tries fewer for smaller requests, and once in a while, because another
+// program may have freed memory. The route says what was done: "..., in 4 slabs", "... (on the CPU:
+// the GPU's memory is full)".
 std::unique_ptr<Engine> make_engine_of_executors(std::shared_ptr<const BallSet> balls,
                                                  EngineOptions options, MakeExecutor make);
 

@@ -1,4 +1,4 @@
-// What an engine answered a request with; immutable once handed over.
+// The answer of an engine to a request. It does not change once it is handed over.
 #pragma once
 
 #include <memory>
@@ -15,23 +15,24 @@ namespace alphascope {
 
 struct EngineAnswer {
   Request request;
-  std::shared_ptr<const BallSet> balls;  // with the solvent radius: what the engine saw
+  std::shared_ptr<const BallSet> balls;  // with the solvent radius, as the engine saw them
   AlphaComplex complex;
   std::string note;   // about the choice of engine and rounding on the lattice; may be empty
-  bool cold = false;  // the engine's first answer, and it had to set up
-  // Where they were wanted and the engine has a device; else null, and the CPU may measure.
+  bool cold = false;  // the engine's first answer, with its set-up
+  // Set where measures were wanted and a device made them. Otherwise null, and the CPU may measure.
   std::shared_ptr<const MeasuredUnion> measures = {};
-  // Wall time that a device took to find AlphaComplex::outside, for the picture; 0 where none did.
+  // Wall time in which a device found AlphaComplex::outside for drawing. 0 where none did.
   double outside_milliseconds = 0;
 };
 
-// Of an open molecule.
+// The answer for an open molecule.
 struct Answer : EngineAnswer {
   std::shared_ptr<const Molecule> molecule;       // with an assembly's copies
   std::shared_ptr<const PreparedBalls> prepared;  // its balls, without solvent radius
-  // What the engine made of all balls on the way, until the store takes it. Of the main thread.
+  // Triangulation and filtration that the engine made on the way, until the store takes them. Only
+  // the main thread uses them.
   std::shared_ptr<OfAllBalls> made = std::make_shared<OfAllBalls>();
-  std::uint64_t kept_bytes = 0;  // by the engines of the session, for later answers
+  std::uint64_t kept_bytes = 0;  // held by the session's engines for later answers
 };
 
 }  // namespace alphascope

@@ -1,4 +1,5 @@
-// What the store and the evaluator say and ask of every definition.
+// Functions that store and evaluator use of every definition: its key, and the text when memory is
+// short.
 #include "core/document/store/definition.hpp"
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// What a derived result is, for the store: of what it is made, how large it is, how it is made.
+// The definition of a derived result for the store: its inputs, its memory, and how it is made.
 #pragma once
 
 #include <functional>
@@ -13,40 +13,39 @@
 
 namespace alphascope {
 
-// Where a result is made.
+// The thread on which a result is made.
 enum class Lane : std::uint8_t {
-  background,  // on one thread that goes after all others; another key ends it
-  interactive  // what follows a slider: on the slider's threads. One that has begun is finished and
-               // shown although alpha has gone on, but not when the balls are others
+  background,  // on one low-priority thread; another key ends it
+  interactive  // for results that follow a slider, on the slider's threads
 };
 
 struct AnyDefinition {
   std::string_view id;     // "filtration"
-  std::string_view title;  // "Filtration of all simplices": in the list of what goes on
-  // Other results that it is made of: the store has them made first, and Inputs::of() gives them to
-  // memory and making. Their keys are part of this one's.
+  std::string_view title;  // "Filtration of all simplices", in the list of jobs
+  // Other results from which this one is made. The store makes them first. Inputs::of() gives them
+  // to `memory` and `make`. Their keys are part of this one's key.
   std::vector<const AnyDefinition*> made_of = {};
-  // Of what of the inputs it uses itself, and whatever else: key_of_balls() and the like.
+  // The key of the inputs that the definition itself uses: key_of_balls() and similar functions.
   std::function<Key(const Inputs&)> key;
   std::function<MemoryNeed(const Inputs&)> memory;  // bytes, for the budget
   Lane lane = Lane::background;
-  // The last one stays until the next is there, to be drawn greyed; some older ones stay as well,
-  // as long as there is room, for when their alpha comes back.
+  // The last result stays until the next one is there, and is drawn greyed meanwhile. Some older
+  // ones stay as well while there is room, for an alpha that comes back.
   bool keep_stale = true;
-  // Definition sets it.
+  // Set by Definition.
   std::function<std::shared_ptr<const void>(const Inputs&, const RunContext&)> make = {};
 };
 
 template <class T>
 struct Definition : AnyDefinition {
-  // A plain function of what the key is made of. On a thread of the store; throws Cancelled.
+  // A pure function of the inputs in the key. It runs on a thread of the store. Throws Cancelled.
   using Make = std::function<std::shared_ptr<const T>(const Inputs&, const RunContext&)>;
   Definition(AnyDefinition about, Make make_it) : AnyDefinition(std::move(about)) {
     make = std::move(make_it);
   }
 };
 
-// The definition's own key, joined with those of what it is made of.
+// The definition's own key, joined with the keys of `made_of`.
 Key key_of(const AnyDefinition& definition, const Inputs& inputs);
 
 // "It needs about 3.20 GB of memory, and 1.00 GB is available for it."
@@ -58,17 +57,17 @@ enum class DerivedState : std::uint8_t {
   running,
   ready,
   failed,
-  no_room,  // tried again when there is more
+  no_room,  // tried again when there is more memory
   cancelled
 };
 
 template <class T>
 struct Derived {
   DerivedState state = DerivedState::none;
-  Key wanted, have;  // have: of `value`
+  Key wanted, have;  // have: the key of `value`
   std::shared_ptr<const T> value;
-  double share = 0;  // of the work that is done, while running
-  // failed, no_room: why, a sentence. waiting: for what else, if it waits for that; a title.
+  double share = 0;  // of the work, 0 to 1, while running
+  // failed, no_room: the reason, a sentence. waiting: the title of the result it waits for, if any.
   std::string why;
 
   bool ready() const { return state == DerivedState::ready; }

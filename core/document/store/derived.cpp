@@ -1,4 +1,4 @@
-// See the header.
+// The definitions of triangulation and filtration, and their way into and out of the store.
 #include "core/document/store/derived.hpp"
 
 #include "core/document/store/store.hpp"
@@ -18,7 +18,7 @@ const Definition<Triangulation>& whole_triangulation() {
         constexpr std::size_t kManyBalls = 100'000;
         auto made = std::make_shared<const Triangulation>(
             make_triangulation(*in.balls, in.triangulation_threads, context));
-        // CGAL's own has taken four times as much, in small pieces.
+        // CGAL's triangulation took four times as much memory, in small pieces.
         if (in.balls->size() > kManyBalls) give_back_freed_memory();
         return made;
       }};

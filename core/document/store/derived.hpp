@@ -1,4 +1,4 @@
-// The derived results that everything else hangs on.
+// The derived results on which all others depend: triangulation and filtration.
 #pragma once
 
 #include "core/complex/triangulation.hpp"
@@ -10,15 +10,15 @@ namespace alphascope {
 
 class Store;
 
-// Of all balls, CGAL's, on one thread.
+// CGAL's triangulation of all balls.
 const Definition<Triangulation>& whole_triangulation();
 
 // All simplices with their alpha values: any alpha is a threshold of it.
 const Definition<Filtration>& whole_filtration();
 
-// Both, as far as the store has them, for a request of the same balls.
+// Both, as far as the store has them, for a request with the same balls.
 OfAllBalls of_all_balls(const Store& store, const Inputs& inputs);
-// Has the store take them, or drop what it has no room for. They are of the same balls.
+// Gives both to the store, which drops them if it has no room. `made` is of the balls of `inputs`.
 void give_of_all_balls(Store& store, const Inputs& inputs, const OfAllBalls& made);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// The evaluator makes one result after another, in the order in which they need each other.
+// Makes a result after those that its definition is made of, each once a key.
 #include "core/document/store/evaluator.hpp"
 
 #include <algorithm>

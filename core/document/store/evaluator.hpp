@@ -1,5 +1,5 @@
-// Derived results at once, for those who wait for them: the command line. The store makes the same
-// results in the background.
+// Makes derived results at once, for the command line, which waits for them. The store makes the
+// same results in the background.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,21 @@
 
 namespace alphascope {
 
-// A result needs more memory than there is; what() is a sentence.
+// A result needs more memory than is free. what() is a sentence.
 struct NoRoom : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Keeps what it has made, each once a key. Belongs to one thread.
+// Keeps its results, so each is made once a key. Only one thread may use an evaluator.
 class Evaluator {
  public:
-  // How many bytes the next result may take; asked before each is made.
+  // The bytes that the next result may take. Called before each is made.
   using Room = std::function<std::uint64_t()>;
   explicit Evaluator(Room room) : room_(std::move(room)) {}
 
-  // Makes what the definition is made of, then the result, in the caller's task arena. Throws
-  // NoRoom, Cancelled, what the making throws, and InternalError where the inputs do not suffice.
+  // Makes the results of `made_of`, then the result itself, in the caller's task arena. Throws
+  // NoRoom, Cancelled and the exceptions of `make`. Throws InternalError where the inputs do not
+  // suffice.
   template <class T>
   std::shared_ptr<const T> evaluate(const Definition<T>& definition, const Inputs& inputs,
                                     const RunContext& context = {}) {

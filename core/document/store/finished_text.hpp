@@ -1,4 +1,4 @@
-// A text that is there already, as a derived result, for those who take any.
+// A finished text as a derived result, for code that takes any derived result.
 #pragma once
 
 #include <functional>

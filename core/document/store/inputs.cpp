@@ -1,4 +1,4 @@
-// See the header.
+// Keys of inputs, and the results that inputs carry.
 #include "core/document/store/inputs.hpp"
 
 #include <bit>
@@ -9,8 +9,8 @@
 namespace alphascope {
 namespace {
 
-// Spreads every bit over all (Steele, Lea, Flood: "Fast splittable pseudorandom number generators",
-// OOPSLA 2014).
+// Spreads each bit over all bits (Steele, Lea, Flood: "Fast splittable pseudorandom number
+// generators", OOPSLA 2014).
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -37,11 +37,11 @@ Key key_of_balls(const Inputs& inputs) {
 }
 
 Key key_of_balls_and_alpha(const Inputs& inputs) {
-  // Of all numbers only -0 has the bits of 0 here, and -0 + 0 is +0.
+  // Only -0 would give 0 here, and the sum -0 + 0 is +0.
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
   const Alpha& alpha = inputs.alpha_angstrom2;
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(alpha.nearest() + 0.0) ^ kSign;
-  // Of decimals that share their nearest double, the digits tell.
+  // Several decimals may share their nearest double. Their digits tell them apart.
   if (!alpha.is_decimal() || alpha.is_shortest_of_double()) return {inputs.balls_key, bits, 0};
   const auto whole = static_cast<std::uint64_t>(alpha.whole());
   const auto fraction = static_cast<std::uint64_t>(alpha.fraction());
@@ -55,7 +55,7 @@ Key key_of_complex(const Inputs& inputs) {
   return key;
 }
 
-// The balls are the same wherever both suffice, and so is alpha where both go by it.
+// Two valid keys of the same inputs have the same balls, and the same alpha where both use it.
 Key joined(const Key& a, const Key& b) {
   if (!a || !b) return {};
   const bool one_more = a.more == 0 || b.more == 0 || a.more == b.more;

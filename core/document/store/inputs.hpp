@@ -1,4 +1,4 @@
-// What derived results are made of, and keys that say of which.
+// The inputs of derived results, and keys that identify them.
 #pragma once
 
 #include <cstdint>
@@ -21,58 +21,60 @@ enum class OutsideRule;
 
 struct Inputs {
   std::shared_ptr<const BallSet> balls;  // with the solvent radius; null: no molecule
-  std::uint64_t balls_key = 0;           // another number for other balls; 0: none
-  double solvent_radius_angstrom = 0;    // theirs
-  // The atoms that they are, and their radii without the solvent radius; null: not known.
+  std::uint64_t balls_key = 0;           // differs between sets of balls; 0: none
+  double solvent_radius_angstrom = 0;    // the one in `balls`
+  // The atoms of `balls`, with their radii without the solvent radius. Null: not known.
   std::shared_ptr<const BallReferences> atoms;
-  std::uint64_t body_key = 0;    // another number for other atoms, not for another solvent radius
-  std::uint64_t frames_key = 0;  // of them in every model (key_of_frames()); 0: there is one model
-  // Of the complex on screen, and that itself; null: none. Not a number and null for results whose
-  // key is not of alpha.
+  std::uint64_t body_key = 0;  // differs between sets of atoms; the same for every solvent radius
+  std::uint64_t frames_key =
+      0;  // the balls of every model (key_of_frames()); 0: there is one model
+  // The complex on screen and its alpha. NaN and null where there is none, and for results whose
+  // key has no alpha.
   Alpha alpha_angstrom2;
   std::shared_ptr<const AlphaComplex> complex;
-  bool split_networks = false;  // CavityChoices'
-  // How cavities are found; zero is CASTp's way, and the window's.
+  bool split_networks = false;  // CavityChoices::split_networks
+  // How cavities are found. Zero is CASTp's method, which the window uses.
   FlowTies flow_ties{};
   OutsideRule outside_rule{};
-  int triangulation_threads = 1;  // of CGAL; they change the time alone
-  // Its areas and volumes where something has measured it already; null: nobody has.
+  int triangulation_threads = 1;  // for CGAL; they affect the time only
+  // Areas and volumes of `complex`, where they are measured already; else null.
   std::shared_ptr<const MeasuredUnion> measures = {};
 
-  // A result that the one which is being made is made of (AnyDefinition::made_of): ready, not null.
+  // A result in `made_of` of the definition that is being made (AnyDefinition::made_of). It is
+  // ready and not null.
   template <class T>
   const T& of(const Definition<T>& definition) const {
     return *share(definition);
   }
-  // The same, to be kept.
+  // The same, shared, for results that keep it.
   template <class T>
   std::shared_ptr<const T> share(const Definition<T>& definition) const {
     return std::static_pointer_cast<const T>(find(definition.id));
   }
 
-  // By id; the store fills it in.
+  // By id. The store fills it in.
   std::vector<std::pair<std::string_view, std::shared_ptr<const void>>> made = {};
 
  private:
   const std::shared_ptr<const void>& find(std::string_view id) const;
 };
 
-// Of what a result is made of: equal keys, equal results.
+// Identifies the inputs of a result. Equal keys have equal results.
 struct Key {
   std::uint64_t balls = 0;  // Inputs::balls_key; 0: the inputs do not suffice
-  std::uint64_t alpha = 0;  // another number for another alpha; 0: it does not matter
-  std::uint64_t more = 0;   // of what the definition takes beside the inputs
+  std::uint64_t alpha = 0;  // differs between alphas; 0: the result has no alpha
+  std::uint64_t more = 0;   // identifies other choices that the definition uses
 
   explicit operator bool() const { return balls != 0; }
   friend bool operator==(const Key&, const Key&) = default;
 
-  std::uint64_t number() const;  // another one for another key, but for one chance in 2^64
+  std::uint64_t number() const;  // a hash; two keys share it with probability 2^-64
 };
 
 Key key_of_balls(const Inputs& inputs);
 Key key_of_balls_and_alpha(const Inputs& inputs);
 Key key_of_complex(const Inputs& inputs);  // of Inputs::complex, whole or tetrahedra only
-// Of what is made of both.
+// The key of a result made from the inputs of both.
 Key joined(const Key& a, const Key& b);
 
 }  // namespace alphascope

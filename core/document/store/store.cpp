@@ -1,4 +1,4 @@
-// See the header.
+// The store: requests, the order in which results are made, and room for them.
 #include "core/document/store/store.hpp"
 
 #include <algorithm>
@@ -82,7 +82,8 @@ bool Store::take_held(Entry& e) {
   const auto found = std::find_if(e.values.begin(), e.values.end(),
                                   [&](const Value& value) { return value.key == e.wanted; });
   if (found == e.values.end()) {
-    if (e.state == DerivedState::ready) e.state = DerivedState::none;  // it made room
+    if (e.state == DerivedState::ready)
+      e.state = DerivedState::none;  // it was let go of to make room
     return false;
   }
   if (runs(e) && work(e).key != e.wanted) work(e).worker.cancel();
@@ -93,11 +94,11 @@ bool Store::take_held(Entry& e) {
   return true;
 }
 
-// Asks for what the result is made of as long as it is not made, so that it stays.
+// Asks for the sources of a result until it is made, so that the store keeps them.
 void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inputs, bool awaited) {
   Inputs all = inputs;
   all.made.clear();
-  if (e.wanted.alpha == 0) {  // a complex is large, and would be held for nothing
+  if (e.wanted.alpha == 0) {  // a complex is large, and this result does not need it
     all.alpha_angstrom2 = std::numeric_limits<double>::quiet_NaN();
     all.complex = nullptr;
     all.measures = nullptr;
@@ -138,7 +139,7 @@ void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inp
       e.why = error.what();
       return;
     }
-    // Where memory ran out, the estimate was too low.
+    // If memory ran out before, the estimate was too low.
     e.need.peak = std::max({e.need.peak, e.need.held, e.refused / 4 * 5});
     e.make = [make = definition.make, all = std::move(all)](const RunContext& context) {
       return make(all, context);
@@ -184,8 +185,8 @@ std::uint64_t Store::times_made(std::string_view id) const {
   return found == entries_.end() ? 0 : found->times_made;
 }
 
-// What runs stays in the lane that it was begun in. What something visible waits for follows the
-// slider as that does.
+// A running result stays in the lane in which it began. The sources of a visible interactive result
+// are made in the interactive lane as well.
 Lane Store::lane(const Entry& e) const {
   if (background_.running == &e) return Lane::background;
   const bool awaited = e.awaited_at != 0 && e.awaited_at + 1 >= frame_;
@@ -224,7 +225,7 @@ bool Store::poll() {
     if (lane->running != nullptr && !is_asked_for(*lane->running)) lane->worker.cancel();
   }
   for (Entry& e : entries_) {
-    if (!is_asked_for(e)) e.link = nullptr;  // it holds what it is made of
+    if (!is_asked_for(e)) e.link = nullptr;  // the link holds sources
   }
   const bool retried = retry_where_room_is();
   if (!background_held_) begin_next(background_);
@@ -232,13 +233,13 @@ bool Store::poll() {
   return std::exchange(arrived_, false) || retried;
 }
 
-// What had no room is none again where it would find some, and the next who asks has it made.
+// Resets results that had no room and would find some now. The next request has them made.
 bool Store::retry_where_room_is() {
   bool any = false;
   std::uint64_t budget = 0;
   for (Entry& e : entries_) {
     if (e.state != DerivedState::no_room || e.lacks || !is_asked_for(e)) continue;
-    if (budget == 0) budget = budget_();  // reads files of the system
+    if (budget == 0) budget = budget_();  // costly: it reads files of the system
     if (!could_fit(e, budget)) continue;
     e.state = DerivedState::none;
     e.why.clear();
@@ -247,7 +248,7 @@ bool Store::retry_where_room_is() {
   return any;
 }
 
-// What somebody looks at goes first, then what was not begun for longest.
+// Visible results go first. Among equals the one that began longest ago goes first.
 void Store::begin_next(Work& lane) {
   while (lane.running == nullptr) {
     const auto after = [](const Entry& a, const Entry& b) {
@@ -282,7 +283,7 @@ bool Store::could_fit(const Entry& wanted, std::uint64_t budget) const {
   return stays + wanted.need.peak <= budget;
 }
 
-// Lets go of what is needed least, when that makes the room.
+// Drops the results that are needed least, if that makes enough room.
 bool Store::make_room(Entry& wanted) {
   const std::uint64_t budget = budget_();
   const auto taken = [&] { return background_.peak + interactive_.peak + held_bytes(); };

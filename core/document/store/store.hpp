@@ -1,6 +1,6 @@
-// One owner of everything that follows from balls: triangulation, filtration, tables, charts. It
-// has them made, each once a key, under one budget of memory for all large objects of the program;
-// what does not fit is not made, and says so.
+// The owner of all results that follow from balls: triangulation, filtration, tables, charts. It
+// makes each once a key, within one memory budget for all large objects of the program. A result
+// that does not fit is not made, and its state says so.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace alphascope {
 
-enum class Priority : std::uint8_t { background, visible };  // visible: somebody looks at it
+enum class Priority : std::uint8_t { background, visible };  // visible: a user looks at it
 
 struct JobInfo {
   std::string id, title, stage;
@@ -28,18 +28,19 @@ struct JobInfo {
   std::string why;
 };
 
-// Belongs to one thread, the main thread; nothing here waits.
+// Only the main thread may use it. No function waits.
 class Store {
  public:
-  // Those of the slider, for the interactive lane; asked when a result is begun. Null: its own.
+  // The slider's threads, for the interactive lane. Called when a result begins. Null: threads of
+  // its own.
   using Threads = std::function<std::shared_ptr<WorkThreads>()>;
-  // `wake` as in Worker. `budget` says how many bytes held_bytes() may come to.
+  // `wake` as in Worker. `budget` returns the limit of held_bytes().
   Store(std::function<void()> wake, std::function<std::uint64_t()> budget, Threads threads = {});
 
-  // What there is now. Has it made when it is not there, and first what it is made of; to be called
-  // in each frame in which it is wanted: what was not asked for in this frame or the last is not
-  // begun, and goes first when memory is needed. With other inputs in turn, each call undoes the
-  // last one's wish.
+  // The present state of a result. If it is missing, the store makes it, after its sources. Call
+  // this in each frame in which the result is wanted. A result that was not asked for in this frame
+  // or the last is not begun, and is dropped first when memory is needed. Asking with two inputs in
+  // turn replaces the wish each time.
   template <class T>
   Derived<T> want(const Definition<T>& definition, const Inputs& inputs,
                   Priority priority = Priority::visible) {
@@ -51,43 +52,43 @@ class Store {
     return derived;
   }
 
-  // What there is of exactly these inputs, without a wish for it; null: nothing.
+  // The result for exactly these inputs, if the store holds it; else null. This is no request.
   template <class T>
   std::shared_ptr<const T> have(const Definition<T>& definition, const Inputs& inputs) const {
     return std::static_pointer_cast<const T>(find_held(definition, inputs));
   }
 
-  // Takes what somebody else has made of the same inputs, as if the store had; drops it where there
-  // is no room for it, or where what it is made of is not there.
+  // Takes a result made elsewhere from the same inputs, as if the store had made it. Drops it where
+  // there is no room, or where its sources are missing.
   template <class T>
   void give(const Definition<T>& definition, const Inputs& inputs, std::shared_ptr<const T> value) {
     if (value) take_gift(definition, inputs, std::move(value));
   }
 
-  // Ends the making of one result; it is not begun again before its inputs change.
+  // Stops the making of one result. It does not begin again before its inputs change.
   void cancel(std::string_view id);
-  // After cancel(): it is begun again when it is wanted next.
+  // Undoes cancel(): the result begins again with the next request.
   void begin_again(std::string_view id);
 
-  // Nothing is begun in the background lane while `held`: what a hand changes many times a second
-  // is worth no work that is not seen.
+  // While `held`, nothing begins in the background lane. Inputs that change many times a second
+  // would waste work on results that nobody sees.
   void hold_background(bool held) { background_held_ = held; }
 
-  // Large objects that others own: so many bytes of the budget are theirs. 0: none any more.
+  // Counts large objects of other owners, in bytes, against the budget. 0: there are none any more.
   void note_held(const std::string& what, std::uint64_t bytes) { others_[what] = bytes; }
 
-  // Takes in what is finished and begins what waits. True: a result has come, or there may be room
-  // for one that had none, and its panel should be drawn.
+  // Takes finished results and begins waiting ones. True: a result has arrived, or one that had no
+  // room may find some. Its panel should then be drawn.
   bool poll();
-  void next_frame() { ++frame_; }  // before those who draw it ask
+  void next_frame() { ++frame_; }  // to be called before the frame's requests
 
-  // What goes on, waits for its turn, or could not be done.
+  // Results that are being made, wait for their turn, or could not be made.
   std::vector<JobInfo> jobs() const;
   bool busy() const;
-  // Something of this lane has been asked for and is on its way, or what it is made of.
+  // Something asked for in this lane, or one of its sources, is waiting or running.
   bool busy(Lane lane) const;
   std::uint64_t held_bytes() const;  // by results and by others
-  // How many values of this result have come so far, of whatever inputs.
+  // How many values of this result have arrived, for any inputs.
   std::uint64_t times_made(std::string_view id) const;
 
  private:
@@ -96,10 +97,10 @@ class Store {
     std::shared_ptr<const void> result;
     std::uint64_t bytes = 0, used_at = 0;  // used_at: frame
   };
-  // How a result is made as soon as what it is made of is there, by the same worker.
+  // How the same worker makes a result as soon as its sources are made.
   struct Link {
-    Inputs inputs;                       // with what is there already
-    std::vector<std::string_view> lack;  // ids of what is not
+    Inputs inputs;                       // with the sources made so far
+    std::vector<std::string_view> lack;  // ids of the missing sources
     std::function<MemoryNeed(const Inputs&)> memory;
     std::function<std::shared_ptr<const void>(const Inputs&, const RunContext&)> make;
   };
@@ -110,16 +111,16 @@ class Store {
     DerivedState state = DerivedState::none;
     Key wanted;
     Priority priority = Priority::background;  // the highest of this frame's
-    std::uint64_t asked_at = 0;                // frame
-    std::uint64_t begun_at = 0;                // count of all that was begun
-    MemoryNeed need;                           // of what is wanted
-    std::uint64_t refused = 0;                 // bytes that were free and did not suffice
-    std::list<Value> values;                   // the first is handed out, the others are older
+    std::uint64_t asked_at = 0;                // a frame
+    std::uint64_t begun_at = 0;                // value of begun_ when it last began
+    MemoryNeed need;                           // of the wanted result
+    std::uint64_t refused = 0;                 // bytes that were free but not enough
+    std::list<Value> values;                   // the first is handed out; the others are older
     std::function<std::shared_ptr<const void>(const RunContext&)> make;
-    bool lacks = false;  // something that it is made of; state and why tell of that
+    bool lacks = false;  // a source is missing; state and why describe the source
     std::string why;
-    std::shared_ptr<const Link> link;  // while it lacks something that can be made
-    std::uint64_t awaited_at = 0;      // frame
+    std::shared_ptr<const Link> link;  // while a missing source can be made
+    std::uint64_t awaited_at = 0;      // a frame
     std::uint64_t times_made = 0;
   };
   struct Made {
@@ -130,7 +131,7 @@ class Store {
   struct Work {  // of one lane
     explicit Work(std::function<void()> wake) : worker(std::move(wake)) {}
     Entry* running = nullptr;
-    Key key;  // of what runs
+    Key key;  // of the running result
     std::uint64_t peak = 0;
     Worker worker;
   };
@@ -139,7 +140,7 @@ class Store {
     return ask(definition, inputs, priority,
                priority == Priority::visible && definition.lane == Lane::interactive);
   }
-  // awaited: by something visible of the interactive lane.
+  // awaited: a visible interactive result waits for it.
   Entry& ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority,
              bool awaited);
   void take_gift(const AnyDefinition& definition, const Inputs& inputs,
@@ -173,10 +174,10 @@ class Store {
   const std::function<std::uint64_t()> budget_;
   const Threads threads_;
   std::map<std::string, std::uint64_t> others_;  // bytes
-  std::list<Entry> entries_;                     // a reference to one stays good
+  std::list<Entry> entries_;                     // a list, so references stay valid
   std::uint64_t frame_ = 1, begun_ = 0;
   bool arrived_ = false, background_held_ = false;
-  Work background_, interactive_;  // last: joined before what their jobs use goes
+  Work background_, interactive_;  // last, so that their threads end before members that jobs use
 };
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// What the store has made, and what becomes of it when it is there.
+// The store's jobs: how a result is made on a worker, and how the store takes it.
 #include <algorithm>
 #include <utility>
 
@@ -10,15 +10,15 @@
 namespace alphascope {
 namespace {
 
-// Of one result, its last one included: enough for a hand that goes to and fro on the slider.
+// Values kept of one result, the latest included. Enough for a slider that is moved to and fro.
 constexpr std::size_t kMostValues = 8;
-// What is made right after something else, by the same worker, may take so much more memory.
+// Bytes that results may take which the same worker makes right after another one.
 constexpr std::uint64_t kChainBytes = std::uint64_t{1} << 28;
 
 }  // namespace
 
-// Results of which each is made of the ones before it, and for which something visible waits. One
-// job makes all of them: between two of them no frame has to be drawn first.
+// Results of which each is made from earlier ones, and for which a visible result waits. One job
+// makes all of them, so no frame has to be drawn in between.
 class Store::Chain {
  public:
   struct Step {
@@ -34,8 +34,8 @@ class Store::Chain {
                        [&](const Step& step) { return step.entry->id == id; });
   }
 
-  // Adds what follows, as far as there is room and nothing fails: what is left out here is begun
-  // by itself later, and tells then why it cannot be made.
+  // Adds the following results while there is room and none fails. A result left out here begins by
+  // itself later, and then reports why it cannot be made.
   void go_on(std::vector<Made>& made, const RunContext& context) const {
     std::uint64_t left = room;
     for (const Step& step : steps) {
@@ -124,7 +124,8 @@ void Store::take(Work& lane, std::vector<Made> made) {
   }
 }
 
-// One that alpha has gone on from is newer than what there is, and shown until the next is made.
+// A result whose alpha is outdated is still newer than the present one. It is shown until the next
+// is made.
 void Store::keep(Entry& e, Value value) {
   const bool wanted = value.key == e.wanted;
   const bool newer = e.lane == Lane::interactive && value.key.balls == e.wanted.balls &&
@@ -151,7 +152,7 @@ void Store::take_failure(Entry& e, const Worker::Failure& failure) {
   lane.peak = 0;
   if (lane.key != e.wanted || e.state != DerivedState::running) return;
   arrived_ = true;
-  if (failure.cancelled) {  // nobody asked for it any more
+  if (failure.cancelled) {  // nobody asks for it any more
     e.state = DerivedState::none;
   } else if (failure.out_of_memory) {
     const std::uint64_t budget = budget_(), held = held_bytes();

@@ -1,3 +1,4 @@
+// Decides from the lines of a table of balls which columns hold x, y, z and r.
 #include "core/read/ball_columns.hpp"
 #include "core/text/printable.hpp"
 
@@ -15,28 +16,28 @@ namespace {
 
 using Fields = std::vector<std::string_view>;
 
-// Enough to tell; in the lines behind them the reader meets what does not fit.
+// Enough lines to decide. The reader reports later lines that do not fit.
 constexpr std::size_t kLinesToLookAt = 100'000;
 
 bool is_whole(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// Four numbers from field k on.
+// True when four numbers begin at field `first`.
 bool numbers_from(const Fields& fields, std::size_t first) {
   if (fields.size() < first + 4) return false;
   return std::all_of(fields.begin() + first, fields.begin() + first + 4, is_number);
 }
 
-// What the lines of a table say of "a b c d e …", where a is x or the number of the ball.
+// What the lines of a table show about the fields "a b c d e …". a is x or the number of the ball.
 struct Evidence {
   std::size_t lines = 0;
   bool whole = true;        // a is a whole number without sign
-  bool counts = true;       // and goes up by one, from 0 or 1
+  bool counts = true;       // a goes up by one from 0 or 1
   bool fractions = true;    // b, c and d have a decimal point
-  bool flags = true;        // e is 1 and a name follows: MSMS' XYZRN
-  bool mixed = false;       // some lines have four numbers only
-  bool negative_d = false;  // so that d is no radius
+  bool flags = true;        // e is 1 and a name follows, as in MSMS' XYZRN
+  bool mixed = false;       // some lines have only four numbers
+  bool negative_d = false;  // then d is no radius
   bool negative_e = false;
 
   void take(const Fields& f) {
@@ -81,7 +82,8 @@ class ColumnFinder {
   }
 
  private:
-  // Chain, residue number, atom name: numbers in other places may as well be coordinates.
+  // Labels are chain, residue number and atom name. Numbers in other places may also be
+  // coordinates.
   void check_labels(const Fields& fields) const {
     for (std::size_t k = 1; k + 4 < fields.size(); ++k) {
       const bool fits =

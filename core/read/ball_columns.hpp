@@ -1,5 +1,5 @@
-// Which columns of a table of balls hold x, y, z and r. Programs put a number, a name, or both,
-// before them or behind, and no heading says so.
+// Finds the columns x, y, z and r of a table of balls. Programs write a number, a name or both
+// before or behind them, without a heading.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,17 @@ namespace alphascope {
 
 struct BallColumns {
   std::size_t labels = 0;  // fields before x
-  bool numbered = false;   // the one label is a number of the ball
+  bool numbered = false;   // the only label is the number of the ball
 };
 
-// The fields of a line of balls before any comment.
+// The fields of a line of balls, without a comment.
 std::vector<std::string_view> ball_fields(std::string_view data);
 
 bool is_number(std::string_view text);
 
-// From the first ball and, where that is not enough, all after it: `data` is the first ball's line
-// and `rest` reads the lines behind it. Throws ReadError where two readings are left.
+// Decides from the first ball, and from all later lines where that is not enough. `data` is the
+// line of the first ball, and `rest` reads the lines behind it. Throws ReadError where two readings
+// remain.
 BallColumns find_ball_columns(const std::filesystem::path& source, std::string_view data,
                               LineReader rest);
 

@@ -66,7 +66,7 @@ class BallTableReader {
     if (!counted_) return false;
     first_line_ = false;
     builder_.molecule().format = "CRD";
-    // Every ball takes eight characters or more: a wrong count cannot make us reserve much.
+    // Every ball takes at least eight characters, so a wrong count cannot reserve much memory.
     builder_.reserve(std::min<std::size_t>(count_, lines_.bytes_left() / 8));
     return true;
   }
@@ -115,7 +115,8 @@ class BallTableReader {
     last_number_ = atom.serial;
   }
 
-  // "chain", "chain residue-number", "chain residue-number atom-name"; more are passed over.
+  // Takes "chain", "chain residue-number" or "chain residue-number atom-name". Further labels are
+  // skipped.
   void take_labels(std::string_view& data, Atom& atom) {
     const std::size_t fields = ball_fields(data).size();
     if (fields != columns_.labels + 4) {
@@ -136,13 +137,13 @@ class BallTableReader {
     }
   }
 
-  // The kind stays as it is: each ball of a table is meant.
+  // The kind does not change, because every row of a table is to become a ball.
   void take_name(Atom& atom, std::string_view name) {
     atom.name = builder_.molecule().names.intern(name);
     guesser_.identify(atom, std::nullopt, NamePlace::free, builder_.molecule().names);
   }
 
-  // "# serial chain resSeq resName name …" as Voronota writes, or a single name.
+  // Takes "# serial chain resSeq resName name …" as Voronota writes it, or a single name.
   void take_comment(Atom& atom, std::string_view comment) {
     const bool marked = comment.front() == '#';
     if (marked) comment.remove_prefix(1);
@@ -161,7 +162,7 @@ class BallTableReader {
     }
   }
 
-  // "CA_GLY_12".
+  // Takes "CA_GLY_12".
   void take_joined_name(Atom& atom, std::string_view text) {
     const std::size_t end = text.find('_');
     if (end != std::string_view::npos) {
@@ -206,7 +207,8 @@ Molecule read_xyzr(const ReaderInput& input) {
   return BallTableReader(input).read();
 }
 
-// "1.0 2.0 3.0 1.5 …", or four numbers behind one to three labels that begin with a name.
+// True for "1.0 2.0 3.0 1.5 …", and for four numbers behind one to three labels that begin with a
+// name.
 bool is_ball_line(std::string_view line) {
   const std::string kinds = field_kinds(line.substr(0, line.find('#')));
   return are_numbers_from(kinds, 0, 4) ||

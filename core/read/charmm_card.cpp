@@ -1,6 +1,7 @@
 // CHARMM's coordinate cards: title lines with *, the number of atoms, then one line per atom in
-// columns, narrow (I5 I5 1X A4 1X A4 3F10.5 1X A4 1X A4 F10.5) or, after "EXT" or from 100,000
-// atoms on, wide (I10 I10 2X A8 2X A8 3F20.10 2X A8 2X A8 F20.10). The last number is no radius.
+// columns. Columns are narrow: I5 I5 1X A4 1X A4 3F10.5 1X A4 1X A4 F10.5. After "EXT" or from
+// 100,000 atoms on they are wide: I10 I10 2X A8 2X A8 3F20.10 2X A8 2X A8 F20.10. The last number
+// is no radius.
 #include <charconv>
 
 #include "core/files/line_reader.hpp"
@@ -130,7 +131,8 @@ Molecule read_charmm(const ReaderInput& input) {
   return CardReader(input).read();
 }
 
-// Title lines with *, then the number of atoms. Other programs begin their reports with * as well.
+// Looks for title lines with * and then the number of atoms. Reports of other programs also begin
+// with *.
 Recognised recognise_charmm(const FileSample& sample) {
   constexpr int kLinesToLookAt = 2000;
   if (!sample.before.empty() || !trimmed(sample.first).starts_with('*')) return Recognised::no;
@@ -141,7 +143,7 @@ Recognised recognise_charmm(const FileSample& sample) {
     if (data.empty() || data.front() == '*') continue;
     return field_kinds(data).starts_with('i') ? Recognised::likely : Recognised::no;
   }
-  return sample.ending == ".crd" ? Recognised::likely : Recognised::no;  // cut off
+  return sample.ending == ".crd" ? Recognised::likely : Recognised::no;  // the file was cut off
 }
 
 }  // namespace

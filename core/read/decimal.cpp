@@ -1,3 +1,4 @@
+// Parses and rounds exact decimal numbers.
 #include "core/read/decimal.hpp"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ bool names_no_finite_number(std::string_view text) {
 struct Mantissa {
   std::int64_t value = 0;
   int significant = 0;  // digits in value
-  int dropped = 0;      // digits after those
+  int dropped = 0;      // digits after the significant ones
   bool sticky = false;  // some dropped digit was not 0
 
   void push(char c) {
@@ -66,7 +67,7 @@ struct Mantissa {
 }  // namespace
 
 double Decimal::to_double() const {
-  // Every atom of a file comes here several times, and pow() would take a tenth of the reading.
+  // Parsing calls this several times per atom. pow() would take a tenth of the time of reading.
   if (digits >= 0 && digits <= kMostDigits) {
     return static_cast<double>(mantissa) / static_cast<double>(kPowers[digits]);
   }
@@ -108,7 +109,7 @@ DecimalStatus parse_decimal(std::string_view text, Decimal& result) {
     return DecimalStatus::ok;
   }
   std::int64_t digits = places - mantissa.dropped - exponent;
-  // A cut tail must not look like a tie or an exact value to a later rounding.
+  // Marks a cut tail, so that a later rounding does not see a tie or an exact value.
   if (mantissa.sticky && mantissa.value % 5 == 0) ++mantissa.value;
   while (mantissa.value % 10 == 0) {
     mantissa.value /= 10;

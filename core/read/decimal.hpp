@@ -1,4 +1,4 @@
-// Decimal numbers of text files, kept exact: no binary floating point between file and lattice.
+// Exact decimal numbers of text files. No binary floating point lies between file and lattice.
 #pragma once
 
 #include <cstdint>
@@ -6,30 +6,30 @@
 
 namespace alphascope {
 
-// The value is mantissa · 10^-digits, without trailing zeros in the mantissa (0 has digits 0).
+// The value is mantissa · 10^-digits. The mantissa has no trailing zeros; 0 has digits 0.
 struct Decimal {
   std::int64_t mantissa = 0;  // |mantissa| < 10^18
-  std::int32_t digits = 0;    // decimal places; negative for multiples of 10, 100…
+  std::int32_t digits = 0;    // decimal places; negative for multiples of 10, 100 …
 
   double to_double() const;
 };
 
 enum class DecimalStatus : std::uint8_t {
   ok,
-  malformed,   // empty, or something that is not a number
-  not_finite,  // nan, inf: words that some programs write
+  malformed,   // empty or not a number
+  not_finite,  // nan, inf: some programs write these words
 };
 
 // Reads the whole text (no blanks around it): [+-]digits[.digits][(e|E)[+-]digits]. A Fortran D
-// exponent counts as e. More than 18 significant digits are cut with a sticky last digit, so that
-// rounding to any lattice still gives what the full text would have given.
+// exponent counts as e. Digits after the 18th are cut, and the last digit is then made sticky.
+// Rounding to any lattice therefore gives the result of the full text.
 DecimalStatus parse_decimal(std::string_view text, Decimal& value);
 
-// Digits behind the point as they are printed, zeros too: 6 of "1.000000".
+// Printed digits behind the decimal point, with zeros: 6 for "1.000000".
 int printed_decimals(std::string_view text);
 
-// The value in units of 10^-digits, rounded half away from zero; saturates at ±2^62.
-// rounding receives |value - result| in units (0 when exact).
+// The value in units of 10^-digits, rounded half away from zero. It saturates at ±2^62. `rounding`
+// receives |value - result| in units (0 when exact).
 std::int64_t to_units(const Decimal& value, int digits, double& rounding);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Classifies the fields of a line as integers, other numbers and words.
 #include "core/read/field_kinds.hpp"
 
 #include "core/files/line_reader.hpp"

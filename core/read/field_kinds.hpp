@@ -1,4 +1,4 @@
-// What the fields of a line are, for telling formats of plain columns apart.
+// Kinds of the fields of a line, by which formats of plain columns are told apart.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,10 @@
 
 namespace alphascope {
 
-// Of the first eight fields: 'i' integer, 'n' other number, 'w' word.
+// A letter for each of the first eight fields: 'i' integer, 'n' other number, 'w' word.
 std::string field_kinds(std::string_view line);
 
-// Are there `count` numbers from field k on?
+// True when `count` numbers begin at field k.
 bool are_numbers_from(std::string_view kinds, std::size_t k, std::size_t count);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// The formats of coordinate files: each is one entry, made beside its reader, and file_formats.cpp
-// lists it. Nothing else lists formats.
+// The formats of coordinate files. Each is one entry, made beside its reader and listed in
+// file_formats.cpp only.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,12 @@
 namespace alphascope {
 
 struct ReaderInput {
-  std::filesystem::path source;  // for messages and Molecule::source only
+  std::filesystem::path source;  // only for messages and Molecule::source
   std::string_view text;
   RunContext context;
 
-  // To be called now and then while reading: reports the share done, and throws Cancelled.
+  // Call it now and then while reading. It reports the share of the text that is read, and throws
+  // Cancelled.
   void report(std::size_t bytes_left) const {
     context.cancel.throw_if_cancelled();
     context.report("reading",
@@ -27,43 +28,45 @@ struct ReaderInput {
   }
 };
 
-// A text by which formats recognise themselves.
+// A sample of a text, by which formats recognise it.
 struct FileSample {
   std::string_view text;
-  std::string ending = {};  // of the file's name, in small letters, without .gz: ".pdb"
-  // The first line that is neither blank, nor a comment with #, nor a REMARK; and two behind it.
+  std::string ending = {};  // of the file name, in small letters, without .gz: ".pdb"
+  // The first three lines that matter. `first` is neither blank, nor a comment with #, nor a
+  // REMARK.
   std::string_view first = {}, second = {}, third = {};
-  std::string_view before = {};  // what stands above `first`
+  std::string_view before = {};  // the text above `first`
 };
 
-// How well a text fits a format. Of several that fit as well, the first of the list is taken.
+// How well a text fits a format. Among equals the first format of the list is taken.
 enum class Recognised : std::uint8_t {
   no,
-  by_ending,  // if the name ends so: damaged files are best described by their own reader
+  by_ending,  // fits if the file name has an ending of this format; its reader describes damaged
+              // files best
   likely,
-  certain  // by something that no other format has
+  certain  // a mark that no other format has
 };
 
 struct FileFormat {
-  std::string_view id;                    // of options and session files: "pdb"
-  std::string_view name;                  // for people: "PDB"
-  std::vector<std::string_view> endings;  // ".pdb"; the file dialog lists such files
+  std::string_view id;                    // "pdb": in options and session files
+  std::string_view name;                  // "PDB": for people
+  std::vector<std::string_view> endings;  // ".pdb": for the file dialog
   Recognised (*recognise)(const FileSample& sample);
-  // Text in, molecule out. Throws ReadError with the line at fault, and Cancelled.
+  // Reads a molecule from a text. Throws ReadError with the line at fault, and Cancelled.
   Molecule (*read)(const ReaderInput& input);
-  // Its columns tell where a cut goes through the last line's numbers; else a note says that they
-  // may be wrong.
+  // True when columns show that a cut goes through numbers of the last line. For other formats a
+  // note says that these numbers may be wrong.
   bool tells_cuts = false;
 };
 
 const std::vector<FileFormat>& file_formats();
-const FileFormat* format_from_id(std::string_view id);  // null: there is none
+const FileFormat* format_from_id(std::string_view id);  // null: no such format
 
-// By content first and by ending second. Null where it is none, and for what is certainly something
-// else (core/read/lookalike.hpp), whatever its name.
+// Recognises by content first, by ending second. Null for an unknown text. Null also for a text
+// that is certainly something else (core/read/lookalike.hpp), whatever its name.
 const FileFormat* recognise_format(const std::filesystem::path& path, std::string_view text);
 
-// Does the name end as that of some format, packed with gzip or not?
+// True for a name with the ending of some format, with or without .gz.
 bool has_molecule_ending(const std::filesystem::path& path);
 
 std::string format_ids();    // "pdb|pdbqt|…"

@@ -1,5 +1,5 @@
-// The list of formats, and which of them a file is of. A new one is a source with its reader and
-// its entry, and a line here.
+// The list of formats, and how the format of a file is recognised. A new format needs a source with
+// its reader and entry, and a line here.
 #include <algorithm>
 
 #include "core/files/line_reader.hpp"
@@ -7,7 +7,7 @@
 #include "core/read/lookalike.hpp"
 #include "core/text/letter_case.hpp"
 
-// In the order of texts for people; the fuzzers are made of this list as well.
+// In the order of texts for people. The fuzzers are made from this list as well.
 #define ALPHASCOPE_FORMATS(FORMAT) \
   FORMAT(pdb)                      \
   FORMAT(pdbqt)                    \
@@ -91,7 +91,7 @@ const FileFormat* recognise_format(const std::filesystem::path& path, std::strin
     how_well = fits;
     best = &format;
   }
-  // A title may begin as another file would: "solid water".
+  // Recognition can be wrong where a title begins like another format: "solid water".
   return how_well < Recognised::certain && look_at(text).certain ? nullptr : best;
 }
 

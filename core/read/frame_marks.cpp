@@ -1,3 +1,4 @@
+// Finds repeated atoms behind END and TER records and makes models of them.
 #include "core/read/frame_marks.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ bool same_names(const Atom& a, const Atom& b) {
          a.altloc == b.altloc;
 }
 
-// Whether the atoms from `begin` on repeat those from the start.
+// True when the atoms from `begin` on repeat the first ones.
 bool repeats(const std::vector<Atom>& atoms, std::size_t begin, std::size_t count, bool serials) {
   for (std::size_t k = 0; k < count; ++k) {
     const Atom& first = atoms[k];
@@ -24,7 +25,8 @@ bool repeats(const std::vector<Atom>& atoms, std::size_t begin, std::size_t coun
   return true;
 }
 
-// Where frames begin behind END; empty when they are no frames. The last may have been cut off.
+// First atoms of the frames that END records separate; empty when they are no frames. The last
+// frame may have been cut off.
 std::vector<std::size_t> frames_behind(const std::vector<std::size_t>& ends,
                                        const std::vector<Atom>& atoms) {
   if (ends.empty() || ends.front() == atoms.size()) return {};
@@ -41,7 +43,7 @@ std::vector<std::size_t> frames_behind(const std::vector<std::size_t>& ends,
   return begins;
 }
 
-// The same behind every so many TER: a frame may have several chains.
+// First atoms of frames that end with a TER. A frame may have several chains, each with a TER.
 std::vector<std::size_t> frames_of_chains(const std::vector<std::size_t>& ters,
                                           const std::vector<Atom>& atoms) {
   for (const std::size_t size : ters) {

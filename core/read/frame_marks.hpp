@@ -1,5 +1,5 @@
-// Frames of a file without MODEL records: the same atoms again, in the same order, behind each END
-// or TER, as VMD and others write trajectories.
+// Frames of a file without MODEL records. VMD and others write trajectories so: the same atoms in
+// the same order again behind each END or TER.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@ namespace alphascope {
 
 class FrameMarks {
  public:
-  // `atoms` have been read where the record stands.
+  // `atoms`: how many atoms were read before the record.
   void end_record(std::size_t atoms) { mark(ends_, atoms); }
   void ter_record(std::size_t atoms) { mark(ters_, atoms); }
 
-  // Makes models of the frames and says so; a molecule that has models is left as it is. Behind an
-  // END the file begins anew, so names are enough. Behind a TER goes on what may as well be another
-  // copy of the chain, so there the atoms' serial numbers must be the same as well.
+  // Makes models of the frames and adds a note. A molecule with models is unchanged. Behind END the
+  // same names suffice, because the file begins anew there. Behind TER another copy of the chain
+  // may follow, so serial numbers must repeat as well.
   void split(Molecule& molecule) const;
 
  private:

@@ -1,7 +1,7 @@
-// GRO, the coordinates of GROMACS: a title, the number of atoms, a line for each atom, the box;
-// further frames follow in the same way and become models. Columns are fixed:
+// GRO, the coordinates of GROMACS: a title, the number of atoms, a line for each atom, the box.
+// Further frames follow in the same way and become models. Columns are fixed:
 //   residue number (5) residue name (5) atom name (5) atom number (5) x y z [velocities]
-// Positions are in nm, with as many columns as there are between two decimal points.
+// Positions are in nm. The distance of their decimal points is the width of a column.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -19,11 +19,11 @@ namespace {
 
 constexpr std::size_t kProgressAtoms = 65536;
 constexpr std::size_t kPositions = 20;   // columns before x
-constexpr std::size_t kPointColumn = 4;  // of a position's columns, as %8.3f and %10.5f write it
+constexpr std::size_t kPointColumn = 4;  // of a position, as %8.3f and %10.5f write it
 constexpr std::size_t kLeastWidth = 6, kMostWidth = 40;
 constexpr std::size_t kShortestAtom = kPositions + 3 * kLeastWidth;
 
-// The columns of a position; none where there are no three decimal points as far from each other.
+// The width of a position in columns. Nothing where no three decimal points are equally far apart.
 std::optional<std::size_t> width_of_positions(std::string_view line) {
   const std::size_t first = line.find('.', kPositions);
   if (first == line.npos) return std::nullopt;
@@ -37,7 +37,7 @@ std::string_view field_at(std::string_view line, std::size_t first, std::size_t 
   return line.size() <= first ? std::string_view() : line.substr(first, width);
 }
 
-// The whole text; blanks around it do not count.
+// Parses the whole text without the blanks around it.
 template <class Number>
 bool parse_whole(std::string_view text, Number& number) {
   text = trimmed(text);
@@ -45,7 +45,7 @@ bool parse_whole(std::string_view text, Number& number) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-// On the decimal lattice: the point moves by one place.
+// Shifts the decimal point by one place, so the value stays exact.
 Decimal angstrom_of_nanometres(Decimal value) {
   if (value.mantissa != 0) --value.digits;
   return value;
@@ -72,7 +72,7 @@ class GroReader {
   }
 
  private:
-  // Titles may be blank, so that blank lines end the file only where nothing else follows.
+  // Titles may be blank. So a blank line ends the file only where nothing else follows.
   bool is_at_end() const {
     const std::string_view rest = input_.text.substr(input_.text.size() - lines_.bytes_left());
     return rest.find_first_not_of(" \t\r\n\v\f") == rest.npos;
@@ -88,7 +88,7 @@ class GroReader {
                ? "A GRO file begins with a title and, in the second line, the number of its atoms"
                : "The file is truncated, or the count of the frame before is too small");
     }
-    // A wrong count cannot make us reserve much.
+    // A wrong count cannot reserve much memory.
     if (builder_.size() == 0)
       builder_.reserve(std::min(count_, lines_.bytes_left() / kShortestAtom));
   }
@@ -125,7 +125,7 @@ class GroReader {
     builder_.add(atom, position);
   }
 
-  // Å. A number that is cut by its columns is refused; one that is only moved is read.
+  // The coordinate in Å. A number that is cut by its columns is an error; a shifted number is read.
   Decimal coordinate(std::string_view line, std::size_t axis) const {
     const std::string name(1, "xyz"[axis]);
     const std::size_t first = kPositions + axis * *width_, end = first + *width_;
@@ -134,7 +134,7 @@ class GroReader {
       fail(name + " is missing", "The line may be truncated; fetch the file again");
     }
     const bool ends = end >= line.size() || is_blank(line[end]);
-    // Behind z stands at most a velocity, which is never so large that it would touch.
+    // Only a velocity can follow z, and it is never so large that it touches z.
     const bool in_place = field.size() == *width_ && field[kPointColumn] == '.' &&
                           (axis < 2 || ends || line[end] == '-');
     const bool apart = is_blank(field.front()) && ends;
@@ -150,7 +150,7 @@ class GroReader {
     return angstrom_of_nanometres(value);
   }
 
-  // Three numbers or nine, which are not used.
+  // Skips the box: three numbers or nine.
   void read_box() {
     std::string_view line;
     if (!lines_.next(line)) {
@@ -189,7 +189,7 @@ Molecule read_gro(const ReaderInput& input) {
   return GroReader(input).read();
 }
 
-// "    1SOL     OW    1   0.126   1.624   1.679"
+// An atom line, as "    1SOL     OW    1   0.126   1.624   1.679".
 bool is_gro_atom(std::string_view line) {
   std::int64_t number = 0;
   if (!parse_whole(field_at(line, 0, 5), number) || !parse_whole(field_at(line, 15, 5), number)) {
@@ -200,7 +200,7 @@ bool is_gro_atom(std::string_view line) {
          are_numbers_from(field_kinds(line.substr(kPositions)), 0, 3);
 }
 
-// Whatever the title is: by the two lines below it.
+// Recognises GRO by the two lines below the title, which can be any text.
 Recognised recognise_gro(const FileSample& sample) {
   LineReader lines(sample.text);
   std::string_view title, count, atom;

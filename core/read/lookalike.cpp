@@ -1,3 +1,4 @@
+// Marks of files that are not coordinates, and their remedies.
 #include "core/read/lookalike.hpp"
 #include "core/text/printable.hpp"
 
@@ -12,10 +13,10 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::size_t kHead = 4096;  // bytes looked at
+constexpr std::size_t kHead = 4096;  // bytes searched
 
 struct Mark {
-  std::size_t at;  // byte
+  std::size_t at;  // offset in bytes
   std::string_view bytes;
   std::string_view what, remedy;
 };
@@ -68,7 +69,7 @@ bool is_number(std::string_view text) {
   return parse_decimal(trimmed(text), value) == DecimalStatus::ok;
 }
 
-// "1.0, 2.0, 3.0, 1.5": the separator, or 0.
+// The separator of a line such as "1.0, 2.0, 3.0, 1.5"; 0: none.
 char separator_of_numbers(std::string_view line) {
   for (const char separator : {',', ';'}) {
     std::size_t count = 0;
@@ -85,7 +86,7 @@ char separator_of_numbers(std::string_view line) {
   return 0;
 }
 
-// Formats that are known by what their first lines are.
+// Recognises formats by their first lines.
 Lookalike look_at_lines(std::string_view text) {
   LineReader lines(text);
   std::string_view line[4];
@@ -105,7 +106,7 @@ Lookalike look_at(std::string_view text) {
   if (head.empty()) return {"an empty file", "", false};
   const bool binary = head.find('\0') != head.npos;
   for (const Mark& mark : kMarks) {
-    // Inside of a text, in a title say, such letters mean nothing.
+    // In plain text such letters can stand inside a title, so they mean nothing there.
     if (mark.at > 0 && !binary) continue;
     if (head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) {
       return {std::string(mark.what), std::string(mark.remedy), true};

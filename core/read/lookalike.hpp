@@ -1,4 +1,4 @@
-// What a file is that is no molecule we can read: the formats that people mistake for one, or keep
+// Recognises files that are not molecules in our formats but that people take for one, or keep
 // beside one.
 #pragma once
 
@@ -9,8 +9,8 @@ namespace alphascope {
 
 struct Lookalike {
   std::string what;      // completes "it looks like …"
-  std::string remedy;    // without full stop; empty when nothing better is known than our formats
-  bool certain = false;  // its own mark was found: whatever its name, it is this
+  std::string remedy;    // without full stop; empty: use a format of ours
+  bool certain = false;  // its own mark was found, so its name does not matter
 };
 
 Lookalike look_at(std::string_view text);

@@ -3,7 +3,7 @@
 //   ATOM          number name x y z type [substructure-number [substructure-name …]]
 //   BOND          number atom atom type
 //   SUBSTRUCTURE  number name first-atom [type [dictionary [chain [residue-name …]]]]
-// SYBYL's types of atoms give the elements. Substructures are residues.
+// SYBYL's atom types give the elements. Substructures are residues.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -23,7 +23,7 @@ namespace alphascope {
 namespace {
 
 constexpr std::size_t kProgressLines = 65536;
-constexpr std::size_t kShortestAtom = 14;  // "1 C 0 0 0 C.3" and its end
+constexpr std::size_t kShortestAtom = 14;  // bytes of "1 C 0 0 0 C.3" with its line end
 constexpr std::string_view kMark = "@<TRIPOS>";
 
 bool is_digit(char c) {
@@ -42,8 +42,9 @@ bool parse_whole(std::string_view text, Number& number) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-// "C.ar", "N.am", "Cl", "Cr.th": SYBYL writes an element as people do, and what it is behind a
-// point. "ca" and "CA" are types of force fields, in which they are carbon, and say no element.
+// The element of a type such as "C.ar", "N.am", "Cl" or "Cr.th". SYBYL writes the symbol with one
+// capital, then a point and the kind. "ca" and "CA" are types of force fields and mean carbon, so
+// they state no element.
 StatedElement sybyl_element(std::string_view type) {
   const std::string_view head = type.substr(0, type.find('.'));
   if (head == "LP" || head == "Du") return {Statement::virtual_site, kUnknownElement};
@@ -55,7 +56,7 @@ StatedElement sybyl_element(std::string_view type) {
   return as_people ? stated_element(head) : StatedElement{Statement::other, kUnknownElement};
 }
 
-// What stands for nothing: "****", "<0>".
+// True for placeholders such as "****" and "<0>".
 bool is_no_name(std::string_view text) {
   return text.empty() || text.front() == '<' || text.find_first_not_of('*') == text.npos;
 }
@@ -70,7 +71,7 @@ struct ResidueOfAtom {
   char insertion_code = ' ';
 };
 
-// "HIS87" and "HIS87A" in their parts; the whole as the name where they have none.
+// Splits "HIS87" and "HIS87A". The whole text is the name where it has no number.
 ResidueOfAtom parts_of_name(std::string_view text, std::int32_t number) {
   std::size_t end = text.size();
   char code = ' ';
@@ -84,8 +85,8 @@ ResidueOfAtom parts_of_name(std::string_view text, std::int32_t number) {
   return parts;
 }
 
-// The substructure's own record decides; without it the name that is known as a residue's. "PO4" is
-// one, and "ALA4" is the fourth of ALA.
+// The residue name recorded for the substructure decides. Without a record a known residue name
+// counts. "PO4" is such a name, and "ALA4" is residue 4 of type ALA.
 ResidueOfAtom residue_of(std::string_view name, std::int32_t number, std::string_view recorded) {
   if (is_no_name(name)) name = {};
   const ResidueOfAtom whole{name, number, ' '}, parts = parts_of_name(name, number);
@@ -146,7 +147,7 @@ class Mol2Reader {
     }
   }
 
-  // The name may be blank, the count is the first field of the line behind it.
+  // The name may be blank. The count is the first field of the next line.
   void take_molecule(std::string_view line) {
     ++molecule_line_;
     if (molecule_line_ == 1 && molecules_ == 1) {
@@ -182,7 +183,7 @@ class Mol2Reader {
     }
     Atom atom;
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
-    atom.serial = static_cast<std::int32_t>(builder_.size() + 1);  // another one in each molecule
+    atom.serial = static_cast<std::int32_t>(builder_.size() + 1);  // unique within the molecule
     const std::int64_t id = whole_number(next_field(line), "the number of the atom");
     if (!serials_.emplace(id, atom.serial).second) {
       fail("atom " + std::to_string(id) + " is there twice", "Number the atoms of a molecule anew");
@@ -232,7 +233,7 @@ class Mol2Reader {
     substructures_[id] = s;
   }
 
-  // Substructures come behind the atoms, and elements depend on the names of residues.
+  // Called at the end, because substructures follow the atoms and elements depend on residue names.
   void finish_molecule() {
     if (molecules_ == 0) return;
     if (placed_.size() != count_) {
@@ -289,11 +290,11 @@ class Mol2Reader {
   AtomGuesser guesser_;
   Section section_ = Section::other;
   int molecules_ = 0;
-  std::size_t molecule_line_ = 0;  // of the section MOLECULE
-  // Of the molecule that is read.
+  std::size_t molecule_line_ = 0;  // line of the section MOLECULE
+  // State of the molecule that is being read.
   std::size_t count_ = 0, count_line_ = 0;
   std::vector<Placed> placed_;
-  std::unordered_map<std::int64_t, std::int32_t> serials_;  // by the numbers that the file gives
+  std::unordered_map<std::int64_t, std::int32_t> serials_;  // keys are the numbers in the file
   std::unordered_map<std::int64_t, Substructure> substructures_;
 };
 

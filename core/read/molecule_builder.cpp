@@ -1,3 +1,4 @@
+// Puts collected atoms on a decimal lattice and finishes the molecule.
 #include "core/read/molecule_builder.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ void MoleculeBuilder::reserve(std::size_t atoms) {
 
 void MoleculeBuilder::begin_model(int number) {
   std::vector<ModelRange>& models = molecule_.models;
-  // Atoms that came before any model are one.
+  // Atoms before the first model form a model of their own.
   if (models.empty() && size() > 0) models.push_back({1, 0, size()});
   if (!models.empty()) {
     models.back().end = size();
@@ -71,7 +72,7 @@ Molecule MoleculeBuilder::finish() {
   return std::move(molecule_);
 }
 
-// Names are so already.
+// Names are printable already.
 void MoleculeBuilder::make_texts_printable() {
   molecule_.title = printable(molecule_.title);
   for (std::string& note : molecule_.notes) note = printable(note);
@@ -89,7 +90,7 @@ int MoleculeBuilder::choose_digits() const {
   double largest_coordinate = 0, largest_radius = 0;
   for (const auto& position : positions_) {
     for (const Decimal& c : position) {
-      // Files have at most a few decimals, so the division is rarely reached.
+      // Most values have few decimals, so the division is rare.
       largest_coordinate = std::max(largest_coordinate, std::abs(c.to_double()));
     }
   }

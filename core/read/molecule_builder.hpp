@@ -1,5 +1,5 @@
-// Collects the atoms that a reader meets, with exact decimal coordinates, and puts them on the
-// coarsest decimal lattice that holds all of them.
+// Collects the atoms that a reader finds, with exact decimal coordinates. Puts them on the coarsest
+// decimal lattice that holds all of them.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace alphascope {
 
-// What a reader gives for a number that the file leaves out.
+// The value for a number that the file leaves out.
 inline constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
 // Å², or kNoNumber.
@@ -27,12 +27,12 @@ class MoleculeBuilder {
  public:
   MoleculeBuilder(std::filesystem::path source, std::string format);
 
-  // Names are interned here by the reader; title and notes are set directly.
+  // The reader interns names here, and sets title and notes directly.
   Molecule& molecule() { return molecule_; }
 
   void reserve(std::size_t atoms);
 
-  // The next atom goes to a new model. A model without atoms is dropped.
+  // The next atom starts a new model. Models without atoms are dropped.
   void begin_model(int number);
 
   void add(const Atom& atom, const std::array<Decimal, 3>& position) {
@@ -47,8 +47,8 @@ class MoleculeBuilder {
 
   std::size_t size() const { return molecule_.atoms.size(); }
 
-  // For formats that know residues: what records say of the next atoms, and what finish() judges
-  // them by. Without any the kinds stay as the reader gives them.
+  // For formats with residues. Sets the records of the next atoms; finish() decides residues by
+  // them. Without any record, the kinds stay as the reader gave them.
   void set_record(const ResidueRecord& record) {
     has_residues_ = true;
     records_.add(size(), record);
@@ -58,11 +58,13 @@ class MoleculeBuilder {
     return records_;
   }
 
-  // Lattice digits: as many as some value of the file uses (trailing zeros do not count), at least
-  // kMinLatticeDigits, at most what the largest coordinate and radius leave room for; with fewer
-  // than the file uses, values are rounded once and the largest change is recorded.
-  // Title, notes and assemblies become printable. What residues are is decided.
-  // Throws ReadError when there are no atoms or a value is beyond the lattice of whole ångströms.
+  // Chooses the lattice digits: as many as some value of the file uses, without trailing zeros.
+  // They are at least kMinLatticeDigits, and at most what the largest coordinate and radius allow.
+  // With fewer digits than the file uses, values are rounded once and the largest change is
+  // recorded.
+  // Makes title, notes and assemblies printable, and decides residues.
+  // Throws ReadError when there are no atoms, or when a value exceeds the lattice of whole
+  // ångströms.
   Molecule finish();
 
  private:
@@ -79,7 +81,7 @@ class MoleculeBuilder {
 
   Molecule molecule_;
   std::vector<std::array<Decimal, 3>> positions_;
-  std::vector<Decimal> radii_;  // empty, or one per atom; mantissa -1 for an atom without
+  std::vector<Decimal> radii_;  // empty, or one per atom; mantissa -1: the atom has no radius
   ResidueRecords records_;
   bool has_residues_ = false;
   int most_digits_ = kMinLatticeDigits;

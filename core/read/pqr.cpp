@@ -1,7 +1,8 @@
-// PQR, as PDB2PQR and APBS use it: ATOM and HETATM lines with fields between blanks,
+// PQR as PDB2PQR and APBS use it. ATOM and HETATM lines have fields between blanks:
 //   serial name residue [chain] residue-number x y z charge radius [element]
-// and the PDB's columns where coordinates grow into one another. The charge is not used. The
-// element is Open Babel's; ambpdb's old files say in a remark that their radius comes first.
+// Where coordinates run into one another, the columns of the PDB format count. Charges are not
+// used. Open Babel writes the element. Old files of ambpdb say in a remark that their radius comes
+// first.
 #include <charconv>
 
 #include "core/files/line_reader.hpp"
@@ -82,7 +83,7 @@ class PqrReader {
     builder_.add(atom, position, radius);
   }
 
-  // Everything between blanks. False when some numbers have grown together.
+  // Reads the fields between blanks. False when some numbers run into one another.
   bool take_fields(std::string_view rest, Atom& atom, std::array<Decimal, 3>& position,
                    Decimal& radius) {
     std::size_t n = 0;
@@ -90,7 +91,7 @@ class PqrReader {
       fields_[n] = next_field(rest);
       if (fields_[n].empty()) break;
     }
-    // Behind ten or eleven fields may be the element.
+    // After ten or eleven fields the last one may be the element.
     if (n >= 10 && is_element(fields_[n - 1])) element_ = fields_[--n];
     if (n < 9 || n > 10) return false;
     for (std::size_t k = 0; k < 5; ++k) {
@@ -135,8 +136,9 @@ class PqrReader {
     return stated_element(text).what == Statement::element;
   }
 
-  // Occupancies and B factors in place of charges and radii, each with two digits in the columns
-  // that the PDB format has for them, and one of them too large for a radius, or elements behind.
+  // Refuses a PDB file, whose occupancies and B factors would pass for charges and radii. Each has
+  // two decimals in the columns of the PDB format. One is too large for a radius, or elements
+  // follow.
   void refuse_pdb() const {
     constexpr double kLargestRadius = 4;  // Å
     LineReader lines(input_.text);
@@ -170,7 +172,7 @@ class PqrReader {
     std::from_chars(serial.data(), serial.data() + serial.size(), atom.serial);
     atom.name = names.intern(name);
     atom.residue_name = names.intern(residue);
-    // "A1001": the chain has grown into a long number.
+    // "A1001": the chain has run into a long number.
     if (chain.empty() && number.size() > 1 && is_letter(number.front())) {
       chain = number.substr(0, 1);
       number.remove_prefix(1);
@@ -219,7 +221,7 @@ class PqrReader {
   FrameMarks frames_;
   std::string_view line_, element_;
   int models_ = 0;
-  std::uint32_t sections_ = 0;  // TER so far
+  std::uint32_t sections_ = 0;  // TER records so far
   bool between_models_ = false, radius_first_ = false;
 };
 

@@ -1,3 +1,4 @@
+// Searches remarks, titles and metrics for signs of a predicted model.
 #include "core/read/predicted_model.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr std::string_view kPrograms[] = {"ALPHAFOLD", "ESMFOLD", "COLABFOLD"};
 
-// "ALPHAFOLD MONOMER V2.0 PREDICTION FOR ALBUMIN (P02768)".
+// True for "ALPHAFOLD MONOMER V2.0 PREDICTION FOR ALBUMIN (P02768)".
 bool is_title_of_prediction(std::string_view title) {
   const std::string text = upper_case(title);
   return text.find("PREDICTION") != text.npos &&

@@ -1,5 +1,5 @@
-// Whether B factors are no displacements but the confidences (pLDDT) of a predicted model, as the
-// file itself says.
+// Decides from the file's own statements whether B factors are confidences (pLDDT) of a predicted
+// model.
 #pragma once
 
 #include <string_view>
@@ -10,14 +10,15 @@ namespace alphascope {
 
 class PredictedModel {
  public:
-  // A line of remarks in a PDB file: AlphaFold's disclaimer, or what names pLDDT.
+  // A remark of a PDB file: AlphaFold's disclaimer, or a remark that names pLDDT.
   void take_remark(std::string_view line);
   // A value of mmCIF's ma_qa_metric.
   void take_metric(std::string_view value);
-  // EXPDTA or exptl.method: of an experiment, which may have begun with a predicted model.
+  // EXPDTA or exptl.method. It names an experiment, which may have started from a predicted model.
   void take_method(std::string_view method);
 
-  // Marks the molecule and says so. Its title is set; values beyond 0 to 100 are no confidences.
+  // Marks the molecule and adds a note. The title must be set. Values outside 0 to 100 are no
+  // confidences.
   void finish(Molecule& molecule) const;
 
  private:

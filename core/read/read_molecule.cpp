@@ -1,3 +1,4 @@
+// Loads a file, recognises its format, and reads and hashes it.
 #include "core/read/read_molecule.hpp"
 
 #include <future>
@@ -34,7 +35,7 @@ Molecule read_format(const FileFormat* format, const ReaderInput& input) {
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options,
                        const RunContext& context) {
   const LoadedText loaded = load_text(path, options.max_bytes, context, options.descriptor);
-  // Hashing takes about as long as parsing, so that large files are hashed beside it.
+  // Hashing takes about as long as parsing, so large files are hashed on another thread.
   const bool large = loaded.text.size() > kHashInThreadFrom && !loaded.compressed;
   std::future<std::string> hash = std::async(large ? std::launch::async : std::launch::deferred,
                                              [&loaded] { return file_hash(loaded); });

@@ -1,4 +1,4 @@
-// Opening a molecule from a file of any format that we know, plain or packed with gzip.
+// Opens a molecule from a file of any known format, plain or packed with gzip.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 namespace alphascope {
 
 struct ReadOptions {
-  // Most text to accept, after unpacking (bytes): a small gzip file can unpack to terabytes.
+  // Limit of the unpacked text in bytes. A small gzip file can unpack to terabytes.
   std::uint64_t max_bytes = std::uint64_t{4} << 30;
-  const FileFormat* format = nullptr;  // null: told by content and name
-  // Read to its end instead of opening the path, which then only names the molecule: for standard
-  // input. Stays open.
+  const FileFormat* format = nullptr;  // null: recognised by content and name
+  // A descriptor that is read to its end instead of the path, for standard input. The path then
+  // only names the molecule. The descriptor stays open.
   std::optional<int> descriptor = {};
   friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
@@ -26,7 +26,7 @@ struct ReadOptions {
 Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& options = {},
                        const RunContext& context = {});
 
-// A text that is loaded already, by the format's own reader. Null, and a text of blanks: the error
+// Reads a loaded text with the format's own reader. For a null format or a blank text, the error
 // says what the text looks like.
 Molecule read_format(const FileFormat* format, const ReaderInput& input);
 

@@ -1,3 +1,4 @@
+// Parses tables of radii that users write.
 #include "core/read/user_radii.hpp"
 
 #include "core/files/line_reader.hpp"

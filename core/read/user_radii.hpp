@@ -1,4 +1,4 @@
-// Tables of radii that users write themselves.
+// Tables of radii that users write.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,16 @@
 
 namespace alphascope {
 
-// One radius (Å, to 10^-6) per line, the first fitting rule of this order counts:
+// One radius per line (Å, up to six decimals). The first rule in this order that fits counts:
 //   ALA CB 1.88    atom CB of residue ALA
 //   *   CB 1.88    atom CB of any other residue
 //   C      1.70    the element
-// Text after # and blank lines are skipped. Throws ReadError for anything else, for a radius that
-// is not above 0 and at most 60 Å or has more digits, and for an entry that is given twice.
+// Text after # and blank lines are skipped. Throws ReadError for anything else and for an entry
+// given twice. Throws it also for a radius with more digits, or outside 0 < radius <= 60 Å.
 std::shared_ptr<const UserRadii> read_user_radii(const std::filesystem::path& path,
                                                  const RunContext& context = {});
 
-// The same from text in memory; `path` is for messages and UserRadii::source only.
+// Parses a text in memory. `path` is only for messages and UserRadii::source.
 UserRadii parse_user_radii(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace alphascope

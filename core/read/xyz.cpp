@@ -1,6 +1,6 @@
-// XYZ: a line with the number of atoms, a comment, then "symbol x y z …"; further frames follow in
-// the same way and become models. The comment of extended XYZ says which columns are what. Tinker's
-// files of the same name have no comment and number their atoms.
+// XYZ: a line with the number of atoms, a comment, then "symbol x y z …". Further frames follow in
+// the same way and become models. The comment of extended XYZ describes the columns. Tinker's files
+// have the same ending, but no comment, and they number their atoms.
 #include <charconv>
 #include <optional>
 #include <set>
@@ -29,8 +29,8 @@ bool parse_count(std::string_view text, std::size_t& count) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-// "C", "CL", "C12", "13C", "6": a symbol, perhaps numbered or with its isotope's mass, or an atomic
-// number; kUnknownElement for an atom's name or a placeholder.
+// The element of "C", "CL", "C12", "13C" or "6". These are a symbol, perhaps with a number or the
+// isotope's mass, or an atomic number. kUnknownElement for a placeholder or the name of an atom.
 Element element_of(std::string_view symbol) {
   std::size_t number = 0;
   if (parse_count(symbol, number)) {
@@ -101,7 +101,7 @@ class XyzReader {
                                 : "The count of the frame before may be too small; correct it");
     }
     if (tinker_ && builder_.size() == 0) builder_.molecule().title = std::string(trimmed(line));
-    // An atom takes eight characters or more: a wrong count cannot make us reserve much.
+    // An atom takes at least eight characters, so a wrong count cannot reserve much memory.
     if (builder_.size() == 0) builder_.reserve(std::min(count_, lines_.bytes_left() / 8));
   }
 
@@ -120,7 +120,7 @@ class XyzReader {
     read_properties(properties.substr(0, properties.find_first_of(" \t\"")));
   }
 
-  // "species:S:1:pos:R:3:radius:R:1": name, type and number of columns of each property.
+  // Reads "species:S:1:pos:R:3:radius:R:1": name, type and number of columns of each property.
   void read_properties(std::string_view text) {
     const std::string_view whole = text;
     const auto part = [&] {
@@ -150,7 +150,7 @@ class XyzReader {
     }
   }
 
-  // Tinker's periodic box: six numbers in the second line.
+  // True for Tinker's periodic box, six numbers in the second line.
   static bool is_box(std::string_view line) {
     Decimal value;
     for (int k = 0; k < 6; ++k) {
@@ -195,9 +195,10 @@ class XyzReader {
     builder_.add(atom, position, *radius);
   }
 
-  // Whether numbers in place of symbols count the types of a simulation: always in LAMMPS' files,
-  // and where they are 1, 2, 3 … with none left out, which would begin with hydrogen and helium.
-  // Three atoms and more of type 1 alone are no molecule of hydrogen.
+  // True when numbers in place of symbols are types of a simulation. They always are in LAMMPS'
+  // files. They also are where they run 1, 2, 3 … without a gap, since real atoms would hardly
+  // include helium. Three or more atoms of type 1 alone are types too, as they are no hydrogen
+  // molecule.
   bool are_types() const {
     if (tinker_ || !only_numbers_ || numbers_.empty()) return false;
     const bool in_turn = *numbers_.begin() == 1 && *numbers_.rbegin() == numbers_.size();
@@ -213,17 +214,18 @@ class XyzReader {
         "), which name no elements: write symbols or atomic numbers there to have radii");
   }
 
-  // Tinker has force field names there, such as CA, HN, OW and Na+; so have some XYZ files.
+  // Tinker's symbols are names of a force field, such as CA, HN, OW and Na+. Some XYZ files have
+  // such names as well.
   void take_element(Atom& atom, std::string_view symbol) {
     const NameTable& names = builder_.molecule().names;
     if (!tinker_) {
       const Element element = element_of(symbol);
-      // "Du", "X", "Bq": placeholders begin with no letter of these.
+      // Placeholders such as "Du", "X" and "Bq" begin with none of these letters.
       constexpr std::string_view kOfNames = "CHNOPS";
       const bool name = element == kUnknownElement && kOfNames.find(symbol[0]) != kOfNames.npos;
       if (!name) {
         guesser_.identify(atom, element, NamePlace::free, names);
-        // "MW", "EP": points of a force field; "X", "Bq", "Du" stay atoms of no element.
+        // "MW" and "EP" are points of a force field. "X", "Bq" and "Du" stay atoms of no element.
         constexpr std::string_view kOfSites = "MELV";
         if (element == kUnknownElement && kOfSites.find(symbol[0]) != kOfSites.npos &&
             is_virtual_site({"", symbol}, Statement::none)) {
@@ -236,8 +238,8 @@ class XyzReader {
     if (family == ResidueFamily::dummy) atom.kind = AtomKind::dummy;
   }
 
-  // Beside names such as HB2, "CA", "NE" and "OG" are names too, and no Ca, Ne and Og. "NA" is
-  // left: sodium is more frequent in such files than a nitrogen called so.
+  // In a file with names such as HB2, "CA", "NE" and "OG" are names as well, not Ca, Ne and Og.
+  // "NA" stays sodium, which is more frequent in such files than a nitrogen of that name.
   void read_all_as_names() {
     Molecule& molecule = builder_.molecule();
     for (Atom& atom : molecule.atoms) {
@@ -268,7 +270,7 @@ class XyzReader {
   MoleculeBuilder builder_;
   AtomGuesser guesser_;
   XyzLayout layout_;
-  std::set<std::size_t> numbers_;  // in place of symbols
+  std::set<std::size_t> numbers_;  // numbers in place of symbols
   bool tinker_, only_numbers_ = true, of_lammps_ = false;
   std::size_t count_ = 0, count_line_ = 0;
 };
@@ -281,7 +283,8 @@ Molecule read_tinker(const ReaderInput& input) {
   return XyzReader(input, true).read();
 }
 
-// "1 OW x y z 221 2", of which one coordinate may be damaged: its reader says that best.
+// True for "1 OW x y z 221 2". One coordinate may be damaged, because Tinker's reader gives the
+// best message for it.
 bool is_tinker_atom(std::string_view kinds) {
   if (kinds.size() < 6 || kinds[0] != 'i' || kinds[1] != 'w' || kinds[5] != 'i') return false;
   return std::count(kinds.begin() + 2, kinds.begin() + 5, 'w') <= 1;

@@ -1,4 +1,4 @@
-// gemmi's grammar with our own actions, so that no document of a string per value is built.
+// Runs gemmi's grammar with our own actions, so no document with a string per value is built.
 #include "core/read/mmcif/cif_grammar.hpp"
 
 #include <gemmi/cif.hpp>

@@ -1,5 +1,5 @@
-// The grammar of CIF as events, in file order. What the tables mean is the reader's business.
-// Plain C++17, because gemmi's headers do not compile as C++20 with every compiler.
+// The grammar of CIF as events in file order. Readers interpret the tables. Plain C++17, because
+// gemmi's headers do not compile as C++20 with every compiler.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace alphascope {
 
-// Tags and values are the file's own text, quotes included; lines count from 1.
+// Tags and values are views of the text, with quotes. Lines count from 1.
 class CifHandler {
  public:
   virtual ~CifHandler() = default;
@@ -32,7 +32,7 @@ class CifSyntaxError : public std::runtime_error {
   std::size_t line_;
 };
 
-// Throws CifSyntaxError, and whatever the handler throws.
+// Throws CifSyntaxError and any exception of the handler.
 void parse_cif(std::string_view text, CifHandler& handler);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Removes quotes from CIF values, and reads coordinates.
 #include "core/read/mmcif/cif_value.hpp"
 #include "core/text/printable.hpp"
 

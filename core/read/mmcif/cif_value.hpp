@@ -1,4 +1,4 @@
-// A value of a CIF file as its text has it, and what it means.
+// A raw value of a CIF file, and its meaning.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,15 @@
 namespace alphascope {
 
 struct CifValue {
-  std::string_view raw;  // quotes included
+  std::string_view raw;  // with quotes
   std::size_t line = 0;
 };
 
-// The text without its quotes; empty for the unknown "?" and the inapplicable ".".
+// The text without its quotes. Empty for the unknown value "?" and the inapplicable value ".".
 std::string_view plain_cif(std::string_view raw);
 
-// An atom's x, y or z in Å; a standard uncertainty behind it, as in 12.345(6), is left out. Throws
-// ReadError, with the file and the line.
+// An atom's x, y or z in Å. A standard uncertainty behind it, as in 12.345(6), is dropped. Throws
+// ReadError with file and line.
 Decimal cif_coordinate(const std::filesystem::path& file, const CifValue& value, char axis);
 
 }  // namespace alphascope

@@ -1,5 +1,5 @@
-// mmCIF: the atom_site table, assemblies and the title. Numbers stay text until they are on the
-// lattice, and every value knows its line.
+// Reads mmCIF: the atom_site table, assemblies and the title. Numbers stay text until they go to
+// the lattice, and every value knows its line.
 #include <charconv>
 #include <optional>
 #include <set>
@@ -24,7 +24,7 @@ constexpr std::string_view kAtomSite = "_atom_site.";
 constexpr std::string_view kMetric = "_ma_qa_metric.";
 constexpr std::size_t kProgressRows = 16384;
 
-// The columns that we use; in the order of kColumnTags.
+// The columns of atom_site that we use, in the order of kColumnTags.
 enum Column : std::size_t {
   kGroup,
   kId,
@@ -60,7 +60,7 @@ constexpr std::array<std::string_view, kColumnCount> kColumnTags = {
     "cartn_z",        "occupancy",
     "b_iso_or_equiv", "pdbx_pdb_model_num"};
 
-// Receives what the grammar meets, in file order.
+// Receives the events of the grammar, in file order.
 class MmcifReader : public CifHandler {
  public:
   explicit MmcifReader(const ReaderInput& input) : input_(input), builder_(input.source, "mmCIF") {}
@@ -146,7 +146,7 @@ class MmcifReader : public CifHandler {
   }
 
   Molecule finish() {
-    if (!single_row_.empty() && builder_.size() == 0) {  // one atom, written without a loop
+    if (!single_row_.empty() && builder_.size() == 0) {  // a single atom, without a loop
       tags_ = single_tags_;
       row_ = single_row_;
       kind_ = recognise();
@@ -210,7 +210,7 @@ class MmcifReader : public CifHandler {
     atoms_block_ = block_;
     where_.fill(std::nullopt);
     for (std::size_t k = 0; k < tags_.size(); ++k) {
-      if (!tags_[k].starts_with(kAtomSite)) continue;  // a loop that mixes tables
+      if (!tags_[k].starts_with(kAtomSite)) continue;  // the loop mixes tables
       const std::string_view name = std::string_view(tags_[k]).substr(kAtomSite.size());
       for (std::size_t c = 0; c < kColumnCount; ++c) {
         if (kColumnTags[c] == name) where_[c] = k;
@@ -233,7 +233,7 @@ class MmcifReader : public CifHandler {
     return text.empty() ? value(second) : text;
   }
 
-  // Open Babel writes no names of chains, and their numbers as entities.
+  // Open Babel writes no chain names, but numbers of chains as entities.
   std::string_view chain(Column first, Column second) const {
     return where_[first] || where_[second] ? value(first, second) : value(kEntityId);
   }
@@ -260,7 +260,7 @@ class MmcifReader : public CifHandler {
     atom.residue_number = integer(kAuthSeq, integer(kLabelSeq, 0));
     atom.occupancy = real(kOccupancy, 1);
     take_b_factor(real(kBFactor, kNoNumber), atom);
-    // A symbol that says that there is no known element (X) leaves it unknown.
+    // A symbol for "no known element" (X) leaves the element unknown.
     const StatedElement stated = stated_element(trimmed(value(kSymbol)));
     const ResidueFamily family = guesser_.identify(atom, stated, NamePlace::free, names);
     atom.kind = atom_kind(family, atom.hetero);

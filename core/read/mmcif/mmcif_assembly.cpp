@@ -1,3 +1,4 @@
+// Makes assemblies from the rows of three mmCIF tables.
 #include "core/read/mmcif/mmcif_assembly.hpp"
 
 #include <set>
@@ -93,7 +94,7 @@ void MmcifAssemblyTables::finish(Molecule& molecule) const {
       std::erase_if(assemblies.list, [&](const Assembly& a) { return a.id == id; });
       refused.insert(id);
     }
-    if (refused.contains(id)) continue;  // with all its generators
+    if (refused.contains(id)) continue;  // all of its generators are refused
     if (assemblies.list.empty() || assemblies.list.back().id != id) {
       assemblies.list.push_back({id, details[id], {}});
     }

@@ -1,4 +1,4 @@
-// The tables of mmCIF that describe assemblies, collected row by row while a file is read.
+// Collects the mmCIF tables that describe assemblies, row by row, while a file is read.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@ namespace alphascope {
 
 struct MmcifAssemblyRow {
   std::map<std::string, std::string> values;  // by column
-  std::size_t line = 0;                       // of the first of them
+  std::size_t line = 0;                       // line of the first value
 };
 
 class MmcifAssemblyTables {
  public:
-  // Tags are in lower case and complete: "_pdbx_struct_oper_list.id".
+  // Tags are complete and in lower case: "_pdbx_struct_oper_list.id".
   static bool wants(std::string_view tag);
 
-  // A value without quotes; the first tag of a table that comes again starts its next row.
+  // Takes a value without quotes. The next row of a table starts when its first tag comes again.
   void add(std::string_view tag, std::string_view value, std::size_t line);
 
-  // Assemblies and, for those that cannot be understood, a note in the molecule.
+  // Adds the assemblies to the molecule, and a note for those that cannot be understood.
   void finish(Molecule& molecule) const;
 
  private:

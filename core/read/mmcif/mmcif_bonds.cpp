@@ -1,4 +1,4 @@
-// See the header.
+// Collects rows of struct_conn and keeps the covalent bonds.
 #include "core/read/mmcif/mmcif_bonds.hpp"
 
 #include <charconv>
@@ -21,7 +21,7 @@ std::string value(const Row& row, const std::string& first, const std::string& s
   return text.empty() ? value(row, second) : text;
 }
 
-// partner: "ptnr1" or "ptnr2". The author's names where there are some, as of atoms.
+// partner: "ptnr1" or "ptnr2". Takes the author's names where they are given, as for atoms.
 BondedAtom bonded_atom(const Row& row, const std::string& partner) {
   BondedAtom atom;
   atom.chain = value(row, partner + "_auth_asym_id", partner + "_label_asym_id");
@@ -36,7 +36,7 @@ BondedAtom bonded_atom(const Row& row, const std::string& partner) {
 }  // namespace
 
 void MmcifBondTable::add(int block, std::string_view tag, std::string_view value) {
-  if (!tag.starts_with(kTable)) return;  // a loop that mixes tables
+  if (!tag.starts_with(kTable)) return;  // the loop mixes tables
   Block& here = blocks_[block];
   const std::string column(tag.substr(kTable.size()));
   if (here.row.contains(column)) take(here);
@@ -46,7 +46,7 @@ void MmcifBondTable::add(int block, std::string_view tag, std::string_view value
 void MmcifBondTable::take(Block& block) {
   const Row row = std::move(block.row);
   block.row.clear();
-  // "covale", "covale_base" and the like; of the same asymmetric unit.
+  // The type is "covale", "covale_base" or similar. Both atoms must be of the same asymmetric unit.
   const bool covalent = lower_case(value(row, "conn_type_id")).starts_with("covale");
   if (!covalent || value(row, "ptnr1_symmetry") != value(row, "ptnr2_symmetry")) return;
   block.bonds.add(bonded_atom(row, "ptnr1"), bonded_atom(row, "ptnr2"));

@@ -1,4 +1,4 @@
-// Bonds of mmCIF's table struct_conn, collected while a file is read.
+// Collects the bonds of mmCIF's table struct_conn while a file is read.
 #pragma once
 
 #include <functional>
@@ -12,20 +12,20 @@ namespace alphascope {
 
 class MmcifBondTable {
  public:
-  // Tags are in lower case and complete: "_struct_conn.conn_type_id".
+  // Tags are complete and in lower case: "_struct_conn.conn_type_id".
   static bool wants(std::string_view tag) { return tag.starts_with(kTable); }
 
-  // A value without quotes, of the data block of that number; the first tag that comes again starts
-  // the next row.
+  // Takes a value without quotes, of data block `block`. The next row starts when the row's first
+  // tag comes again.
   void add(int block, std::string_view tag, std::string_view value);
 
-  // The covalent bonds of a block.
+  // Gives the covalent bonds of a block.
   void finish(int block, RecordedBonds& bonds);
 
  private:
   static constexpr std::string_view kTable = "_struct_conn.";
   struct Block {
-    std::map<std::string, std::string, std::less<>> row;  // the one that is open
+    std::map<std::string, std::string, std::less<>> row;  // the row being collected
     RecordedBonds bonds;
   };
   static void take(Block& block);

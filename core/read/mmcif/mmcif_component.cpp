@@ -1,4 +1,4 @@
-// See the header.
+// Makes a molecule of a chemical component.
 #include "core/read/mmcif/mmcif_component.hpp"
 
 #include <algorithm>

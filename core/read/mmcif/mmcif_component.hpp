@@ -1,5 +1,5 @@
-// A chemical component with coordinates, in a CIF file without a table of atom sites: of the
-// wwPDB's dictionary or of programs that make ligands.
+// Reads a chemical component with coordinates from a CIF file without atom sites. The wwPDB's
+// dictionary has such files, and programs that make ligands write them.
 #pragma once
 
 #include <array>
@@ -16,22 +16,22 @@ namespace alphascope {
 
 class MmcifComponent {
  public:
-  // A tag in lower case and complete: "_chem_comp_atom.atom_id".
+  // Tags are complete and in lower case: "_chem_comp_atom.atom_id".
   static bool wants(std::string_view tag) { return tag.starts_with(kTable); }
 
-  // Of the first table of atoms; values in the order of the file.
+  // The columns of the first table of atoms. Values follow in file order.
   void begin(const std::vector<std::string>& tags) { tags_ = tags; }
   void add(const CifValue& value) { values_.push_back(value); }
   bool empty() const { return values_.empty(); }
 
-  // Adds the atoms to a molecule that has none, and says so. Ideal coordinates are taken where
-  // those of the model are not complete; none, where these are not either. Throws ReadError for
-  // what is no number.
+  // Adds the atoms to an empty molecule, with a note. Takes ideal coordinates where the model's are
+  // incomplete. Adds no atoms where both are incomplete. Throws ReadError for a value that is not a
+  // number.
   void take(MoleculeBuilder& builder, AtomGuesser& guesser) const;
 
  private:
   static constexpr std::string_view kTable = "_chem_comp_atom.";
-  std::size_t column(std::string_view name) const;  // past the end: there is none
+  std::size_t column(std::string_view name) const;  // past the end: no such column
   std::size_t rows() const { return values_.size() / tags_.size(); }
   const CifValue& value(std::size_t row, std::size_t column) const {
     return values_[row * tags_.size() + column];

@@ -1,4 +1,4 @@
-// See the header.
+// Collects rows of the entity tables and derives the type of each entity.
 #include "core/read/mmcif/mmcif_entities.hpp"
 
 #include "core/text/letter_case.hpp"
@@ -55,7 +55,7 @@ void MmcifEntityTables::take(Block& block, std::string_view table, const Row& ro
     const EntityType type = type_of(value_of(row.values, "type"));
     if (!id.empty() && type != EntityType::none) block.types[id] = type;
   } else if (!entity.empty()) {
-    // The table of all entities goes before those of some.
+    // The table of all entities takes precedence over those of some entities.
     const EntityType type = table == kPolymers   ? EntityType::polymer
                             : table == kBranched ? EntityType::branched
                                                  : EntityType::non_polymer;

@@ -1,5 +1,4 @@
-// The tables of mmCIF that say of what type the molecules of a file are, collected while it is
-// read.
+// Collects the mmCIF tables on the types of molecules while a file is read.
 #pragma once
 
 #include <map>
@@ -12,13 +11,14 @@ namespace alphascope {
 
 class MmcifEntityTables {
  public:
-  // Tags are in lower case and complete: "_entity.type".
+  // Tags are complete and in lower case: "_entity.type".
   static bool wants(std::string_view tag);
 
-  // A value without quotes, of the data block of that number.
+  // Takes a value without quotes, of data block `block`.
   void add(int block, std::string_view tag, std::string_view value);
 
-  // The types of a block's entities, for the names that the molecule has.
+  // Gives the types of a block's entities to `records`. Entities whose name no atom has are left
+  // out.
   void finish(int block, const NameTable& names, ResidueRecords& records) const;
 
  private:
@@ -26,8 +26,8 @@ class MmcifEntityTables {
     std::map<std::string, std::string> values;
   };
   struct Block {
-    std::map<std::string, EntityType> types;            // by entity
-    std::map<std::string, std::string> entity_of_asym;  // by label_asym_id
+    std::map<std::string, EntityType> types;            // keys are entities
+    std::map<std::string, std::string> entity_of_asym;  // keys are label_asym_id
     std::map<std::string, Row> open;                    // the last row of each table
   };
   static void take(Block& block, std::string_view table, const Row& row);

@@ -1,8 +1,8 @@
-// The PDB format, version 3.3 and what other programs make of it. Columns are quoted from 1, as the
-// format description has them. Coordinates are taken from the text itself, because gemmi's reader
-// hands out binary doubles without line numbers, refuses old files with an identifier in columns
-// 73-80, and reads wrong numbers where a five-digit residue number pushes the columns right.
-// PDBQT, AutoDock's, has charges and types behind the same columns.
+// The PDB format, version 3.3, and the dialects of other programs. Columns are counted from 1, as
+// in the format description. Coordinates come from the text itself, because gemmi's reader gives
+// binary doubles without line numbers. It also refuses old files with an identifier in columns
+// 73-80. Where a five-digit residue number shifts the columns right, it reads wrong numbers.
+// AutoDock's PDBQT has charges and types behind the same columns.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -34,7 +34,8 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// A field of the columns: blank, a number, or something else (cut from its neighbours wrongly).
+// A field of columns: blank, a number, or other text, as where it is cut wrongly from its
+// neighbours.
 enum class Field : std::uint8_t { blank, number, other };
 
 Field read_field(std::string_view text, Decimal& value, DecimalStatus& status) {
@@ -162,7 +163,7 @@ class PdbReader {
     title += more;
   }
 
-  // A residue that stands for an amino acid or a nucleotide. Programs also note other renamings
+  // Takes a MODRES record of an amino acid or a nucleotide. Programs also note other renamings
   // here, such as SUL for the sulphate SO4.
   void take_modified(std::string_view line) {
     const std::string_view standard = trimmed(columns(line, 25, 27));
@@ -200,10 +201,10 @@ class PdbReader {
     Atom atom;
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
     atom.hetero = hetero;
-    // Behind the coordinates everything is optional.
+    // All fields behind the coordinates are optional.
     const std::string_view rest = line.size() > shift ? line.substr(shift) : std::string_view();
     take_names(line, rest, shift, atom);
-    // A pose of AutoDock has energies there.
+    // A pose of AutoDock has energies in these columns.
     if (!pose_) {
       atom.occupancy = to_float(columns(rest, 55, 60), 1);
       take_b_factor(to_float(columns(rest, 61, 66), kNoNumber), atom);
@@ -213,14 +214,15 @@ class PdbReader {
     builder_.add(atom, position);
   }
 
-  // CNS and AMBER write this for atoms that they have no coordinates of.
+  // CNS and AMBER write these values for atoms without known coordinates.
   static bool is_placeholder(const std::array<Decimal, 3>& position) {
     return std::all_of(position.begin(), position.end(), [](const Decimal& c) {
       return (c.mantissa == 9999 && c.digits == 0) || (c.mantissa == 9999999 && c.digits == 3);
     });
   }
 
-  // There is no telling what others write there.
+  // The number of a segment. A text with a point is ignored, because other programs write other
+  // things there.
   std::uint16_t segment(std::string_view text) {
     if (text.empty() || text.find('.') != std::string_view::npos) return 0;
     if (text == last_segment_text_) return last_segment_;
@@ -234,7 +236,7 @@ class PdbReader {
   // Returns by how many columns the coordinates are shifted to the right.
   std::size_t take_position(std::string_view line, std::array<Decimal, 3>& position) {
     if (try_position(line, position)) return 0;
-    // Only a residue number that runs on into column 27 explains a shift.
+    // Only a residue number that extends into column 27 explains a shift.
     if (line.size() > 27 && is_digit(line[25]) && is_digit(line[26])) {
       for (std::size_t shift = 1; shift <= 4 && line.size() > 54; ++shift) {
         if (try_position(line.substr(shift), position)) {
@@ -246,10 +248,11 @@ class PdbReader {
     refuse_position(line);
   }
 
-  // The occupancy is tested too: in a shifted line x, y and z can look like numbers, but then the
-  // occupancy is cut apart.
+  // Also tests the occupancy. In a shifted line x, y and z can look like numbers, but the occupancy
+  // is then cut apart.
   bool try_position(std::string_view line, std::array<Decimal, 3>& position) const {
-    // Digits of z may be missing at the very end of a file; elsewhere short lines are the writer's.
+    // At the very end of a cut file digits of z may be missing. Elsewhere the writer made the line
+    // short.
     if (line.size() < 54 && lines_.cut()) return false;
     DecimalStatus status{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -289,10 +292,10 @@ class PdbReader {
          kKeepColumns);
   }
 
-  // rest: the line from `shift` on, with everything behind the coordinates in its columns.
+  // rest: the line from `shift` on, so the fields behind the coordinates are in their columns.
   void take_names(std::string_view line, std::string_view rest, std::size_t shift, Atom& atom) {
     NameTable& names = builder_.molecule().names;
-    // Columns 7-11, or from column 6 or 5 on where it has six digits or seven.
+    // Columns 7-11. A number of six digits begins in column 6, one of seven in column 5.
     const std::size_t first = !is_digit(line[5]) || atom.hetero ? 7 : is_digit(line[4]) ? 5 : 6;
     atom.serial = parse_pdb_number(columns(line, first, 11), 12 - first);
     const std::string_view name = columns(line, 13, 16);
@@ -301,7 +304,7 @@ class PdbReader {
     take_residue_and_chain(line, atom);
     const std::string_view number = columns(line, 23, 26 + shift);
     atom.residue_number = residue_numbers_.next(number, lines_.number());
-    // A fifth digit without shift: the blanks before x were used up.
+    // A fifth digit without a shift: it took the place of a blank before x.
     if (shift == 0 && is_digit(column(line, 27)) && is_digit(column(line, 26))) {
       atom.residue_number = parse_pdb_number(columns(line, 23, 27), 5);
     } else {
@@ -316,7 +319,7 @@ class PdbReader {
                                                   std::string_view(&atom.insertion_code, 1)));
   }
 
-  // The column in which a name begins says nothing where all begin in the first.
+  // The first column of a name tells nothing where all names begin in column 13.
   NamePlace place(std::string_view name, const Atom& atom, const StatedElement& stated) {
     const NamePlace place = place_of(name);
     if (place != NamePlace::first_column || !atom.hetero || stated.what == Statement::element) {
@@ -327,7 +330,7 @@ class PdbReader {
     return name_columns_->left_justified(residue) ? NamePlace::free : place;
   }
 
-  // Columns 78-79; what stands behind the charge where they are shifted.
+  // Columns 78-79, or the text behind the charge where the columns are shifted.
   static std::string_view autodock_type(std::string_view rest) {
     const std::string_view type = trimmed(columns(rest, 78, 80));
     if (!type.empty() && type.find(' ') == type.npos && is_blank(column(rest, 77))) return type;
@@ -336,7 +339,7 @@ class PdbReader {
     return blank == behind.npos ? std::string_view() : behind.substr(blank + 1);
   }
 
-  // Columns 18-20 and 22; column 21 belongs to the one or the other.
+  // Columns 18-20 and 22. Column 21 belongs to either.
   void take_residue_and_chain(std::string_view line, Atom& atom) {
     NameTable& names = builder_.molecule().names;
     const std::string_view chain = chain_columns_.chain_of(line);
@@ -363,14 +366,14 @@ class PdbReader {
   FrameMarks frames_;
   CountedLines nearly_, unread_, no_place_;
   PdbResidueNumbers residue_numbers_;
-  std::unordered_set<std::string> modified_;  // residues that MODRES names
+  std::unordered_set<std::string> modified_;  // residues in MODRES records
   std::unordered_map<std::string, std::uint16_t> segments_;
-  std::string_view last_segment_text_;  // of the text that is read
+  std::string_view last_segment_text_;  // a view of the text
   std::uint16_t last_segment_ = 0;
   int model_count_ = 0;
-  std::optional<PdbNameColumns> name_columns_;  // once it matters
+  std::optional<PdbNameColumns> name_columns_;  // made when first needed
   bool pdbqt_, pose_ = false;
-  std::uint32_t sections_ = 0;  // TER so far
+  std::uint32_t sections_ = 0;  // TER records so far
   bool is_modified_ = false;
   bool between_models_ = false;
   std::size_t shifted_lines_ = 0;

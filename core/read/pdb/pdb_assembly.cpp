@@ -1,3 +1,4 @@
+// Parses REMARK 350 and makes assemblies.
 #include "core/read/pdb/pdb_assembly.hpp"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ void PdbAssemblyRecords::take(std::string_view line, std::size_t line_number) {
   }
 }
 
-// "1, 2": what follows is of each of them.
+// Takes "1, 2": the next lines describe each of these assemblies.
 void PdbAssemblyRecords::begin_assemblies(std::string_view ids) {
   share_last();
   while (true) {
@@ -44,7 +45,7 @@ void PdbAssemblyRecords::begin_assemblies(std::string_view ids) {
   }
 }
 
-// Gives the assemblies that were named together what was read for the last of them.
+// Copies the last assembly to those that were named together with it.
 void PdbAssemblyRecords::share_last() {
   for (std::size_t k = 0; k < sharing_; ++k) {
     Assembly& other = assemblies_.list[assemblies_.list.size() - 2 - k];
@@ -54,7 +55,7 @@ void PdbAssemblyRecords::share_last() {
   sharing_ = 0;
 }
 
-// Old files have one assembly without a heading.
+// The assembly being read. Old files have one without a heading.
 Assembly& PdbAssemblyRecords::current() {
   if (assemblies_.list.empty()) assemblies_.list.push_back({"1", "", {}});
   return assemblies_.list.back();
@@ -66,7 +67,7 @@ void PdbAssemblyRecords::take_chains(std::string_view list) {
     const std::size_t comma = std::min(list.find(','), list.size());
     const std::string_view chain = trimmed(list.substr(0, comma));
     if (chain == "NULL") {
-      chains.emplace_back();  // the chain without a name
+      chains.emplace_back();  // the chain with an empty name
     } else if (!chain.empty()) {
       chains.emplace_back(chain);
     }
@@ -74,7 +75,8 @@ void PdbAssemblyRecords::take_chains(std::string_view list) {
   }
 }
 
-// "BIOMT2   7  0.5 0.25 -0.1  33.78": row, number of the operator, three factors, translation (Å).
+// Takes "BIOMT2   7  0.5 0.25 -0.1  33.78": row, number of the operator, three factors, translation
+// (Å).
 void PdbAssemblyRecords::take_matrix_row(std::string_view text, std::size_t line_number) {
   const std::string_view label = next_field(text);
   const std::string_view id = next_field(text);
@@ -103,7 +105,7 @@ void PdbAssemblyRecords::take_matrix_row(std::string_view text, std::size_t line
   operator_.digits = 0;
 }
 
-// "ALL" are all chains, unless one is called so.
+// Replaces "ALL" by all chains, unless a chain has that name.
 void PdbAssemblyRecords::take_all_chains(const Molecule& molecule) {
   std::vector<std::string> chains;
   std::vector<bool> known(molecule.names.size(), false);

@@ -1,4 +1,4 @@
-// REMARK 350 of PDB files: assemblies as BIOMT matrices for lists of chains.
+// REMARK 350 of PDB files, which gives assemblies as BIOMT matrices for lists of chains.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@ namespace alphascope {
 
 class PdbAssemblyRecords {
  public:
-  // A line that begins with "REMARK 350".
+  // Takes a line that begins with "REMARK 350".
   void take(std::string_view line, std::size_t line_number);
 
-  // Assemblies and, when a record cannot be understood, a note in the molecule.
+  // Adds the assemblies to the molecule, and a note when a record cannot be understood.
   void finish(Molecule& molecule);
 
  private:
@@ -26,8 +26,8 @@ class PdbAssemblyRecords {
 
   Assemblies assemblies_;
   SymmetryOperator operator_;
-  int rows_ = 0;             // of operator_
-  std::size_t sharing_ = 0;  // assemblies before the last that are the same
+  int rows_ = 0;             // rows of operator_ read so far
+  std::size_t sharing_ = 0;  // how many assemblies before the last are equal to it
   bool chains_open_ = false;
   std::size_t bad_line_ = 0;
 };

@@ -1,3 +1,4 @@
+// Decides from all lines of a PDB file whether column 21 belongs to residue names or to chains.
 #include "core/read/pdb/pdb_chain_columns.hpp"
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 namespace alphascope {
 namespace {
 
-// Names of four letters that begin with those of a standard residue: protonation states and ends of
-// CHARMM and GROMOS.
+// Names of four letters that begin with a standard residue's name. CHARMM and GROMOS use them for
+// protonation states and chain ends.
 constexpr std::string_view kVariants[] = {"ASPP", "GLUP", "HISA", "HISB", "HISH", "HIS1", "HIS2",
                                           "LYSH", "LYSN", "ARGN", "ASPH", "GLUH", "CYSH", "CYS1",
                                           "CYS2", "CYSD", "TYRO", "HISD", "HISE", "HISP", "CYSX"};
@@ -21,7 +22,7 @@ bool is_standard(std::string_view residue) {
   return family != ResidueFamily::unknown && family != ResidueFamily::ligand;
 }
 
-// A name of four letters that is known as a whole: TIP3, SWM4.
+// True for names of four letters that are known as a whole: TIP3, SWM4.
 bool is_known_whole(std::string_view name) {
   constexpr std::string_view kNames[] = {"SWM4", "SWM6", "TIP3", "TIP4", "TIP5",
                                          "POPC", "POPE", "DPPC", "CHL1"};
@@ -39,7 +40,7 @@ void PdbChainColumns::look_at_file() {
   looked_ = true;
   LineReader lines(text_);
   std::string_view line;
-  std::string last;  // columns 18-22, since neighbours have the same
+  std::string last;  // columns 18-22; neighbouring lines have the same
   while (lines.next(line)) {
     const PdbLineKind kind = kind_of_pdb_line(line);
     if (kind.what != PdbLine::atom && kind.what != PdbLine::nearly_atom) continue;
@@ -59,7 +60,8 @@ void PdbChainColumns::look_at_file() {
       chains_[std::string(both.substr(3, 2))].insert(std::string(name));
     }
   }
-  // "ASPP" of chain A is no aspartate of chain PA, unless that chain has more.
+  // A chain whose only name is a variant such as "ASPP" means chain A, not an aspartate of chain
+  // PA.
   std::erase_if(chains_, [&](const auto& chain) {
     const bool variant = chain.second.size() == 1 && is_variant(*chain.second.begin());
     four_letters_ = four_letters_ || variant;

@@ -1,5 +1,6 @@
-// What column 21 of a PDB file is: the fourth letter of a residue name (CHARMM), or the first of
-// two of a chain (big structures). One line does not tell, so the whole file is looked at.
+// Decides what column 21 of a PDB file is. It is the fourth letter of a residue name (CHARMM), or
+// the first of two letters of a chain (big structures). One line does not show it, so the whole
+// file is read.
 #pragma once
 
 #include <cstddef>
@@ -14,22 +15,22 @@ class PdbChainColumns {
  public:
   explicit PdbChainColumns(std::string_view text) : text_(text) {}
 
-  // The chain of a line: one letter, two or none.
+  // The chain of a line: no letter, one or two.
   std::string_view chain_of(std::string_view line);
 
-  // Whether lines were read so; for a note.
+  // True when chains of two letters were found; for a note.
   bool found_chains() const { return !chains_.empty(); }
 
  private:
-  // Of a line with letters in columns 21 and 22: whether both are of the chain. That is so for a
-  // pair of letters beside which standard residues stand, and in a file with such pairs for any
-  // other residue, if no residue of the file shows a name of four letters.
+  // True when both letters in columns 21 and 22 of the line belong to the chain. They do for a pair
+  // of letters with standard residues. They also do for other residues in a file with such pairs,
+  // if no residue of the file shows a name of four letters.
   bool is_chain(std::string_view line);
   void look_at_file();
 
   std::string_view text_;
   bool looked_ = false, four_letters_ = false;
-  std::map<std::string, std::set<std::string>, std::less<>> chains_;  // with standard residues
+  std::map<std::string, std::set<std::string>, std::less<>> chains_;  // standard residues by pair
 };
 
 }  // namespace alphascope

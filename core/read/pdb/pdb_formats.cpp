@@ -1,4 +1,4 @@
-// PDB and PDBQT as entries of the list of formats: how they are recognised.
+// The entries of PDB and PDBQT in the list of formats, with their recognition.
 #include <algorithm>
 #include <iterator>
 
@@ -16,13 +16,14 @@ bool has_pdb_record(std::string_view text) {
   LineReader lines(text);
   std::string_view line;
   for (int k = 0; k < kLinesToLookAt && lines.next(line); ++k) {
-    // A serial of six digits may begin in column 6; without the name .pdb that could be PQR.
+    // A serial of six digits may begin in column 6. A text without the ending .pdb could then be
+    // PQR.
     if (is_pdb_record(line) || line.starts_with("ATOM ")) return true;
   }
   return false;
 }
 
-// "ROOT", "BRANCH  1  7", "TORSDOF 3" and AutoDock's remarks: no other format has them.
+// True for "ROOT", "BRANCH  1  7", "TORSDOF 3" and AutoDock's remarks, which no other format has.
 bool is_pdbqt_record(std::string_view line) {
   std::string_view rest = line;
   const std::string_view word = next_field(rest);
@@ -32,7 +33,8 @@ bool is_pdbqt_record(std::string_view line) {
          (word == "REMARK" && trimmed(rest).starts_with("VINA RESULT"));
 }
 
-// An atom with AutoDock's charge of three digits in columns 71-76 and a type in 78-79.
+// True for an atom with AutoDock's charge (three decimals, columns 71-76) and a type in columns
+// 78-79.
 bool is_pdbqt_atom(std::string_view line) {
   if (line.size() < 78 || line[72] != '.' || line[76] != ' ') return false;
   Decimal charge;
@@ -41,7 +43,7 @@ bool is_pdbqt_atom(std::string_view line) {
   return (type >= 'A' && type <= 'Z') || (type >= 'a' && type <= 'z');
 }
 
-// Whether a text of PDB records is PDBQT: by a record that only it has, or by its first atoms.
+// True when a text of PDB records is PDBQT, by a record of PDBQT alone or by its first atoms.
 bool is_pdbqt(std::string_view text) {
   constexpr int kAtomsToLookAt = 20;
   LineReader lines(text);

@@ -1,3 +1,4 @@
+// Parses decimal, hybrid-36 and hexadecimal numbers of PDB files.
 #include "core/read/pdb/pdb_numbers.hpp"
 
 #include <charconv>
@@ -32,7 +33,7 @@ std::int32_t parse_pdb_number(std::string_view text, std::size_t width) {
       if (digit < 0 || digit > 35) return 0;
       number = number * 36 + digit;
     }
-    // The first letter form starts at A00…, which takes the place of 100…; lower case follows.
+    // Numbers with a letter start at A00…, which stands for 100…. Lower case follows upper case.
     std::int64_t power = 1, decimal = 1;
     for (std::size_t k = 1; k < width; ++k) power *= 36, decimal *= 10;
     number += decimal * 10 - 10 * power;
@@ -45,7 +46,7 @@ std::int32_t parse_pdb_number(std::string_view text, std::size_t width) {
 
 std::int32_t PdbResidueNumbers::next(std::string_view text, std::size_t line) {
   constexpr std::int32_t kLast = 9999;
-  constexpr std::string_view kNext = "2710";  // 10000
+  constexpr std::string_view kNext = "2710";  // hexadecimal for 10000
   const std::string_view digits = trimmed(text);
   if (last_ == kLast && digits == kNext) hexadecimal_ = true;
   std::int32_t number = 0;

@@ -1,5 +1,4 @@
-// Serial and residue numbers of PDB files, which have more atoms and residues than the columns
-// hold.
+// Serial and residue numbers of PDB files with more atoms or residues than the columns can hold.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +11,16 @@ namespace alphascope {
 
 bool parse_pdb_integer(std::string_view text, std::int32_t& value);
 
-// Decimal, hybrid-36 ("A0000" follows 99999) or, as some programs write, hexadecimal; 0 for what is
-// no number.
+// Parses a decimal, hybrid-36 ("A0000" follows 99999) or hexadecimal number, which some programs
+// write. 0 for a text that is no number.
 std::int32_t parse_pdb_number(std::string_view text, std::size_t width);
 
-// The residue numbers of a file in turn. VMD goes on in hexadecimal digits after 9999: with 2710.
+// Parses the residue numbers of a file in their order. After 9999 VMD continues in hexadecimal with
+// 2710.
 class PdbResidueNumbers {
  public:
   std::int32_t next(std::string_view text, std::size_t line);
-  // Lines with something else, such as "****".
+  // Lines with a text that is no number, such as "****".
   const CountedLines& no_numbers() const { return no_numbers_; }
 
  private:

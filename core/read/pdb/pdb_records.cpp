@@ -1,3 +1,4 @@
+// Classifies the lines of PDB files, and the columns of atom names.
 #include "core/read/pdb/pdb_records.hpp"
 
 #include <algorithm>
@@ -11,15 +12,15 @@
 namespace alphascope {
 namespace {
 
-constexpr std::size_t kMostBlanks = 16;   // before a record
-constexpr std::size_t kLongestMark = 24;  // before an atom that was made a remark
+constexpr std::size_t kMostBlanks = 16;   // blanks accepted before a record
+constexpr std::size_t kLongestMark = 24;  // characters before an atom that was turned into a remark
 constexpr std::size_t kLinesListed = 5;
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Whether x, y and z stand in their columns, with a decimal point each.
+// True when x, y and z are in their columns, with a decimal point each.
 bool has_position(std::string_view line) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::string_view field = trimmed(columns(line, 31 + 8 * k, 38 + 8 * k));
@@ -35,11 +36,11 @@ bool is_atom(std::string_view line) {
   if (!line.starts_with("ATOM") || line.size() <= 5) return false;
   // Some programs let a serial number of six digits begin in column 6.
   if (line[4] == ' ') return is_blank(line[5]) || is_digit(line[5]);
-  // Of seven digits it takes columns 5-11.
+  // A serial number of seven digits takes columns 5-11.
   return line.size() > 11 && std::all_of(line.begin() + 4, line.begin() + 11, is_digit);
 }
 
-// Whether the line is one of ours but for the letters' case and what follows the word.
+// True when the line begins like ATOM or HETATM in any case, perhaps with more letters.
 bool begins_nearly(std::string_view line, bool& hetero) {
   constexpr std::size_t kLetters = 7;
   const std::string word = upper_case(line.substr(0, std::min(line.size(), kLetters)));
@@ -47,7 +48,7 @@ bool begins_nearly(std::string_view line, bool& hetero) {
   return hetero || word.starts_with("ATOM");
 }
 
-// An atom that stands behind "#" or "REMARK", with all its columns.
+// True for an atom with all its columns behind "#" or "REMARK".
 bool has_atom_inside(std::string_view line) {
   for (std::size_t at = 1; at < std::min(line.size(), kLongestMark); ++at) {
     const std::string_view rest = line.substr(at);
@@ -86,7 +87,7 @@ PdbLineKind kind_of_pdb_line(std::string_view line) {
   while (blanks < kMostBlanks && is_blank(line[blanks])) ++blanks;
   bool hetero = false;
   if (!begins_nearly(line.substr(blanks), hetero)) {
-    // Most lines of a file that are no atoms hold no such word.
+    // This search is cheap: most other lines hold no such word.
     return {has_atom_inside(line) ? PdbLine::like_atom : PdbLine::other, false, 0};
   }
   const bool behind_blanks = has_position(line.substr(blanks));
@@ -96,7 +97,7 @@ PdbLineKind kind_of_pdb_line(std::string_view line) {
 }
 
 std::string_view pdb_mark(std::string_view line) {
-  constexpr std::size_t kLongest = 7;  // "MODEL 1" without what follows
+  constexpr std::size_t kLongest = 7;  // "MODEL 1"
   while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
   if (line.size() < 3) return {};
   const std::string word = upper_case(line.substr(0, std::min(line.size(), kLongest)));
@@ -115,12 +116,13 @@ PdbNameColumns::PdbNameColumns(std::string_view text) {
     const bool atom = is_atom(line);
     if (!atom && !line.starts_with("HETATM")) continue;
     const std::string_view name = columns(line, 13, 16);
-    // Hydrogens are put there by programs that else keep to the columns.
+    // No hydrogen in this list: programs that else keep to the columns start them in column 13,
+    // too.
     constexpr std::string_view kOneLetter = "CNOFPSBIKVWUY";
     if (name.size() < 4 || name[3] != ' ' || kOneLetter.find(name[0]) == kOneLetter.npos) continue;
     const std::string_view residue = trimmed(columns(line, 18, 20));
     const bool short_name = name[1] == ' ';
-    // Potassium K and the like are alone in their residues.
+    // Potassium K and similar ions are alone in their residues.
     if (short_name && residue == trimmed(name)) continue;
     if (short_name && atom && (name[0] == 'N' || name[0] == 'C' || name[0] == 'O')) all_ = true;
     if (element_from_symbol(trimmed(name.substr(0, 2))) == kUnknownElement || short_name) {

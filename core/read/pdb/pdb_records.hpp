@@ -1,4 +1,4 @@
-// Which lines of a PDB file are atoms: ATOM and HETATM, and lines that are nearly such records.
+// Finds the atom lines of a PDB file: ATOM and HETATM, and lines that nearly are such records.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,27 @@
 
 namespace alphascope {
 
-// Columns first..last of a line (from 1); shorter or empty where the line ends early.
+// Columns first..last of a line, counted from 1. Shorter or empty where the line ends early.
 inline std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
   if (line.size() < first) return {};
   return line.substr(first - 1, last - first + 1);
 }
 
-// "HEADER", "REMARK", "ATOM  " and others that a file may begin with.
+// True for "HEADER", "REMARK", "ATOM  " and other records that can begin a file.
 bool is_pdb_record(std::string_view line);
-// Records stand above all else; PQR files have them, too.
+// True when PDB records come first. PQR files begin with them, too.
 bool begins_as_pdb(const FileSample& sample);
-// They are records of PQR, as a remark or the name says.
+// True when the records are of PQR, as a remark or the file name says.
 bool begins_as_pqr(const FileSample& sample);
 
 enum class PdbLine : std::uint8_t {
-  atom,         // as the format has it, or with a serial number of six or seven digits
-  nearly_atom,  // read as one: behind blanks, in lower case, "ATOMS", "HETATOM"
+  atom,         // as in the format, or with a serial number of six or seven digits
+  nearly_atom,  // read as an atom: behind blanks, in lower case, "ATOMS", "HETATOM"
   like_atom,    // not read: behind "#" or "REMARK", or not in the columns
   other
 };
 
-// skip: blanks before the record, which push all columns right.
+// skip: blanks before the record, which shift all columns right.
 struct PdbLineKind {
   PdbLine what = PdbLine::other;
   bool hetero = false;
@@ -41,12 +41,12 @@ struct PdbLineKind {
 };
 PdbLineKind kind_of_pdb_line(std::string_view line);
 
-// "END", "TER", "ENDMDL" and "MODEL" in either case, also behind blanks; empty for anything else.
+// "END", "TER", "ENDMDL" or "MODEL", in any case and also behind blanks. Empty for other lines.
 std::string_view pdb_mark(std::string_view line);
 
-// Where names of atoms begin in column 13 although their element has one letter. "OAB " and "F1  "
-// of a residue show that all its names do, and then "CA  " need not be calcium; "N   " and "C   "
-// of ATOM records show it for the whole file.
+// Finds where atom names begin in column 13 although their element has one letter. "OAB " or "F1  "
+// show it for all names of their residue; there "CA  " need not be calcium. "N   ", "C   " or "O
+// " of an ATOM record shows it for the whole file.
 class PdbNameColumns {
  public:
   explicit PdbNameColumns(std::string_view text);
@@ -57,7 +57,7 @@ class PdbNameColumns {
   bool all_ = false;
 };
 
-// How many lines of one sort there were, and the numbers of the first.
+// Counts lines of one sort, and keeps the numbers of the first few.
 class CountedLines {
  public:
   void add(std::size_t line);

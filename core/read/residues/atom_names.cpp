@@ -1,7 +1,8 @@
+// Guesses elements from atom names, and families of residues from residue names.
 #include "core/read/residues/atom_names.hpp"
 
 #include <algorithm>
-#include <gemmi/resinfo.hpp>  // for find_tabulated_residue
+#include <gemmi/resinfo.hpp>  // find_tabulated_residue
 
 #include "core/files/line_reader.hpp"
 #include "core/read/residues/ion_names.hpp"
@@ -16,7 +17,7 @@ bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-// Names of simulation packages that the PDB's own dictionary does not have.
+// Names of simulation packages that are not in the PDB's own dictionary.
 constexpr std::string_view kWaters[] = {"WAT", "SOL",   "TIP", "TIP2", "TIP3", "TIP4",
                                         "TP3", "TIP3P", "SPC", "SPCE", "H2O",  "OH2"};
 
@@ -31,7 +32,7 @@ bool contains(const std::string_view (&list)[N], std::string_view name) {
   return std::find(std::begin(list), std::end(list), name) != std::end(list);
 }
 
-// What a residue is when it is no ion, whatever its name.
+// The family of a residue that is no ion, even if its name is an ion's.
 ResidueFamily family_without_ions(std::string_view name) {
   if (name == "DUM") return ResidueFamily::dummy;
   const gemmi::ResidueInfo& info = gemmi::find_tabulated_residue(std::string(name));
@@ -42,18 +43,19 @@ ResidueFamily family_without_ions(std::string_view name) {
   return info.found() ? ResidueFamily::ligand : ResidueFamily::unknown;
 }
 
-// CHARMM's names of ions that no ligand's atom has; CAL and CAD are carbons of many.
+// CHARMM's names of ions that no atom of a ligand has. CAL and CAD are left out: many ligands have
+// carbons of these names.
 constexpr std::string_view kNoLigandAtoms[] = {"SOD", "POT", "CLA", "CES", "RUB", "LIT"};
 
-// "CA", "HG", "NE": one of C H N O P S before a letter that counts positions along a chain.
+// True for "CA", "HG" and "NE": one of C H N O P S before a letter for a position along a chain.
 bool has_position_letter(std::string_view name) {
   constexpr std::string_view kFirst = "CHNOPS", kPosition = "ABGDEZHX";
   return name.size() > 1 && kFirst.find(name[0]) != std::string_view::npos &&
          kPosition.find(name[1]) != std::string_view::npos;
 }
 
-// Symbols that a light atom's name begins with far more often than an atom of theirs is named:
-// "HO", "CS", "CN" and "NP" of ligands are H, C, C and N. Ions of these elements are told before.
+// Symbols of rare elements. A name that begins with one nearly always means a light atom. "HO",
+// "CS", "CN" and "NP" of ligands are H, C, C and N. Ions of rare elements are found before.
 bool is_rare(std::string_view symbol, Element element) {
   constexpr std::string_view kRare[] = {"HE", "HF", "HO", "CE", "CS", "NB", "ND",
                                         "NE", "PM", "PR", "PA", "PO", "SC", "SM"};
@@ -61,21 +63,22 @@ bool is_rare(std::string_view symbol, Element element) {
   return element > kUranium || contains(kRare, symbol);
 }
 
-// Whether the symbol of a name has one letter, if the name allows either.
+// True when the symbol in a name has one letter, for names that allow one or two.
 bool has_one_letter(const AtomNaming& naming, std::string_view letters) {
   const std::string_view two = letters.substr(0, 2);
-  // Selenium is the one two-letter element of ordinary residues (MSE, SEC).
+  // Selenium is the only two-letter element of ordinary residues (MSE, SEC).
   if (two == "SE") return false;
   if (naming.family == ResidueFamily::biopolymer || naming.family == ResidueFamily::water) {
     return true;
   }
   if (naming.place == NamePlace::second_column) {
-    // What programs that begin every name there mean; no light atom has these names.
+    // Programs that begin every name in column 14 mean these elements. No light atom has these
+    // names.
     constexpr std::string_view kHeavy[] = {"CL", "BR", "FE", "SI", "CU", "PT"};
     return letters.size() > 2 || !contains(kHeavy, two);
   }
   if (naming.atom.size() >= 4 && naming.atom[0] == 'H') return true;
-  // "CA  " of a HETATM is calcium by the rule of the columns; "CAA " is nothing with a calcium.
+  // By the rule of the columns, "CA  " of a HETATM is calcium. "CAA " is never calcium.
   return has_position_letter(letters) &&
          !(naming.place == NamePlace::first_column && naming.hetero && letters.size() == 2);
 }
@@ -109,7 +112,7 @@ AtomKind atom_kind(ResidueFamily family, bool hetero) {
 
 NamePlace place_of(std::string_view field) {
   const std::string_view name = trimmed(field);
-  // A name of four letters stands in all columns.
+  // A name of four letters fills all columns.
   if (name.empty() || name.size() >= 4) return NamePlace::free;
   return is_blank(field.front()) ? NamePlace::second_column : NamePlace::first_column;
 }
@@ -124,7 +127,7 @@ Element guess_element(const AtomNaming& naming) {
   if (!known && contains(kNoLigandAtoms, naming.atom)) return ion_element(naming.atom, naming.atom);
   const Element charged = known ? kUnknownElement : charged_ion(naming.atom);
   if (charged != kUnknownElement) return charged;
-  // Krypton of KR, antimony of SB: no ions, but alone in their residues too.
+  // Covers krypton in KR and antimony in SB. They are no ions, but also alone in their residues.
   if (!known && naming.atom == naming.residue && naming.atom.size() == 2) {
     const Element alone = element_from_symbol(naming.atom);
     if (alone != kUnknownElement) return alone;
@@ -135,7 +138,7 @@ Element guess_element(const AtomNaming& naming) {
   while (letters < name.size() && is_letter(name[letters])) ++letters;
   const std::string upper = upper_case(name.substr(0, letters));
   const std::string_view symbol = std::string_view(upper).substr(0, 2);
-  // Tritium is believed where a file states it; names that begin with T are of something else.
+  // Names that begin with T mean other things. Tritium is taken only where a file states it.
   const Element one =
       symbol.starts_with('T') ? kUnknownElement : element_from_symbol(symbol.substr(0, 1));
   const Element two = symbol.size() == 2 ? element_from_symbol(symbol) : kUnknownElement;
@@ -155,7 +158,7 @@ ResidueFamily AtomGuesser::identify(Atom& atom, std::optional<Element> stated, N
                                     const NameTable& names) {
   AtomNaming naming{names.text(atom.residue_name), names.text(atom.name),
                     family_of(atom.residue_name, names), place, atom.hetero};
-  // Iodide in its residue I, which is inosine elsewhere.
+  // Iodide in its own residue I. Elsewhere I is inosine.
   if (atom.name == atom.residue_name && naming.family == ResidueFamily::biopolymer &&
       ion_element(naming.residue, naming.atom) != kUnknownElement) {
     naming.family = ResidueFamily::ion;
@@ -171,7 +174,7 @@ ResidueFamily AtomGuesser::identify(Atom& atom, std::optional<Element> stated, N
   }
   if (stated) return naming.family;
   atom.element = guess_element(naming);
-  // The names of biopolymers and waters leave no choice.
+  // Names in biopolymers and waters are unambiguous.
   atom.element_guessed =
       naming.family != ResidueFamily::biopolymer && naming.family != ResidueFamily::water;
   ++guessed_;

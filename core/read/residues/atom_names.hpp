@@ -1,4 +1,4 @@
-// Guessing what a name in a coordinate file means: elements from atom names, kinds of residues.
+// Guesses elements from atom names, and families of residues from residue names.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,25 @@
 
 namespace alphascope {
 
-// What is known of a residue by its name alone. One that may be an ion by its name (CLA, MG) is
-// what its atoms' names make of it: see AtomGuesser.
+// What the name alone says of a residue. If the name may be an ion's (CLA, MG), the names of its
+// atoms decide: see AtomGuesser.
 enum class ResidueFamily : std::uint8_t { unknown, biopolymer, ligand, water, ion, dummy };
 ResidueFamily residue_family(std::string_view residue_name);
 
-// An unknown residue is a ligand when its atoms are HETATM, else part of a polymer; a known ligand
-// is one either way, since many programs write ATOM only.
+// An unknown residue is a ligand when its atoms are HETATM, else part of a polymer. A known ligand
+// stays one, because many programs write only ATOM records.
 AtomKind atom_kind(ResidueFamily family, bool hetero);
 
-// Where an atom's name stands in the four columns that the PDB format has for it. The symbol of the
-// element ends in the second: "CA  " is calcium and " CA " carbon. Programs that do not know the
-// rule begin in one column or the other with every name.
+// Where an atom's name begins in the four columns of the PDB format. The element's symbol ends in
+// the second column: "CA  " is calcium and " CA " carbon. Programs that ignore this rule begin
+// every name in the same column.
 enum class NamePlace : std::uint8_t { second_column, first_column, free };  // free: no columns
 
-// The place of a field of four columns.
+// The place of a name in a field of four columns.
 NamePlace place_of(std::string_view field);
 
-// An atom's element by its names (without blanks), for every reader; kUnknownElement if they say
-// none. hetero: HETATM.
+// Names from which any reader gets an atom's element. They have no blanks. hetero: the record is
+// HETATM.
 struct AtomNaming {
   std::string_view residue, atom;
   ResidueFamily family = ResidueFamily::unknown;
@@ -38,27 +38,28 @@ struct AtomNaming {
 };
 Element guess_element(const AtomNaming& naming);
 
-// Gives a reader's atoms their elements and says what their residues are.
+// Sets the elements of a reader's atoms, and returns the families of their residues.
 class AtomGuesser {
  public:
-  // Sets atom.element to what the file states, else guesses; the atom's names and hetero are set.
-  // Returns what its residue is: an ion when the atom is one too.
+  // Sets atom.element to the stated element, else guesses it. Names and hetero must be set. Returns
+  // the family of the residue. It is `ion` only when the atom is an ion too.
   ResidueFamily identify(Atom& atom, std::optional<Element> stated, NamePlace place,
                          const NameTable& names);
 
-  // The same with what the file's own column says (core/read/residues/stated_element.hpp). A
-  // virtual site is of a dummy's residue; what is no element counts as none, and is said.
+  // The same with the file's own column of elements (core/read/residues/stated_element.hpp). The
+  // family of a virtual site is `dummy`. A text that is no element counts as none, and is noted.
   ResidueFamily identify(Atom& atom, const StatedElement& stated, NamePlace place,
                          const NameTable& names);
 
   ResidueFamily family_of(NameId residue_name, const NameTable& names);
 
-  // Says how many elements were guessed; `where_missing` is such as "because the file has no …".
+  // Adds a note with the number of guessed elements. `where_missing` is such as "because the file
+  // has no …".
   void add_note(Molecule& molecule, std::string_view where_missing) const;
   std::size_t guessed() const { return guessed_; }
 
  private:
-  std::vector<std::optional<ResidueFamily>> families_;  // by NameId
+  std::vector<std::optional<ResidueFamily>> families_;  // keys are NameId
   std::size_t guessed_ = 0, misstated_ = 0;
 };
 

@@ -1,3 +1,4 @@
+// The table of AutoDock's atom types.
 #include "core/read/residues/autodock_types.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace {
 
 constexpr Element kCarbon = 6, kNitrogen = 7, kOxygen = 8, kSulphur = 16;
 
-// AutoDock 4.2's table and Meeko's additions. What is not here is an element's own symbol.
+// AutoDock 4.2's table and Meeko's additions. A type that is missing here is an element's symbol.
 constexpr struct {
   std::string_view type;
   Element element;
@@ -30,7 +31,7 @@ StatedElement autodock_element(std::string_view type) {
   const auto* found = std::find_if(std::begin(kTypes), std::end(kTypes),
                                    [&](const auto& known) { return known.type == type; });
   if (found != std::end(kTypes)) return {Statement::element, found->element};
-  // Of an opened ring, each end has a carbon CG0 and a point G0 where the other end should be.
+  // In an opened ring each end has a carbon CG0, and a point G0 where the other end should be.
   if (is_numbered(type, "CG")) return {Statement::element, kCarbon};
   if (is_numbered(type, "G") || type == "TZ" || type == "W") {
     return {Statement::virtual_site, kUnknownElement};

@@ -5,9 +5,8 @@
 
 namespace alphascope {
 
-// "A" (aromatic carbon), "OA", "HD", "Cl": the element of a type. Upper and lower case differ: "NA"
-// is a nitrogen that accepts hydrogen bonds, "Na" is sodium. The glue "G0", "TZ" and "W" are no
-// atoms.
+// The element of a type: "A" (aromatic carbon), "OA", "HD", "Cl". Case matters: "NA" is a nitrogen
+// that accepts hydrogen bonds, "Na" is sodium. The glue "G0", "TZ" and "W" are no atoms.
 StatedElement autodock_element(std::string_view type);
 
 }  // namespace alphascope

@@ -1,4 +1,4 @@
-// See the header.
+// Finds the residues of the atoms that recorded bonds name.
 #include "core/read/residues/bond_evidence.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ BondEvidence::BondEvidence(const Molecule& molecule, const ModelRange& model,
 
 void BondEvidence::note_named(const ModelRange& model, const RecordedBonds::Named& bonds) {
   using Key = std::tuple<NameId, std::int32_t, char, NameId>;
-  // A name that no atom has is not the empty one.
+  // Names that no atom has must not count as the empty name.
   const auto is_there = [&](const std::string& name) {
     return name.empty() || molecule_.names.find(name) != 0;
   };
@@ -41,7 +41,7 @@ void BondEvidence::note_named(const ModelRange& model, const RecordedBonds::Name
     wanted[key(a)] = kNoIndex;
     wanted[key(b)] = kNoIndex;
   }
-  // Of alternative locations the first; they are bound alike.
+  // Takes the first of alternative locations, since all have the same bonds.
   for (std::size_t i = model.begin; i < model.end; ++i) {
     const Atom& atom = molecule_.atoms[i];
     const auto found =
@@ -67,7 +67,7 @@ void BondEvidence::note_numbered(const ModelRange& model, const RecordedBonds::N
     atoms.emplace_back(molecule_.atoms[i].serial, static_cast<std::uint32_t>(i));
   }
   std::sort(atoms.begin(), atoms.end());
-  // A number that several atoms have tells of none.
+  // A serial number of several atoms identifies none of them.
   const auto atom_of = [&](std::int32_t serial) {
     const auto at = std::lower_bound(atoms.begin(), atoms.end(), std::pair(serial, 0u));
     const bool one = at != atoms.end() && at->first == serial &&

@@ -1,4 +1,4 @@
-// What recorded bonds tell of residues: for deciding what they are (decide_residues.hpp).
+// Evidence of recorded bonds for deciding what residues are (decide_residues.hpp).
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace alphascope {
 
-// Which residues of a model such bonds tie to residues that chains are made of. Those of metals are
-// left out: they are no bonds of a chain.
+// Finds the residues of a model that recorded bonds tie to residues of chains. Bonds of metals are
+// left out, as they do not make a chain.
 class BondEvidence {
  public:
   BondEvidence(const Molecule& molecule, const ModelRange& model, const ResidueTable& table,
                const RecordedBonds& bonds);
 
-  // To the C or O3' of one and to the N or P of another.
+  // True for bonds to C or O3' of one residue of a chain and to N or P of another.
   bool is_within_chain(std::uint32_t residue) const { return sides(residue) == kAll; }
   bool is_bound_to_chain(std::uint32_t residue) const { return sides(residue) != 0; }
 
@@ -32,7 +32,7 @@ class BondEvidence {
 
   const Molecule& molecule_;
   const ResidueTable& table_;
-  std::vector<std::uint8_t> sides_;  // of each residue; empty where the file has no bonds
+  std::vector<std::uint8_t> sides_;  // per residue; empty where the file has no bonds
 };
 
 }  // namespace alphascope

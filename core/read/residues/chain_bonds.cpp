@@ -1,14 +1,14 @@
-// See the header.
+// Finds bonds of chains by the distances of atoms.
 #include "core/read/residues/chain_bonds.hpp"
 
 namespace alphascope {
 namespace {
 
-// Å. Bonds of a chain are 1.3 to 1.7 long; nothing else comes as near as 2. CA follow one another
-// at 3.8, or 2.9 across a cis bond.
+// Distances in Å. Bonds of a chain are 1.3 to 1.7 long; nothing else comes nearer than 2.
+// Consecutive CA are 3.8 apart, or 2.9 across a cis bond.
 constexpr double kNearest = 0.8, kBond = 2.0, kNextCa = 4.3, kNearestCa = 2.5;
 constexpr Element kCarbon = 6, kNitrogen = 7, kOxygen = 8, kPhosphorus = 15;
-// Alternative types of one place, between a residue and its neighbour.
+// Limit of alternative residue types at one place, between a residue and its neighbour.
 constexpr std::uint32_t kMostTypes = 4;
 
 }  // namespace

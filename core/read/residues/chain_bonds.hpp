@@ -1,5 +1,5 @@
-// Which residues of a model are bound in a chain, by distances: C to N, O3' to P, and CA to CA
-// where a model has nothing else.
+// Finds by distances which residues of a model are bound in a chain. Bonds are C to N and O3' to P,
+// or CA to CA where a model has nothing else.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,18 @@ class ChainBonds {
  public:
   ChainBonds(const Molecule& molecule, const ResidueTable& table);
 
-  // Whether a residue that chains are made of is bound to a neighbour in the file or by number.
+  // True when a residue with backbone atoms is bound to a neighbour in the file or by number.
   bool is_bound(std::uint32_t residue) const;
-  // The same for one of other atoms' names, by any nitrogen, carbon, phosphorus or oxygen of it.
+  // The same for a residue with other atom names, by any nitrogen, carbon, phosphorus or oxygen in
+  // it.
   bool is_linked(std::uint32_t residue) const;
-  // Whether the residue with the number before or after it, in its chain and up to the same TER, is
-  // one that chains are made of.
+  // True when the residue numbered one before or after it can belong to a chain. Both must be in
+  // the same chain, with no TER between.
   bool has_neighbour_by_number(std::uint32_t residue) const;
-  // Whether both of them are there, next to it in the file.
+  // True when both numbered neighbours are there, next to it in the file.
   bool is_numbered_between(std::uint32_t residue) const;
 
-  // Whether distances tell anything: files that are made by hand have no bonds at all.
+  // True when the file has any bond by distance. Files made by hand have none.
   bool any() const { return any_; }
 
  private:
@@ -42,7 +43,7 @@ class ChainBonds {
     return molecule_.atoms[table_.residues[residue].first];
   }
   bool same_chain(std::uint32_t a, std::uint32_t b) const;
-  // The next residue of another number in the file, in its chain; kNoIndex if there is none.
+  // The next residue with another number in the file, in the same chain. kNoIndex if there is none.
   std::uint32_t neighbour(std::uint32_t residue, bool after) const;
   std::uint32_t by_number(std::uint32_t residue, int step) const;
   bool bound(std::uint32_t before, std::uint32_t after) const;

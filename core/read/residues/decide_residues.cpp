@@ -1,4 +1,4 @@
-// See the header.
+// Weighs the evidence for each residue in a fixed order.
 #include "core/read/residues/decide_residues.hpp"
 
 #include <algorithm>
@@ -18,14 +18,14 @@ struct Decision {
   ResidueReason why = ResidueReason::none;
 };
 
-// Components of one oxygen that are no water: hydroxide and oxides.
+// True for components of one oxygen that are no water: hydroxide and oxides.
 bool is_oxide(std::string_view name) {
   return name == "OH" || name == "O" || name == "OXO" || name == "OX";
 }
 
-// Where the ATOM records of a chain stand between two TER.
+// The span of a chain's ATOM records between two TER.
 struct ChainPlace {
-  std::uint32_t first = kNoIndex, last = 0;  // residues that chains are made of
+  std::uint32_t first = kNoIndex, last = 0;  // indices of residues that belong to the chain
 };
 
 class ModelJudge {
@@ -102,7 +102,7 @@ class ModelJudge {
     return in(records_.entities_of_chains, first(r).label_chain);
   }
 
-  // An ion or a water, which are more special than what tables and records tell.
+  // Finds an ion or a water. They take precedence over tables and records.
   Decision special(std::uint32_t r) const {
     const ResidueFacts& f = facts(r);
     const std::uint32_t matter = f.atoms - f.sites;
@@ -133,7 +133,7 @@ class ModelJudge {
     if (is_special && !(in_sequence && own.why == ResidueReason::one_oxygen)) return own;
     if (f.water_name) notes_.no_water(f.first);
     if (in_sequence) return {AtomKind::polymer, ResidueReason::sequence_number};
-    // A ligand that the tables know stays one, whatever it is bound to.
+    // A known ligand stays a ligand, even when it is bound to a chain.
     if (f.family == ResidueFamily::unknown && recorded_.is_within_chain(r)) {
       return {AtomKind::polymer, ResidueReason::bond_record};
     }
@@ -154,7 +154,7 @@ class ModelJudge {
         return {AtomKind::ligand, ResidueReason::entity_branched};
       case EntityType::non_polymer:
         if (!is_special) return {AtomKind::ligand, ResidueReason::entity_non_polymer};
-        // An ion is a non-polymer; a water is one with a name of its own.
+        // An ion is a non-polymer. Water has an entity type of its own, so this is a contradiction.
         if (own.kind == AtomKind::water) notes_.disagrees("non-polymer", own.kind, facts(r).first);
         return own;
       default:
@@ -190,13 +190,13 @@ class ModelJudge {
   Decision by_hetatm(std::uint32_t r, bool after_ter) const {
     const ResidueFacts& f = facts(r);
     if (f.family == ResidueFamily::dummy) return {AtomKind::dummy, ResidueReason::dummy_name};
-    // Where there is no chain to be free of, the name tells.
+    // Without any chain the name decides.
     if (f.family == ResidueFamily::biopolymer && f.chain_like && !any_chain_) {
       return {AtomKind::polymer, ResidueReason::polymer_name};
     }
     const ChainPlace* place = place_of(r);
     const bool not_after = place != nullptr && r < place->last;
-    const bool listed = f.family == ResidueFamily::biopolymer;  // may be free beside the chain
+    const bool listed = f.family == ResidueFamily::biopolymer;  // it may be free beside the chain
     if (in_sequence_record(r) && !after_ter && (!listed || place == nullptr || not_after)) {
       return {AtomKind::polymer, ResidueReason::sequence_record};
     }
@@ -233,7 +233,7 @@ class ModelJudge {
         atom.why = named ? decision.why : ResidueReason::virtual_site;
         continue;
       }
-      // An ion named among other atoms stays one.
+      // An ion that is named among other atoms stays an ion.
       if (atom.kind == AtomKind::ion && decision.kind != AtomKind::ion &&
           decision.why > ResidueReason::chain_number) {
         atom.why = ResidueReason::ion_name;
@@ -258,11 +258,11 @@ class ModelJudge {
   BondEvidence recorded_;
   std::vector<Section> sections_;
   std::size_t section_ = 0;
-  bool any_chain_ = false;  // some ATOM records are of a chain
+  bool any_chain_ = false;  // some ATOM records belong to a chain
   std::set<ChainKey> ended_;
 };
 
-// What atoms without any names of residues are: the body of the molecule.
+// Atoms without residue names count as the body of the molecule.
 void judge_unnamed(Molecule& molecule) {
   for (Atom& atom : molecule.atoms) {
     if (atom.why != ResidueReason::none) continue;
@@ -302,7 +302,7 @@ void copy_answers(Molecule& molecule, const ModelRange& first, const ModelRange&
 void decide_residues(Molecule& molecule, const ResidueRecords& records) {
   AtomRoles roles(molecule);
   ResidueNotes notes(molecule);
-  // The first model's elements are compared before they are changed.
+  // Elements are compared with the first model's before decisions change them.
   std::vector<bool> as_first(molecule.models.size());
   for (std::size_t k = 1; k < molecule.models.size(); ++k) {
     as_first[k] = same_atoms(molecule, molecule.models.front(), molecule.models[k]);

@@ -1,3 +1,4 @@
+// Tables and patterns of ion names.
 #include "core/read/residues/ion_names.hpp"
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 namespace alphascope {
 namespace {
 
-// Names that are no symbol with a charge or a number beside it. CIO and IB are AMBER's sodium (the
-// latter with six waters about it), BS3 to ZTM the dictionary's, the others CHARMM's.
+// Names that are not a symbol with a charge or number. CIO and IB are AMBER's sodium; IB has six
+// waters around it. BS3 to ZTM are from the dictionary, the others are CHARMM's.
 constexpr struct {
   std::string_view name;
   Element element;
@@ -28,7 +29,7 @@ bool is_number_or_sign(char c) {
 }
 
 Element ion_of_name(std::string_view name) {
-  // The longest are such as "MG+2"; long names need not be copied to know that they are none.
+  // The longest names are such as "MG+2", so longer ones need not be copied.
   if (name.empty() || name.size() > 5) return kUnknownElement;
   const std::string text = upper_case(name);
   const auto* found = std::find_if(std::begin(kIonNames), std::end(kIonNames),

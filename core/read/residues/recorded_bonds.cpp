@@ -1,4 +1,4 @@
-// See the header.
+// Reads LINK and CONECT records of PDB files.
 #include "core/read/residues/recorded_bonds.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace alphascope {
 namespace {
 
-// LINK has two atoms, each in columns as in a line of its own that begins so many columns later.
+// LINK names two atoms. Each has the columns of an atom record, `later` columns further right.
 BondedAtom linked_atom(std::string_view line, std::size_t later, PdbChainColumns& chain_columns) {
   line.remove_prefix(std::min(later, line.size()));
   BondedAtom atom;

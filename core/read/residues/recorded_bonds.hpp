@@ -1,4 +1,4 @@
-// Bonds that a file's own records state: LINK and CONECT of PDB, struct_conn of mmCIF.
+// Bonds that a file states: LINK and CONECT of PDB, struct_conn of mmCIF.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ struct BondedAtom {
 class RecordedBonds {
  public:
   void add(BondedAtom a, BondedAtom b) { named_.emplace_back(std::move(a), std::move(b)); }
-  // By serial numbers; 0 is none.
+  // Adds a bond between two serial numbers. 0 means no atom.
   void add(std::int32_t a, std::int32_t b) {
     if (a != 0 && b != 0) numbered_.emplace_back(a, b);
   }
-  // Lines of a PDB file. A bond to an atom of another asymmetric unit is none in this file.
+  // Lines of a PDB file. Bonds to atoms of another asymmetric unit are left out.
   void take_link(std::string_view line, PdbChainColumns& chain_columns);
   void take_conect(std::string_view line);
 

@@ -1,4 +1,4 @@
-// See the header.
+// Counts guesses and contradictions, and turns them into notes.
 #include "core/read/residues/residue_notes.hpp"
 
 #include "core/selection/atom_address.hpp"

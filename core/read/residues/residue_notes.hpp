@@ -1,4 +1,4 @@
-// What is said of the residues of a file: which were guessed, and where evidence disagreed.
+// Notes on the residues of a file: guesses, and evidence that disagrees.
 #pragma once
 
 #include <map>
@@ -13,10 +13,9 @@ class ResidueNotes {
   explicit ResidueNotes(Molecule& molecule) : molecule_(molecule) {}
 
   void guessed(ResidueReason why, std::size_t first_atom);
-  // The entity table says one thing, and the atoms of the residue, which are asked for more,
-  // another.
+  // The entity table contradicts the residue's own atoms, which take precedence.
   void disagrees(const char* table_says, AtomKind kind, std::size_t first_atom);
-  // The name of a water, and other atoms than one has.
+  // A residue has a water's name, but atoms that a water does not have.
   void no_water(std::size_t first_atom);
 
   void finish() const;
@@ -24,7 +23,7 @@ class ResidueNotes {
  private:
   struct Counted {
     std::size_t count = 0;
-    std::string examples;  // addresses of the first few
+    std::string examples;  // addresses of the first few residues
   };
   void add(Counted& counted, std::size_t first_atom) const;
 

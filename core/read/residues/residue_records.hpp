@@ -1,5 +1,5 @@
-// What a file's records say of residues, beside the names of their atoms. Readers collect it;
-// decide_residues.hpp judges it once all of the file is read.
+// What a file's records say of residues, beside the names of atoms. Readers collect it, and
+// decide_residues.hpp uses it once the whole file is read.
 #pragma once
 
 #include <cstddef>
@@ -14,21 +14,21 @@
 
 namespace alphascope {
 
-// As mmCIF's _entity.type has them; a macrolide counts as none.
+// The values of mmCIF's _entity.type. A macrolide counts as none.
 enum class EntityType : std::uint8_t { none, polymer, non_polymer, branched, water };
 
-// Of the atoms from one on.
+// The records that hold from one atom on.
 struct ResidueRecord {
   NameId entity = 0;          // label_entity_id
-  std::uint32_t section = 0;  // how many TER come before
-  bool numbered = false;      // it has a label_seq_id
-  bool modified = false;      // MODRES names it
+  std::uint32_t section = 0;  // how many TER records come before
+  bool numbered = false;      // the atoms have a label_seq_id
+  bool modified = false;      // a MODRES record names the residue
   friend bool operator==(const ResidueRecord&, const ResidueRecord&) = default;
 };
 
 class ResidueRecords {
  public:
-  // What holds for the atoms from `atom` on; call it in the order of the atoms.
+  // Sets the records for the atoms from `atom` on. Call it in the order of the atoms.
   void add(std::size_t atom, const ResidueRecord& record) {
     if (!runs_.empty() && runs_.back().record == record) return;
     if (!runs_.empty() && runs_.back().begin == atom) runs_.pop_back();
@@ -37,8 +37,8 @@ class ResidueRecords {
     any_unnumbered_ |= !record.numbered;
   }
 
-  // Whether some atoms have a label_seq_id and others none: only then it says which are in a
-  // sequence. PyMOL and Open Babel number everything.
+  // True when some atoms have a label_seq_id and others have none. Only then it shows which are in
+  // a sequence, because PyMOL and Open Babel number all atoms.
   bool numbers_tell() const { return any_numbered_ && any_unnumbered_; }
 
   struct Run {
@@ -48,9 +48,9 @@ class ResidueRecords {
   const std::vector<Run>& runs() const { return runs_; }
 
   std::uint32_t ter_count = 0;
-  // By label_entity_id, and by label_asym_id for atoms that give none.
+  // Keys are label_entity_id, and label_asym_id for atoms without an entity.
   std::unordered_map<NameId, EntityType> entities, entities_of_chains;
-  // The residue names that SEQRES gives a chain.
+  // Residue names in the SEQRES records of each chain.
   std::unordered_map<std::string, std::unordered_set<std::string>> sequences;
   RecordedBonds bonds;
 

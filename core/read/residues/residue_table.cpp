@@ -1,4 +1,4 @@
-// See the header.
+// Groups atoms into residues, and counts what their names and elements show.
 #include "core/read/residues/residue_table.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace alphascope {
 namespace {
 
 constexpr Element kCarbon = 6, kOxygen = 8;
-// Longer residues are not searched for an atom that comes again.
+// Limit of atoms that are searched for one with the same name.
 constexpr std::size_t kLongestSearched = 512;
 
 BackboneAtom backbone_atom(std::string_view name) {
@@ -27,14 +27,14 @@ BackboneAtom backbone_atom(std::string_view name) {
   return BackboneAtom::other;
 }
 
-// Names of lone pairs, dummy masses and charges in water models of three to six points.
+// True for lone pairs, dummy masses and charges in water models of three to six points.
 bool water_site(std::string_view name) {
   constexpr std::string_view kFirst = "MLEVQ";
   return !name.empty() && (kFirst.find(name[0]) != std::string_view::npos || name == "OM" ||
                            name == "IW" || name.starts_with("DO"));
 }
 
-// Of waters in files without elements.
+// True for the oxygen of a water in a file without elements.
 bool is_water_oxygen(std::string_view name) {
   return name == "O" || name == "OW" || name == "OH2" || name == "OH";
 }
@@ -47,7 +47,7 @@ void add_index(std::array<std::uint32_t, 2>& list, std::uint32_t atom) {
   }
 }
 
-// Adds atoms to the residues of one model.
+// Adds the atoms of one model to its residues.
 class TableMaker {
  public:
   TableMaker(const Molecule& molecule, const ResidueRecords& records, AtomRoles& roles)
@@ -79,7 +79,7 @@ class TableMaker {
         table_.residues[piece.residue].record.section != record.section) {
       return false;
     }
-    // Waters and ions of one number: the piece begins again.
+    // Waters and ions can share one residue number. Each repeated first atom begins a new piece.
     const Atom& first = molecule_.atoms[piece.begin];
     const bool again = first.name == atom.name && first.altloc == atom.altloc &&
                        (atom.kind == AtomKind::water || atom.kind == AtomKind::ion);
@@ -109,7 +109,8 @@ class TableMaker {
     table_.pieces.push_back({i, i + 1, residue});
   }
 
-  // Whether the residue has this atom already, so that it is another residue's of the same number.
+  // True when the residue has this atom already. The atom then belongs to another residue of the
+  // same number.
   bool has(std::uint32_t residue, const Atom& atom) const {
     std::size_t searched = 0;
     for (std::size_t k = table_.pieces.size(); k-- > 0 && searched < kLongestSearched;) {
@@ -133,7 +134,7 @@ class TableMaker {
       return;
     }
     facts.water_name |= atom.kind == AtomKind::water;
-    // Of alternative locations the first letter counts.
+    // Only the first letter of alternative locations counts.
     if (facts.letter == ' ') facts.letter = atom.altloc;
     if (atom.altloc != ' ' && atom.altloc != facts.letter) {
       add_ends(facts, atom, index);
@@ -156,7 +157,7 @@ class TableMaker {
   void add_ends(ResidueFacts& facts, const Atom& atom, std::uint32_t index) const {
     const BackboneAtom role = roles_.backbone(atom.name);
     if (role == BackboneAtom::other) return;
-    // "CA" of calcium is no backbone.
+    // "CA" of calcium is no backbone atom.
     if (role == BackboneAtom::ca && atom.element != kCarbon && atom.element != kUnknownElement) {
       return;
     }
@@ -180,7 +181,7 @@ class TableMaker {
   void finish(ResidueFacts& facts) const {
     const std::string_view name = molecule_.text(molecule_.atoms[facts.first].residue_name);
     const bool by_name = facts.family == ResidueFamily::biopolymer;
-    // "UNK" is an unknown amino acid, and what many programs call any ligand.
+    // "UNK" is an unknown amino acid, but many programs use it for any ligand.
     const bool unknown = name == "UNK" && !facts.holds(BackboneAtom::ca) &&
                          !facts.holds(BackboneAtom::cb) && !facts.holds(BackboneAtom::n);
     const bool shape = facts.amino_shape() || facts.nucleic_shape();

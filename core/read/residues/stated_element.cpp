@@ -1,3 +1,4 @@
+// Parses the element column of a file.
 #include "core/read/residues/stated_element.hpp"
 
 #include <algorithm>
@@ -9,9 +10,9 @@
 namespace alphascope {
 namespace {
 
-constexpr std::size_t kLongest = 6;  // "Zn2+" and the like; longer texts are nothing of ours
+constexpr std::size_t kLongest = 6;  // "Zn2+" and the like; longer texts are no element
 
-// What programs write where a point of a force field has no element.
+// Texts of programs for points of a force field, which have no element.
 constexpr std::string_view kVirtualSites[] = {"EP", "EPW", "LP", "VS", "DU", "DUM", "MW"};
 
 bool is_digit_of_charge(char c) {
@@ -38,7 +39,7 @@ Element charged_symbol(std::string_view text) {
   const bool all_digits = std::all_of(charge.begin(), charge.end(), [](char c) {
     return is_charge_sign(c) || is_digit_of_charge(c);
   });
-  // "Cl-", "Zn2+", "Fe+3", and "Ca++" as some write it.
+  // Accepts "Cl-", "Zn2+" and "Fe+3", and "Ca++", which some programs write.
   const bool good = signs > 0 && at_an_end && all_digits &&
                     (signs == 1 || signs == static_cast<std::ptrdiff_t>(charge.size()));
   return good ? element_from_symbol(text.substr(0, letters)) : kUnknownElement;

@@ -1,4 +1,4 @@
-// What a file's own column for elements says: a symbol, perhaps with a charge, or something else.
+// The meaning of a file's own element column: a symbol, perhaps with a charge, or something else.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 namespace alphascope {
 
 enum class Statement : std::uint8_t {
-  none,          // nothing
+  none,          // empty
   element,       // "C", "zn", "Zn2+", "O2-", "N1+", "Na+"
-  placeholder,   // "X": of no known element
-  virtual_site,  // "EP", "LP", "VS", "DU": no atom at all
-  other          // what is no element, such as "C12" or "OA"
+  placeholder,   // "X": no known element
+  virtual_site,  // "EP", "LP", "VS", "DU": not an atom
+  other          // not an element, such as "C12" or "OA"
 };
 
 struct StatedElement {
@@ -21,10 +21,11 @@ struct StatedElement {
   Element element = kUnknownElement;
 };
 
-// Of a text without blanks around it.
+// `text` has no blanks around it.
 StatedElement stated_element(std::string_view text);
 
-// "Zn2+", "O2-", "Na+", "Fe+3": an element with its charge; kUnknownElement for anything else.
+// The element of a symbol with a charge: "Zn2+", "O2-", "Na+", "Fe+3". kUnknownElement for other
+// texts.
 Element charged_symbol(std::string_view text);
 
 }  // namespace alphascope

@@ -1,3 +1,4 @@
+// Finds virtual sites by their names, their elements and their distance to an atom.
 #include "core/read/residues/virtual_sites.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace alphascope {
 namespace {
 
 constexpr std::string_view kUnknownAtoms[] = {"UNX", "UNL", "UNK"};
-// No atom is as near to another; a Drude particle stays within 0.25 Å of its own.
+// Atoms are never so near to each other. A Drude particle stays within 0.25 Å of its atom.
 constexpr double kOnItsAtom = 0.5;  // Å
 constexpr std::size_t kNamesListed = 6;
 
@@ -27,14 +28,15 @@ bool all_digits(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// "MW", "MW1": the word, perhaps numbered.
+// True for the word, perhaps with a number: "MW", "MW1".
 bool is_word(std::string_view name, std::string_view word) {
   return name.starts_with(word) && all_digits(name.substr(word.size()));
 }
 
 bool in_water(std::string_view name) {
   if (name.empty()) return false;
-  // Hydrogens, deuterium and the oxygen are left; OM is SWM4's site, "DO" and "DOH2" Drude's.
+  // Other names are hydrogens, deuterium and the oxygen. OM is a site of SWM4; "DO" and "DOH2" are
+  // Drude particles.
   constexpr std::string_view kOfSites = "MLEV";
   return kOfSites.find(name[0]) != kOfSites.npos || name == "OM" || name.starts_with("DO");
 }
@@ -51,7 +53,7 @@ bool has_name_of_site(const AtomNaming& naming, std::string_view name) {
   }
   if (name.starts_with("LP") && name.size() <= 5) return true;
   if (naming.family == ResidueFamily::water) return in_water(name);
-  // GROMACS' dummy masses (MCH3, MNH1, MTRP2) and the pseudo-atoms of NMR (QB, MG1).
+  // Names of GROMACS' dummy masses (MCH3, MNH1, MTRP2) and of pseudo-atoms in NMR (QB, MG1).
   if (naming.family == ResidueFamily::biopolymer && !of_unknown_residue(naming)) {
     return name[0] == 'M' || name[0] == 'Q';
   }
@@ -78,11 +80,11 @@ double squared_distance(const LatticePoint& a, const LatticePoint& b) {
   return x * x + y * y + z * z;
 }
 
-// The atoms of one residue by name, location and cell, so that of a body of many atoms only those
-// around a point are looked at.
+// The atoms of one residue by name, location and grid cell. A search then looks only at atoms
+// around a point.
 class AtomsByPlace {
  public:
-  // The atoms [begin, end); `near` in lattice units.
+  // The atoms [begin, end) of the molecule; `near` in lattice units.
   AtomsByPlace(const Molecule& molecule, std::size_t begin, std::size_t end, double near)
       : molecule_(molecule), near_(near), side_(std::max(1.0, near)) {
     places_.reserve(end - begin);
@@ -131,7 +133,7 @@ std::string_view parent_name(std::string_view name) {
   return name.size() > 1 && name[0] == 'D' ? name.substr(1) : std::string_view();
 }
 
-// The atoms [begin, end) are of one residue.
+// The atoms [begin, end) belong to one residue.
 void mark_on_their_atoms(Molecule& molecule, std::size_t begin, std::size_t end) {
   const double near = kOnItsAtom * molecule.lattice.units_per_angstrom();
   const AtomsByPlace atoms(molecule, begin, end, near);
@@ -172,7 +174,7 @@ void mark_sites_on_their_atoms(Molecule& molecule) {
 void finish_virtual_sites(Molecule& molecule) {
   std::size_t dummies = 0;
   std::map<std::string_view, std::size_t> names;
-  bool planes = false;  // OPM's, which are named DUM
+  bool planes = false;  // membrane planes of OPM, in residues named DUM
   for (const Atom& atom : molecule.atoms) {
     if (atom.kind != AtomKind::dummy) continue;
     ++dummies;
@@ -182,7 +184,7 @@ void finish_virtual_sites(Molecule& molecule) {
   if (dummies == 0) return;
   const std::string total = grouped(molecule.atoms.size());
   if (dummies == molecule.atoms.size() && !planes) {
-    // A file of nothing but such points: they are what its user has.
+    // A file with nothing but such points: they are kept as atoms.
     for (Atom& atom : molecule.atoms) {
       atom.kind = atom.hetero ? AtomKind::ligand : AtomKind::polymer;
       atom.why = atom.hetero ? ResidueReason::hetatm : ResidueReason::no_name;

@@ -1,5 +1,5 @@
-// Points of force fields and of other programs that stand in a file as atoms but are none: virtual
-// sites, lone pairs, Drude particles, dummy masses, pseudo-atoms, fpocket's alpha spheres.
+// Points that a file lists as atoms but that are none. They are virtual sites, lone pairs, Drude
+// particles, dummy masses, pseudo-atoms, and alpha spheres of fpocket.
 #pragma once
 
 #include "core/read/residues/atom_names.hpp"
@@ -7,17 +7,17 @@
 
 namespace alphascope {
 
-// Whether an atom is such a point, by its names and what its file says of its element. A file that
-// states an element is believed; so is one that states none by an X, but for atoms of residues
-// that are known, and for unknown atoms (UNX): those are atoms of no known element.
+// True for such a point, by its names and its stated element. An atom with a stated element is no
+// such point. An X instead of an element makes a point only in an unknown residue. In known
+// residues, and for unknown atoms (UNX), it is an atom of no known element.
 bool is_virtual_site(const AtomNaming& naming, Statement stated);
 
-// What only the neighbours tell: a Drude particle is named after its atom ("DCA" of CA) and stands
-// on it; so does the site OM of a water's OH2. For molecules whose atoms have their places; before
-// it is decided what their residues are.
+// Marks points that only their neighbours show. A Drude particle is named after its atom ("DCA" for
+// CA) and lies on it. The site OM of a water lies on its OH2. Atoms must be on the lattice, and
+// residues not yet decided.
 void mark_sites_on_their_atoms(Molecule& molecule);
 
-// Says how many atoms of all get no ball, once residues are decided.
+// Adds a note with the number of atoms that get no ball. Residues must be decided.
 void finish_virtual_sites(Molecule& molecule);
 
 }  // namespace alphascope

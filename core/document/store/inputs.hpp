@@ -25,9 +25,8 @@ struct Inputs {
   double solvent_radius_angstrom = 0;    // the one in `balls`
   // The atoms of `balls`, with their radii without the solvent radius. Null: not known.
   std::shared_ptr<const BallReferences> atoms;
-  std::uint64_t body_key = 0;  // differs between sets of atoms; the same for every solvent radius
-  std::uint64_t frames_key =
-      0;  // the balls of every model (key_of_frames()); 0: there is one model
+  std::uint64_t body_key = 0;    // differs between sets of atoms; the same for every solvent radius
+  std::uint64_t frames_key = 0;  // the balls of all models (key_of_frames()); 0: one model
   // The complex on screen and its alpha. NaN and null where there is none, and for results whose
   // key has no alpha.
   Alpha alpha_angstrom2;

@@ -82,8 +82,7 @@ bool Store::take_held(Entry& e) {
   const auto found = std::find_if(e.values.begin(), e.values.end(),
                                   [&](const Value& value) { return value.key == e.wanted; });
   if (found == e.values.end()) {
-    if (e.state == DerivedState::ready)
-      e.state = DerivedState::none;  // it was let go of to make room
+    if (e.state == DerivedState::ready) e.state = DerivedState::none;  // evicted
     return false;
   }
   if (runs(e) && work(e).key != e.wanted) work(e).worker.cancel();

@@ -1,11 +1,10 @@
-# check_headers: every header compiles alone, so that none leans on what was included before it. What is
-# the first include of ours in a header that is compiled alone is compiled alone there, and so down to the
-# header that includes nothing; here are those that no header begins with. Built on
-# request only, right after configuring, as the list of first includes is made then. Where
-# headers of the standard library are precompiled, scripts/check_includes finds those that are missing.
-# Several headers of a folder in one source take less than half of the time. But then a header can use what
-# a header before it includes. scripts/check_includes finds types that it does not include itself; nothing
-# finds functions.
+# check_headers: compiles every header alone, so that none depends on includes before it. A header
+# that another one includes first is covered by it, and so are all along the chain of first
+# includes. Compiled here are those that no header includes first. Built on request only, right
+# after configuring, because that makes the list. Where headers of the standard library are
+# precompiled, scripts/check_includes finds missing ones. Several headers of a folder in one source
+# take less than half of the time. A header can then use the includes of an earlier one.
+# scripts/check_includes finds types that it does not include itself, but nothing finds functions.
 add_custom_target(check_headers)
 set(ALPHASCOPE_HEADERS_AT_ONCE 1 CACHE STRING "How many headers of a folder check_headers compiles in one source")
 
@@ -20,7 +19,7 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
-# Compiles FOLDER/*.hpp as sources of TARGET would be.
+# Compiles FOLDER/*.hpp with the flags of TARGET.
 function(alphascope_check_headers target folder)
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
   set(sources)

@@ -1,25 +1,25 @@
-# A quarter of the time to compile core/, app/ and ui/ went into reading the standard library: with
-# this it is read once. No source may lean on that: scripts/check_includes, and the preset asan, which does
-# without.
-# By default not with ccache, which then finds nothing that was compiled in another folder (but in the
-# preset ci).
+# Precompiled headers. Reading the standard library took a quarter of the compile time of core/,
+# app/ and ui/; now it is read once. No source may depend on it: scripts/check_includes and the
+# preset asan, which does not precompile, find such sources. Off by default with ccache, which then
+# finds nothing that was compiled in another folder. The preset ci always precompiles.
 set(by_default ON)
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   set(by_default OFF)
 endif()
 option(ALPHASCOPE_PRECOMPILE "Read the standard library's headers once" ${by_default})
 
-# For one target.
+# alphascope_precompile(TARGET): precompiles the headers of one target.
 function(alphascope_precompile target)
   if(NOT ALPHASCOPE_PRECOMPILE OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     return()
   endif()
   set(quiet)
   if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # "text" + std::string, precompiled, is warned of by mistake in two more ways (AlphascopeFlags.cmake).
+    # GCC wrongly warns about precompiled "text" + std::string in two more ways
+    # (AlphascopeFlags.cmake).
     set(quiet -Wno-array-bounds -Wno-stringop-overflow)
   endif()
-  # GCC optimises as the headers were, whatever else it is told.
+  # GCC optimises as it did for the precompiled headers, whatever flags the source has.
   set(headers alphascope_headers)
   get_target_property(glue ${target} ALPHASCOPE_GLUE)
   if(glue)
@@ -34,7 +34,7 @@ function(alphascope_precompile target)
     if(glue)
       target_compile_options(${headers} PRIVATE ${ALPHASCOPE_GLUE_OPTIMIZATION})
     endif()
-    # Not <iostream>: it would be initialised for every source.
+    # Without <iostream>, which would be initialised for every source.
     target_precompile_headers(${headers} PRIVATE <algorithm> <array> <atomic> <charconv> <chrono>
       <cmath> <condition_variable> <cstdint> <cstdio> <cstring> <filesystem> <functional> <limits> <map>
       <memory> <mutex> <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <thread>
@@ -44,7 +44,7 @@ function(alphascope_precompile target)
   target_compile_options(${target} PRIVATE ${quiet})
 endfunction()
 
-# For the targets of this folder and of those below.
+# alphascope_precompiled(FOLDER): precompiles for the targets of this folder and of those below it.
 function(alphascope_precompiled folder)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)

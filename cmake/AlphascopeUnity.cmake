@@ -1,25 +1,26 @@
-# Most of the time to compile a source goes into templates of the standard library that its neighbours
-# need as well: compiled a dozen at a time, core/, app/ and ui/ take half as long, and tests, too. What sources lean on
-# then is not noticed here, but by check_headers, check_includes, and wherever this is off.
-# By default not with ccache, which then finds a source again only when its neighbours are the same;
-# the presets ci, asan and tsan combine always: their builds begin with nothing.
+# Compiles sources of a folder a dozen at a time. Most compile time goes into templates of the
+# standard library that neighbouring sources need too. So core/, app/ and ui/ take half as long, and
+# so do tests. Sources may then depend on each other unnoticed. check_headers, check_includes and
+# builds without this option find such cases. Off by default with ccache, which then finds a source
+# only when its neighbours are the same. The presets ci, asan and tsan always combine, because their
+# builds begin with nothing.
 set(by_default ON)
-# Nor where every warning counts: one build has to compile each source alone.
+# Off also where every warning is an error: one build has to compile each source alone.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR ALPHASCOPE_STRICT)
   set(by_default OFF)
 endif()
 option(ALPHASCOPE_UNITY "Compile several sources at once" ${by_default})
 
-# What TEXT declares at the start of a line, which is where clang-format puts it: functions in FUNCTIONS,
-# all else in OTHERS. Too many do no harm.
+# Finds names that TEXT declares at the start of a line, where clang-format puts them. Functions go
+# to FUNCTIONS, all other names to OTHERS. Too many names do no harm.
 function(alphascope_declared_names text functions others)
-  string(REGEX REPLACE "[][;]" "=" text "\n${text}")  # these would take CMake's lists apart
+  string(REGEX REPLACE "[][;]" "=" text "\n${text}")  # these characters would split CMake's lists
   string(REGEX MATCHALL "\n[A-Za-z#][^\n]*" lines "${text}")
   set(found_functions)
   set(found)
   foreach(line IN LISTS lines)
     if(line MATCHES "^\nnamespace ")
-      continue()  # fs is the same everywhere
+      continue()  # fs means the same everywhere
     elseif(line MATCHES "^\n(struct|class|enum class|enum|union|using|#define) ([A-Za-z0-9_]+)")
       list(APPEND found ${CMAKE_MATCH_2})
     elseif(line MATCHES "^\n[^(={]*[ *&]([A-Za-z0-9_]+) ?([(={])")
@@ -39,7 +40,7 @@ function(alphascope_declared_names text functions others)
   set(${others} "${found}" PARENT_SCOPE)
 endfunction()
 
-# What a source has for itself, in namespaces without a name.
+# Finds the names that a source declares in unnamed namespaces.
 function(alphascope_private_names source functions others)
   file(READ ${source} text)
   set(found_functions)
@@ -61,7 +62,8 @@ function(alphascope_private_names source functions others)
   set(${others} ${found} ${macros} PARENT_SCOPE)
 endfunction()
 
-# Of the headers that sources of TESTS, or those of the program, may include: into properties, once.
+# Reads the names in headers that sources of TESTS, or those of the program, may include. Stores
+# them in properties, once.
 function(alphascope_header_names tests)
   get_property(done GLOBAL PROPERTY ALPHASCOPE_HEADERS_READ_${tests})
   if(done)
@@ -86,7 +88,7 @@ function(alphascope_header_names tests)
   set_property(GLOBAL PROPERTY ALPHASCOPE_HEADERS_READ_${tests} ON)
 endfunction()
 
-# Whether LIST has anything of the rest of the arguments.
+# Sets ANY to whether LIST contains one of the remaining arguments.
 function(alphascope_any_of list any)
   set(${any} OFF PARENT_SCOPE)
   foreach(name IN LISTS ARGN)
@@ -97,9 +99,10 @@ function(alphascope_any_of list any)
   endforeach()
 endfunction()
 
-# Combines sources of TARGET, at most SIZE and of one folder or those below it: never two that have a name each for
-# themselves, and none that has one for itself that a header has as well, unless both are functions:
-# these overload each other, and what is ambiguous does not compile.
+# Combines sources of TARGET in groups of at most SIZE, each from one folder and those below it. No
+# group has two sources with the same private name. A source is compiled alone if a private name of
+# it is also in a header. A function may share its name with a
+# function of a header: they overload each other, and an ambiguous call does not compile.
 function(alphascope_unity target size)
   if(NOT ALPHASCOPE_UNITY)
     return()
@@ -155,10 +158,10 @@ function(alphascope_unity target size)
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # GCC takes an included source for a header, whose classes should have no member of a private type.
+  # GCC takes an included source for a header, and warns about members of private types there.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
-# Code that decides the times in docs/performance.md is optimised as it always was: source by source.
+# Code that decides the times in docs/performance.md is compiled source by source.
 set(ALPHASCOPE_TIMED
   "^core/(predicates|neighbours|complex|engine|triangulation|dual_edge|tuples|engines|measure|verify)$")

@@ -1,5 +1,5 @@
-# alphascope_version: the program's version and commit, written anew at each build when they change.
-# Run as a script (-P) it writes the source; included, it makes the target.
+# alphascope_version: writes the program's version and commit at each build when they have changed.
+# Run as a script (-P), this file writes the source. Included, it makes the target.
 if(CMAKE_SCRIPT_MODE_FILE)
   set(commit "unknown")
   execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=12 --exclude=*

@@ -1,12 +1,12 @@
-# What scripts/run and scripts/test share. To be sourced; sets -euo pipefail and goes to the root.
+# Functions that several scripts share. To be sourced. Sets -euo pipefail and goes to the root.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 say() { printf '\n== %s [%d:%02d]\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 die() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
-# install_packages [tests]: installs what scripts/packages.txt names and is not there yet; touches
-# nothing when all is. The section "tests" only when asked for.
+# install_packages [tests]: installs the missing packages of scripts/packages.txt. Does nothing when
+# none is missing. The section "tests" is included only on request.
 install_packages() {
   local wanted missing=() package
   if ! command -v apt-get >/dev/null; then
@@ -38,7 +38,7 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# Compiling a source that uses CGAL or VTK takes up to 1.5 GiB, so memory limits the jobs too.
+# Compiling a source with CGAL or VTK takes up to 1.5 GiB, so memory limits the jobs too.
 jobs() {
   local cores gibibytes
   cores=$(nproc)
@@ -53,7 +53,7 @@ build() {
   shift
   if command -v ccache >/dev/null; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-    # Without these ccache keeps nothing that was compiled with a precompiled header.
+    # Without these settings ccache stores no source that uses a precompiled header.
     local lenient
     lenient=$(ccache --get-config sloppiness)
     export CCACHE_SLOPPINESS=${lenient:+$lenient,}pch_defines,time_macros

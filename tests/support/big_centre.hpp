@@ -1,4 +1,4 @@
-// Lifted vectors and orthocentres of any size in GMP's integers: what predicates are compared with.
+// Lifted vectors and orthocentres of any size in GMP's integers, for comparison with predicates.
 #pragma once
 
 #include "core/geometry/ball_set.hpp"
@@ -8,7 +8,7 @@ namespace alphascope::testing {
 
 using Integer = mpz_class;
 
-// As core/predicates/lifted.hpp.
+// Like core/predicates/lifted.hpp.
 struct BigVector {
   Integer x, y, z, c;
 };
@@ -32,7 +32,8 @@ inline BigVector sum_of(const BigVector& a, const Integer& f, const BigVector& b
   return {a.x * f + b.x * g, a.y * f + b.y * g, a.z * f + b.z * g, 0};
 }
 
-// An orthocentre 2 x = centre / scale, scale > 0, of the flat's dimension; scale 0: there is none.
+// An orthocentre of the flat's dimension: 2 x = centre / scale, with scale > 0. Scale 0: there is
+// none.
 struct BigCentre {
   BigVector centre;
   Integer scale;

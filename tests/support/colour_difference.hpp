@@ -1,4 +1,4 @@
-// How different two colours look, and what is left of colours for colour-blind eyes.
+// How different two colours look, with usual sight and with colour blindness.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@ struct LabColour {
   double lightness = 0, a = 0, b = 0;
 };
 
-// CIEDE2000, all weights 1: G. Sharma, W. Wu, E. N. Dalal, "The CIEDE2000 color-difference formula:
-// implementation notes, supplementary test data, and mathematical observations", Color Research and
-// Application 30, 2005.
+// CIEDE2000 with all weights 1. Source: G. Sharma, W. Wu, E. N. Dalal, "The CIEDE2000
+// color-difference formula: implementation notes, supplementary test data, and mathematical
+// observations", Color Research and Application 30, 2005.
 inline double ciede2000(const LabColour& x, const LabColour& y) {
   constexpr double kDegree = M_PI / 180;
   const auto seventh = [](double c) {
@@ -58,9 +58,9 @@ enum class Sight { usual, protanopia, deuteranopia, tritanopia };
 inline constexpr std::array kSights{Sight::usual, Sight::protanopia, Sight::deuteranopia,
                                     Sight::tritanopia};
 
-// Of linear sRGB, severity 1: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A
-// physiologically-based model for simulation of color vision deficiency", IEEE Transactions on
-// Visualization and Computer Graphics 15, 2009.
+// A matrix for linear sRGB at severity 1. Source: G. M. Machado, M. M. Oliveira, L. A. F.
+// Fernandes, "A physiologically-based model for simulation of color vision deficiency", IEEE
+// Transactions on Visualization and Computer Graphics 15, 2009.
 inline std::array<double, 9> simulation(Sight sight) {
   switch (sight) {
     case Sight::protanopia:
@@ -77,7 +77,7 @@ inline std::array<double, 9> simulation(Sight sight) {
   }
 }
 
-// CIE L*a*b* of an sRGB colour as it is seen so; white is D65.
+// CIE L*a*b* of an sRGB colour as this sight sees it. White is D65.
 inline LabColour seen(const Rgb8& colour, Sight sight) {
   const auto linear = [](int byte) {
     const double c = byte / 255.0;
@@ -104,7 +104,7 @@ inline double difference(const Rgb8& a, const Rgb8& b, Sight sight) {
   return ciede2000(seen(a, sight), seen(b, sight));
 }
 
-// With usual sight or any kind of colour blindness, whichever tells them apart least.
+// The least difference over usual sight and all kinds of colour blindness.
 inline double least_difference(const Rgb8& a, const Rgb8& b) {
   double least = difference(a, b, Sight::usual);
   for (const Sight sight : kSights) least = std::min(least, difference(a, b, sight));

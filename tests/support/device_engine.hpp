@@ -1,4 +1,4 @@
-// The GPU engine without its safety net.
+// The GPU engine without its replacement by the CPU.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,9 @@
 
 namespace alphascope::testing {
 
-// Where the device fails, the GPU engine has the CPU compute the same result, and no comparison
-// sees it. This one throws then. What is beyond the kernels' limits is the CPU's business.
+// Where the device fails, the GPU engine lets the CPU compute the same result, so comparisons would
+// not notice. This engine throws instead. The CPU still computes requests beyond the kernels'
+// limits.
 class DeviceEngine : public Engine {
  public:
   explicit DeviceEngine(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
@@ -40,7 +41,7 @@ class DeviceEngine : public Engine {
   std::unique_ptr<Engine> engine_;
 };
 
-// Null, with the reason, where there is no device.
+// Null, with the reason, where no device is usable.
 inline std::unique_ptr<Engine> make_device_engine(std::shared_ptr<const BallSet> balls,
                                                   std::string* why_not = nullptr,
                                                   GpuOptions options = {}) {

@@ -1,4 +1,4 @@
-// The start of a PDB file whose chain A is half of a dimer, turned about z.
+// The start of a PDB file with one half of a dimer as chain A, turned about z.
 #pragma once
 
 namespace alphascope::testing {

@@ -1,4 +1,4 @@
-// Dual edge clipping at every alpha, where the CPU engine would have chosen a faster route.
+// Clips dual edges at every alpha, even where the CPU engine would choose a faster route.
 #pragma once
 
 #include <tbb/task_arena.h>

@@ -1,3 +1,4 @@
+// Decides which sets an engine can afford, and sets up suites.
 #include "tests/support/engines.hpp"
 
 #include "core/dual_edge/cpu_dual_edges.hpp"

@@ -1,5 +1,5 @@
-// Expecting two complexes to be the same to the last bit: simplices in order, classes, alpha
-// values, hash.
+// Expects two complexes to be the same to the last bit: simplices in order, classes, alpha values,
+// hash.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A stand-in for ffmpeg in front of PATH, for what must not depend on which ffmpeg is installed.
+// A stand-in for ffmpeg in front of PATH, for tests that must not depend on the installed ffmpeg.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace alphascope::testing {
 
-// While it is there, `ffmpeg` is this shell script; $file is the movie that it is to write. Empty:
+// While this object lives, `ffmpeg` is this shell script. $file is the movie to be written. Empty:
 // there is no ffmpeg.
 class FakeFfmpeg {
  public:

@@ -1,3 +1,4 @@
+// Makes five balls of each kind.
 #include "tests/support/five_balls.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ int on_the_lattice(double value, int bound = kMaxLatticeCoordinate) {
   return static_cast<int>(std::clamp<double>(std::round(value), -bound, bound));
 }
 
-// The last two within a unit of the plane of the first three.
+// The last two balls are within a unit of the plane of the first three.
 BallSet nearly_coplanar(Random& random, int extent, int radius) {
   BallSet balls = random_balls(random, 5, extent, 1, radius);
   auto& c = balls.centres;
@@ -26,7 +27,7 @@ BallSet nearly_coplanar(Random& random, int extent, int radius) {
   return balls;
 }
 
-// Within about a unit of one sphere.
+// All balls are within about a unit of one sphere.
 BallSet nearly_cospherical(Random& random, double size, int low_radius, int radius) {
   BallSet balls = random_balls(random, 5, 100000, low_radius, radius);
   for (LatticePoint& p : balls.centres) {
@@ -37,7 +38,7 @@ BallSet nearly_cospherical(Random& random, double size, int low_radius, int radi
   return balls;
 }
 
-// Small whole numbers, among which ties are many, times `scale` and off by no more than `shake`.
+// Small whole numbers with many ties, times `scale` and shifted by at most `shake`.
 BallSet nearly_tied(Random& random, int scale, int shake) {
   BallSet balls = random_balls(random, 5, 2, 1, 3);
   const auto moved = [&](int value) {
@@ -48,7 +49,7 @@ BallSet nearly_tied(Random& random, int scale, int shake) {
   return balls;
 }
 
-// Differences from the first ball of `bound` or a few units around, or of any size up to it.
+// Differences from the first ball are `bound` give or take a few units, or any size up to it.
 BallSet around_a_bound(Random& random, int bound, int radius) {
   const auto value = [&](int most) {
     const int size = random_int(random, 0, 2) != 0 ? most - random_int(random, -2, 4)

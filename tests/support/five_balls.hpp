@@ -1,5 +1,5 @@
-// Five balls with distinct centres for predicates: random, nearly degenerate, and at the bounds up
-// to which filters and integer widths are proven.
+// Five balls with distinct centres for predicates: random ones, nearly degenerate ones, and ones at
+// the proven bounds of filters and integer widths.
 #pragma once
 
 #include "tests/support/random_balls.hpp"
@@ -8,7 +8,7 @@ namespace alphascope::testing {
 
 inline constexpr int kFiveBallKinds = 16;
 
-// Of kind 0 to kFiveBallKinds - 1.
+// `kind` is 0 to kFiveBallKinds - 1.
 BallSet five_balls(Random& random, int kind);
 const char* kind_of_five(int kind);
 

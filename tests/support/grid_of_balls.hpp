@@ -1,4 +1,4 @@
-// A file of balls that is a network of cubes.
+// A file of balls whose empty space is a network of cubes.
 #pragma once
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace alphascope::testing {
 
-// XYZR: layers of 3 x 3 balls of radius 0.3 Å, 2.5 Å apart. With a solvent radius of 1 Å all
+// XYZR with layers of 3 x 3 balls of radius 0.3 Å, 2.5 Å apart. With a solvent radius of 1 Å all
 // squares of the grid are open.
 inline std::string grid_of_balls(int layers = 3) {
   std::string balls;

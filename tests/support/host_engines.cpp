@@ -1,4 +1,4 @@
-// The engines of the host: on one thread, and on as many as switch their parallel code on.
+// The engines of the host, on one thread and on as many as their parallel code needs.
 #include <string>
 #include <utility>
 
@@ -24,9 +24,9 @@ std::vector<EngineFactory> engines() {
                          return std::make_unique<DualEdgeOnlyEngine>(std::move(balls), threads);
                        }});
   }
-  // The work grows with the cube of the neighbours.
+  // Work grows with the cube of the number of neighbours.
   TupleOptions batches;
-  batches.tuples_per_batch = 700;  // so that small sets need many
+  batches.tuples_per_batch = 700;  // small sets then need many batches
   for (const auto& [name, options] :
        {std::pair("tuples_1", TupleOptions{}), {"tuples_2", batches}}) {
     const int threads = options == batches ? 2 : 1;

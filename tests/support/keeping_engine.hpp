@@ -1,4 +1,4 @@
-// An engine for tests that ask it again and again: keeps what it knows of its balls.
+// An engine that keeps its known results, for tests with many requests.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ class KeepingEngine : public Engine {
  public:
   explicit KeepingEngine(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
 
-  // From what the caller knows, or else from what it knows itself.
+  // Uses the caller's known results, or else its own.
   AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
                        const RunContext& context) override {
     if (known) return engine_->compute(request, known, context);

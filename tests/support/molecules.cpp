@@ -1,3 +1,4 @@
+// Reads molecules for tests and makes balls of them.
 #include "tests/support/molecules.hpp"
 
 #include "core/read/read_molecule.hpp"

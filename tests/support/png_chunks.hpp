@@ -1,4 +1,4 @@
-// What is inside a PNG file.
+// The chunks of a PNG file.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ inline std::uint32_t number_at(const std::string& bytes, std::size_t at) {
   return number;
 }
 
-// A picture's chunks: type and data. Every length and checksum must be right.
+// Type and data of each chunk. Every length and checksum must be right.
 inline std::vector<std::pair<std::string, std::string>> chunks_of(const std::string& png) {
   std::vector<std::pair<std::string, std::string>> chunks;
   std::size_t at = 8;
@@ -36,7 +36,7 @@ inline std::vector<std::pair<std::string, std::string>> chunks_of(const std::str
   return chunks;
 }
 
-// Its uncompressed texts, plain and international, by keyword.
+// Uncompressed texts, plain and international, by keyword.
 inline std::map<std::string, std::string> texts_of(const std::string& png) {
   std::map<std::string, std::string> texts;
   for (const auto& [type, data] : chunks_of(png)) {

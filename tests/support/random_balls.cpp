@@ -1,3 +1,4 @@
+// Makes random sets of balls that are hard on exactness.
 #include "tests/support/random_balls.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ BallSet empty_set() {
   return balls;
 }
 
-// Every permutation of (a, b, c) with every choice of signs: points of one sphere.
+// Adds every permutation of (a, b, c) with every choice of signs. They are points of one sphere.
 void add_orbit(BallSet& balls, int a, int b, int c, int radius) {
   int v[3] = {a, b, c};
   std::sort(v, v + 3);
@@ -24,7 +25,7 @@ void add_orbit(BallSet& balls, int a, int b, int c, int radius) {
     for (int signs = 0; signs < 8; ++signs) {
       const int x = signs & 1 ? -v[0] : v[0], y = signs & 2 ? -v[1] : v[1],
                 z = signs & 4 ? -v[2] : v[2];
-      // -0 is 0: skip the repetition.
+      // -0 equals 0, so the repetition is skipped.
       if ((signs & 1 && v[0] == 0) || (signs & 2 && v[1] == 0) || (signs & 4 && v[2] == 0))
         continue;
       add_ball(balls, x, y, z, radius);
@@ -109,7 +110,7 @@ BallSet extremes(Random& random, int count) {
 using Direction = std::array<double, 3>;
 using Point3 = std::array<double, 3>;
 
-// A vector of whole numbers and whole length, of any signs and order.
+// A vector of whole numbers whose length is whole, with any signs and order.
 struct WholeDirection {
   std::array<int, 3> vector;
   int length;
@@ -128,7 +129,8 @@ WholeDirection whole_direction(Random& random) {
   return d;
 }
 
-// Of length 1; every other one of a whole length before, so that distances can be whole.
+// A direction of length 1. Every other one has whole components and a whole length, so that
+// distances can be whole.
 Direction random_direction(Random& random) {
   if (random_int(random, 0, 1) != 0) return whole_direction(random).unit();
   Direction d;
@@ -155,13 +157,13 @@ void add_ball_beside(BallSet& balls, const LatticePoint& p, const Direction& d, 
            on_the_lattice(p.z + distance * d[2]), radius);
 }
 
-// As likely of any order of magnitude.
+// Every order of magnitude is equally likely.
 int random_radius(Random& random, int high) {
   const double share = random_int(random, 0, 1 << 20) / static_cast<double>(1 << 20);
   return std::clamp(static_cast<int>(std::exp(share * std::log(high))), 1, high);
 }
 
-// Anywhere, in a corner of the lattice, or in the middle.
+// Any place, a corner of the lattice, or the middle.
 LatticePoint random_place(Random& random) {
   const int kind = random_int(random, 0, 2), c = kMaxLatticeCoordinate;
   const auto coordinate = [&] {
@@ -171,7 +173,7 @@ LatticePoint random_place(Random& random) {
   return {x, y, z};
 }
 
-// In that direction on the sphere of the first ball, or in a mirrored one if that is off the
+// The point of the first ball's sphere in that direction, or a mirrored one if that is off the
 // lattice.
 Point3 on_the_rim(const LatticePoint& middle, int radius, Direction d) {
   Point3 point{double(middle.x), double(middle.y), double(middle.z)};
@@ -182,8 +184,8 @@ Point3 on_the_rim(const LatticePoint& middle, int radius, Direction d) {
   return point;
 }
 
-// Where the spheres of the first ball and of the last meet: a random point of that circle. If they
-// do not meet, the point of the first nearest to the last.
+// A random point of the circle in which the spheres of the first and last ball meet. If they do not
+// meet, the point of the first sphere nearest to the last ball.
 Point3 grazing_point(Random& random, const BallSet& balls) {
   const LatticePoint &c = balls.centres.front(), &p = balls.centres.back();
   const double large = balls.radii.front(), radius = balls.radii.back();
@@ -198,7 +200,7 @@ Point3 grazing_point(Random& random, const BallSet& balls) {
     across[a] -= outward * out[a];
     length += across[a] * across[a];
   }
-  // Along `out` and across it, from the first centre.
+  // Distances from the first centre, along `out` and across it.
   const double along =
       std::min(large, (distance * distance + large * large - radius * radius) / (2 * distance));
   const double side = std::sqrt((large - along) * (large + along) / std::max(length, 1e-6));
@@ -231,14 +233,14 @@ BallSet balls_at_a_rim(Random& random, int count, int digits, int large) {
   if (count == 0) return balls;
   const LatticePoint middle = random_place(random);
   add_ball(balls, middle.x, middle.y, middle.z, large);
-  // Above a 256th of `large` the margins of a single-precision test outweigh what it rounds off.
+  // For larger radii the margins of a single-precision test exceed its rounding errors.
   const int most = random_radius(random, std::max(1, large / 256));
   Point3 contact = on_the_rim(middle, large, random_direction(random));
   while (static_cast<int>(balls.size()) < count) {
     const WholeDirection along = whole_direction(random);
     const int radius = std::max(1, most - random_radius(random, most) / 2);
     int other = std::max(1, most - random_radius(random, most) / 2);
-    // The centres are whole, and so is their distance, when the sum of the radii is a multiple.
+    // Centres are whole. Their distance is whole when the sum of radii is a multiple of the length.
     other += (along.length - (radius + other) % along.length) % along.length;
     other = std::min(other, kMaxLatticeRadius);
     const Direction d = along.unit();
@@ -376,9 +378,9 @@ std::vector<NamedBalls> large_hard_sets(Random& random, int most) {
   }
   add("cospherical shells", shells);
   add("extremes of the lattice", extremes(random, 120));
-  // Beyond the range of the filters all is done in integers, so these are few.
+  // These sets are few, because beyond the filters' range integers decide everything.
   for (NamedBalls& set : sets_at_the_bounds(random, 30)) sets.push_back(std::move(set));
-  for (NamedBalls& set : sets) truncate(set.balls, random, most);  // shuffles
+  for (NamedBalls& set : sets) truncate(set.balls, random, most);  // also shuffles
   return sets;
 }
 

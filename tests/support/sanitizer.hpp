@@ -1,4 +1,5 @@
-// Is this program compiled with AddressSanitizer? GCC and clang tell it in ways of their own.
+// Tells whether this program is compiled with AddressSanitizer. GCC and clang define it
+// differently.
 #pragma once
 
 namespace alphascope::testing {
@@ -11,7 +12,7 @@ inline constexpr bool kAddressSanitizer = __has_feature(address_sanitizer);
 inline constexpr bool kAddressSanitizer = false;
 #endif
 
-// A sanitizer takes some ten times as long, and looks for other faults than wrong results.
+// A sanitizer takes about ten times as long, and looks for other faults than wrong results.
 constexpr int unless_sanitized(int count, int fewer) {
   return kAddressSanitizer ? fewer : count;
 }

@@ -1,2 +1,2 @@
-// Nothing: the headers that most tests include are compiled for this source, and used by others
+// Compiles the headers that most tests include. Other sources use the result
 // (tests/CMakeLists.txt).

@@ -1,5 +1,5 @@
-// Is a text one well-formed XML element? Knows what a picture needs: elements, attributes in double
-// quotes, the five entities; no comments, no CDATA.
+// Checks that a text is one well-formed XML element. It knows elements, attributes in double quotes
+// and the five entities, but no comments and no CDATA.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ inline bool entities_known(const std::string& text) {
   return true;
 }
 
-// Empty when it is; else what is wrong.
+// Empty when the text is well-formed, else the error.
 inline std::string xml_error(std::string text) {
   if (text.starts_with("<?xml ")) text.erase(0, text.find("?>") + 2);
   std::vector<std::string> open;

@@ -1,3 +1,4 @@
+// Reads the reference tables and compares our cavities with them.
 #include "tests/support/reference/cavity_reference.hpp"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ std::string key_of(const TableRow& row) {
   return row.at("input") + " " + row.at("solvent");
 }
 
-// Counts of one thing beside what they must be.
+// Counts and collects differences between found and expected values.
 class Differences {
  public:
   explicit Differences(std::string of) : of_(std::move(of)) {}
@@ -120,7 +121,7 @@ CavityReference::CavityReference(std::filesystem::path folder) : folder_(std::mo
 }
 
 std::shared_ptr<const BallSet> CavityReference::balls(const TableRow& run) const {
-  // Not by way of a molecule, which has no atom of radius 0; some inputs have one.
+  // Reads balls directly, because a molecule has no atom of radius 0 but some inputs have one.
   const LoadedText loaded = load_text(folder_ / run.at("path"), 1 << 26, {});
   std::istringstream lines{std::string(loaded.text)};
   BallSet balls;
@@ -176,7 +177,7 @@ std::vector<std::string> CavityReference::differences(
   for (const KnownCavity& known : known_here->second) left.push_back(&known);
   for (std::size_t c = 0; c < found.cavities.size(); ++c) {
     const Cavity& cavity = found.cavities[c];
-    // Cavities of the same atoms are told apart by what they are made of.
+    // Cavities of the same atoms are told apart by their tetrahedra.
     const auto same = std::find_if(left.begin(), left.end(), [&](const KnownCavity* known) {
       return known->atoms == cavity.atoms &&
              known->row.at("tets") == std::to_string(cavity.tetrahedra.size());

@@ -1,5 +1,5 @@
-// Tables of cavities that an independent program computed (docs of the folder: its README), and the
-// comparison of ours with them. For tests and for the program that does so by hand.
+// Cavity tables by an independent program (see the README in its folder), and our comparison with
+// them. Used by tests and by a program run by hand.
 #pragma once
 
 #include <filesystem>
@@ -12,21 +12,21 @@
 
 namespace alphascope::testing {
 
-// A row of a table: its columns by name.
+// A row of a table, its columns by name.
 using TableRow = std::map<std::string, std::string>;
 
 class CavityReference {
  public:
-  // reference.tsv, cavities.tsv, lining.tsv.gz and traps.tsv of this folder, beside inputs and
-  // traps.
+  // Reads reference.tsv, cavities.tsv, lining.tsv.gz and traps.tsv in this folder, beside inputs
+  // and traps.
   explicit CavityReference(std::filesystem::path folder);
 
-  // The rows of reference.tsv and traps.tsv: each is a computation.
+  // The rows of reference.tsv and traps.tsv. Each is one computation.
   const std::vector<TableRow>& runs() const { return runs_; }
-  // Its balls, grown by its solvent radius.
+  // The balls of a run, grown by its solvent radius.
   std::shared_ptr<const BallSet> balls(const TableRow& run) const;
 
-  // What differs from the row and from the cavities' tables, in words; empty if nothing does.
+  // Differences from the row and from the tables of cavities, in words. Empty if there are none.
   std::vector<std::string> differences(const TableRow& run, const CavityGround& ground,
                                        const Cavities& found,
                                        const std::vector<CavityMeasures>& measures) const;

@@ -1,4 +1,5 @@
-// What the uses of CGAL's own triangulation share. For sources that may include CGAL.
+// Code shared by the direct uses of CGAL's triangulation. Only sources that may include CGAL
+// include it.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,3 +1,4 @@
+// Computes alpha shapes with CGAL alone.
 #include "tests/support/reference/cgal_reference.hpp"
 
 #include <CGAL/Fixed_alpha_shape_3.h>

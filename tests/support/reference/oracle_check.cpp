@@ -1,3 +1,4 @@
+// Compares complexes with the oracle at interesting alphas.
 #include "tests/support/reference/oracle_check.hpp"
 
 #include <algorithm>
@@ -74,7 +75,7 @@ std::string difference(const AlphaComplex& found, const AlphaComplex& expected) 
 
 namespace {
 
-// Also what the verifier says of it.
+// The difference, or else an error that the verifier finds.
 std::string difference_or_doubt(const BallSet& balls, const AlphaComplex& found,
                                 const AlphaComplex& expected) {
   const std::string what = difference(found, expected);

@@ -1,4 +1,4 @@
-// An engine against the definition in rationals, for suites and for the program that does so for
+// Compares an engine with the definition in rationals, for suites and for a program that runs for
 // hours.
 #pragma once
 
@@ -12,29 +12,29 @@
 
 namespace alphascope::testing {
 
-// What was compared.
+// Numbers of compared complexes and simplices.
 struct OracleCounts {
   std::size_t complexes = 0, simplices = 0;
 };
 
-// Alphas (Å²) at which something happens: the critical values themselves where they are doubles on
-// alpha's own lattice, and the nearest alphas on both sides, which round to the same float once the
-// value is above 16. And some that have nothing to do with the balls. Ascending.
+// Alphas (Å²) at which the complex changes, in ascending order. They are the critical values, where
+// these are doubles on alpha's lattice, and the nearest alphas on both sides. Above 16 all three
+// round to the same float. Some alphas without relation to the balls are added.
 std::vector<double> interesting_alphas(const RationalOracle& oracle, const Lattice& lattice);
 
-// At most `most` of the alphas, always with the first and last ones, in random order: an engine may
-// answer from what it has kept.
+// At most `most` of the alphas, with the first and last ones. They are in random order, as an
+// engine may answer from earlier results.
 std::vector<double> some_of(Random& random, std::vector<double> alphas, std::size_t most);
 
 // The balls as lines "x y z radius", lattice units.
 std::string list_balls(const BallSet& balls);
 
-// What differs between two complexes; empty if nothing does.
+// The difference between two complexes in words; empty if there is none.
 std::string difference(const AlphaComplex& found, const AlphaComplex& expected);
 
-// The first difference between an engine's complexes, whole and of tetrahedra alone, and the
-// oracle's, with the alpha and the balls; empty if there is none. Also looks for what the verifier
-// finds.
+// The first difference between an engine's complexes and the oracle's, with the alpha and the
+// balls. Whole complexes and tetrahedra alone are compared. Empty if there is none. The verifier
+// checks the complexes as well.
 std::string difference_from_oracle(Engine& engine, const NamedBalls& set,
                                    const RationalOracle& oracle, std::span<const double> alphas,
                                    OracleCounts& counts);

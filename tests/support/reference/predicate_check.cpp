@@ -1,3 +1,4 @@
+// Compares predicates and filters with GMP on five balls at a time.
 #include "tests/support/reference/predicate_check.hpp"
 
 #include <cmath>
@@ -32,7 +33,7 @@ struct FourNeighbours {
 
 }  // namespace
 
-// The predicates on one set of five balls: the first is i of orthosphere.hpp.
+// The predicates on one set of five balls. The first ball is i in orthosphere.hpp.
 class PredicateCheck::Case {
  public:
   Case(PredicateCheck& check, std::uint64_t number)
@@ -104,7 +105,7 @@ class PredicateCheck::Case {
     note(name, sign == exact, false, exact == 0);
   }
 
-  // Bracket, comparisons around it, the nearest float.
+  // Compares the bracket, comparisons around it, and the nearest float.
   void ortho_radius(std::span<const BallIndex> simplex, const Rational& rho,
                     const Bracket* bracket) {
     static const char* const kNames[3][4] = {
@@ -123,7 +124,7 @@ class PredicateCheck::Case {
     const double near = rho.get_d();
     for (const double alpha : {near, std::nextafter(near, 1e300), std::nextafter(near, -1e300),
                                near + random_int(random_, -9, 9), double(float(near))}) {
-      // No alpha on the lattice is so small; a rational is finite.
+      // Skips alphas smaller than any on the lattice, and infinite ones, which are no rationals.
       if ((std::fabs(alpha) < 1e-30 && alpha != 0) || std::isinf(alpha)) continue;
       exactly(kNames[1][d], compare_ortho_radius(balls_, simplex, alpha),
               sgn(rho - Rational(alpha)));
@@ -131,7 +132,7 @@ class PredicateCheck::Case {
     note(kNames[2][d], ortho_radius_rounded(balls_, simplex) == nearest_float(rho), false, false);
   }
 
-  // 0, or +- 1e-16 to 0.1, as likely of any order of magnitude.
+  // 0, or ±1e-16 to ±0.1. Every order of magnitude is equally likely.
   double near_nothing() {
     return random_int(random_, -1, 1) * std::pow(10, -random_int(random_, 1, 16));
   }
@@ -141,7 +142,7 @@ class PredicateCheck::Case {
     ortho_radius(simplex, -Rational(Integer(weight_)), nullptr);
   }
 
-  // Single precision, as a device and as the tuple engine use it.
+  // Single precision, as devices and the tuple engine use it.
   template <int K>
   void tuple(const LiftedInt (&v)[K], const FloatCentre& centre, const BigCentre& exact,
              const Rational& rho, int m) {
@@ -189,7 +190,7 @@ class PredicateCheck::Case {
     disc_within(j, exact);
   }
 
-  // Is rho of an edge <= alpha, near alpha.
+  // Asks whether rho of an edge is <= alpha, near alpha.
   void disc_within(int j, const BigCentre& exact) {
     const Rational depth = exact.rho(0);
     const double square = depth.get_d() * (1 + near_nothing());
@@ -271,13 +272,13 @@ class PredicateCheck::Case {
     return all;
   }
 
-  // Two balls grown by 0, and by what makes them all but touch: sqrt(a) + sqrt(b) >= |d| where
-  // |d|² - a - b is not positive, or its square at most 4 a b.
+  // Two balls grown by 0, and by values that nearly make them touch. They meet, sqrt(a) + sqrt(b)
+  // >= |d|, if |d|² - a - b is not positive or its square is at most 4 a b.
   void meeting(BallIndex a, BallIndex b) {
     const LatticePoint &p = balls_.centres[a], &q = balls_.centres[b];
     const BigVector d = big_vector(balls_, a, b);
     const double distance = std::sqrt(Integer(dot_of(d, d)).get_d());
-    // Equal power at the touching point: half the distance for equal radii.
+    // For equal radii the touching point is at half the distance.
     const double grown = distance * distance / 4 - static_cast<double>(balls_.weight(a));
     for (const double wish : {0.0, grown, grown * (1 + 1e-6 * random_int(random_, -3, 3))}) {
       const double alpha =
@@ -291,13 +292,13 @@ class PredicateCheck::Case {
       const bool meet = gap <= 0 || gap * gap <= 4 * ra * rb;
       const bool may =
           grown_balls_may_meet(q.x - p.x, q.y - p.y, q.z - p.z, grown_reach(wa), grown_reach(wb));
-      // What uniform_grid.cpp asks for: not far beyond, either.
+      // uniform_grid.cpp also needs that the filter accepts no pair far beyond.
       const bool near = distance <= (std::sqrt(wa) + std::sqrt(wb)) * (1 + 4.6e-6);
       note("grown_balls_may_meet", may ? near : !meet, may && !meet, gap * gap == 4 * ra * rb);
     }
   }
 
-  // Triangle 012 of which 3 and 4 cut the dual edge, in either precision.
+  // Triangle 012, whose dual edge 3 and 4 cut, in both precisions.
   void face() {
     const std::uint32_t others = 12;
     const TriangleRows rows{0, 1, &others, &others};
@@ -317,7 +318,7 @@ class PredicateCheck::Case {
                                       [&](int m) { return lifted_as<double>(n.lifted(m)); }),
                 exact);
     }
-    // Of balls that meet, as on a device: d is no longer than 1, nor is the disc's radius.
+    // Balls that meet, as on a device. Then neither d nor the disc's radius is longer than 1.
     if (!in_float_ || square > 1e14) return;
     same_face("filtered_face<float>",
               filtered_face<float>(rows, 1, static_cast<float>(square) * kScale * kScale,

@@ -1,5 +1,5 @@
-// Every predicate and every filter before it, against GMP's integers and rationals, on five balls
-// at a time. For suites, and for the program that does so a hundred million times.
+// Compares every predicate and its filters with GMP's integers and rationals, on five balls at a
+// time. For suites, and for a program that does so a hundred million times.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,21 @@ namespace alphascope::testing {
 
 class PredicateCheck {
  public:
-  // Of one predicate. Undecided: a filter did not know.
+  // Counts for one predicate. Undecided: the filter could not tell.
   struct Count {
     std::uint64_t calls = 0, undecided = 0, ties = 0, wrong = 0;
   };
 
   explicit PredicateCheck(std::uint64_t seed) : seed_(seed) {}
 
-  // All predicates on the five balls of this number, which follow from it and the seed alone.
+  // Checks all predicates on five balls, which follow from this number and the seed alone.
   void check(std::uint64_t number);
 
   std::uint64_t calls() const;
   std::uint64_t wrong() const;
   const std::map<std::string, Count>& counts() const { return counts_; }
-  // The first wrong one: which, the number of its balls, and they; empty if there is none.
+  // The first failure: the predicate, the number of its balls, and the balls. Empty if there is
+  // none.
   const std::string& failure() const { return failure_; }
   void add(const PredicateCheck& other);
 

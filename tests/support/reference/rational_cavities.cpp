@@ -1,3 +1,4 @@
+// Computes cavities from their definitions in rationals.
 #include "tests/support/reference/rational_cavities.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ struct WeightedPoint {
   Rational p[3], w;
 };
 
-// The power of m less that of the smallest sphere orthogonal to a, b and c.
+// The power of m, less that of the smallest sphere orthogonal to a, b and c.
 Rational excess(const WeightedPoint (&abc)[3], const WeightedPoint& m) {
   Rational d[2][3], half[2], gram[2][2];
   for (int k = 0; k < 2; ++k) {
@@ -67,7 +68,7 @@ Simplex without(Simplex simplex, std::size_t n) {
   return simplex;
 }
 
-// Rank modulo 2 of the boundary map of the simplices of so many vertices.
+// Rank modulo 2 of the boundary map from cofaces to faces.
 std::size_t boundary_rank(const std::vector<Simplex>& cofaces, const std::vector<Simplex>& faces) {
   std::vector<std::set<std::size_t>> columns;
   for (const Simplex& coface : cofaces) {
@@ -90,7 +91,7 @@ std::size_t boundary_rank(const std::vector<Simplex>& cofaces, const std::vector
   return by_lowest.size();
 }
 
-// A set of simplices in groups: those in one group are joined by pairs that `joined` says yes to.
+// Groups simplices: two are in one group if a chain of pairs accepted by `joined` links them.
 std::vector<std::vector<Simplex>> grouped(
     std::vector<Simplex> left, const std::function<bool(const Simplex&, const Simplex&)>& joined) {
   std::vector<std::vector<Simplex>> groups;
@@ -157,7 +158,7 @@ class Search {
     std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
     return both;
   }
-  // Does some way of the flow end at a sink, or at infinity?
+  // True when some path of the flow ends at a sink, or at infinity.
   bool reaches(const Simplex& t, bool sink) const {
     const auto out = out_of_.find(t);
     if (out == out_of_.end()) return sink;
@@ -187,7 +188,7 @@ class Search {
       }
       if (out_of_.count(t)) continue;
       cavity.sinks.insert(t);
-      // Of equal ones the first by the places of its centres.
+      // Among equal sinks the one with the first centres counts.
       const auto centres = [&](const Simplex& of) {
         std::vector<LatticePoint> places;
         for (const BallIndex v : of) places.push_back(balls_.centres[v]);
@@ -229,8 +230,8 @@ class Search {
 
   const std::map<Simplex, Rational>& values_;
   const double alpha_;
-  std::map<Simplex, std::vector<Simplex>> tetrahedra_of_;  // of each triangle
-  std::map<Simplex, std::vector<Simplex>> out_of_;         // triangles by which a tetrahedron flows
+  std::map<Simplex, std::vector<Simplex>> tetrahedra_of_;  // tetrahedra at each triangle
+  std::map<Simplex, std::vector<Simplex>> out_of_;  // triangles by which a tetrahedron flows out
   std::size_t ties_ = 0;
 };
 

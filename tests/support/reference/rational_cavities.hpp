@@ -1,5 +1,5 @@
-// Cavities straight from their definitions, in rational arithmetic, for a handful of balls. Shares
-// nothing with the program but the triangulation's definition in rational_oracle.hpp.
+// Cavities straight from their definitions, in rational arithmetic, for a handful of balls. It
+// shares only the triangulation's definition in rational_oracle.hpp.
 #pragma once
 
 #include <set>
@@ -9,11 +9,12 @@
 
 namespace alphascope::testing {
 
-// Is ball m strictly inside the smallest orthosphere of a triangle (1), outside it (-1), or on it
-// (0)?
+// 1 when ball m is strictly inside the smallest orthosphere of a triangle, -1 when outside, 0 when
+// on it.
 int inside_smallest_orthosphere(const BallSet& balls, std::span<const BallIndex, 3> triangle,
                                 BallIndex m);
-// The same with weights decreased by explicit numbers, of larger centres by much more. Never 0.
+// The same with perturbed weights, decreased by small numbers. Larger centres have much larger
+// ones. Never 0.
 int inside_perturbed_orthosphere(const BallSet& balls, std::span<const BallIndex, 3> triangle,
                                  BallIndex m);
 
@@ -30,10 +31,10 @@ struct RationalCavity {
 struct RationalCavities {
   std::set<RationalCavity> cavities;
   std::size_t flow_ties = 0;
-  long long betti[3] = {0, 0, 0};  // of K_alpha, by ranks of matrices modulo 2
+  long long betti[3] = {0, 0, 0};  // Betti numbers of K_alpha, by ranks of matrices modulo 2
 };
 
-// strict_ties: what ties does not flow. castp_rule: else Pocket's.
+// strict_ties: tied simplices do not flow. castp_rule: CASTp's rule, else Pocket's.
 RationalCavities rational_cavities(const BallSet& balls, const RationalOracle& oracle,
                                    double alpha_on_lattice, bool strict_ties, bool castp_rule);
 

@@ -1,3 +1,4 @@
+// Computes the regular triangulation and K_alpha in rationals.
 #include "tests/support/reference/rational_oracle.hpp"
 
 #include <algorithm>
@@ -54,10 +55,10 @@ std::vector<BallIndex> visible_balls(const BallSet& balls) {
   }
   std::vector<BallIndex> visible;
   for (const auto& [p, i] : at) visible.push_back(i);
-  return visible;  // in lexicographic order of the centres
+  return visible;  // sorted lexicographically by centres
 }
 
-// Axes onto which the centres project without losing a dimension of their affine hull.
+// Axes onto which the centres project without loss of a dimension of their affine hull.
 std::vector<int> spanning_axes(const BallSet& balls, const std::vector<BallIndex>& visible) {
   std::vector<Vector> rows;
   for (const BallIndex i : visible) {
@@ -81,9 +82,9 @@ std::vector<int> spanning_axes(const BallSet& balls, const std::vector<BallIndex
   return axes;
 }
 
-// Is the lifted point of e above the hyperplane through those of the cell? Every height grows by a
-// positive infinitesimal, that of a lexicographically larger centre by infinitely more; `visible`
-// is in that order and the cell holds positions in it.
+// True when the lifted point of e is above the hyperplane through the cell's points. Every height
+// grows by a positive infinitesimal, which is infinitely larger for a lexicographically larger
+// centre. `visible` is in that order, and the cell holds positions in it.
 bool above(const std::vector<Rational>& heights, const std::vector<std::size_t>& cell,
            const Vector& barycentric, std::size_t e) {
   Rational difference = heights[e];
@@ -104,7 +105,7 @@ class CellSearch {
     for (const BallIndex i : visible) heights_.push_back(height(balls, i));
   }
 
-  // Calls found(cell) with ball indices, ascending.
+  // Calls found(cell) with the cell's ball indices in ascending order.
   template <class Found>
   void run(const Found& found) {
     std::vector<std::size_t> cell;
@@ -176,7 +177,7 @@ void add_simplex(SimplexList<N>& list, const std::vector<BallIndex>& simplex,
   list.classes.push_back(SimplexClass::singular);
 }
 
-// Classes by asking every simplex of one dimension more. `largest`: vertices of the largest
+// Finds classes by asking every simplex of one dimension more. `largest`: vertices of the largest
 // simplices, all of which are interior.
 template <int N>
 void set_classes(SimplexList<N>& list, const SimplexList<N + 1>& cofaces, int largest) {
@@ -210,7 +211,7 @@ Orthosphere orthosphere(const BallSet& balls, std::span<const BallIndex> simplex
   for (std::size_t k = 0; k < n; ++k) {
     const auto q = centre(balls, simplex[k + 1]);
     for (int a = 0; a < 3; ++a) d[k][a] = q[a] - p[a];
-    // Equal powers of q and p at p + x: 2 d·x = |d|² + w_p - w_q.
+    // q and p have equal powers at p + x: 2 d·x = |d|² + w_p - w_q.
     half[k] = (d[k][0] * d[k][0] + d[k][1] * d[k][1] + d[k][2] * d[k][2] +
                weight(balls, simplex[0]) - weight(balls, simplex[k + 1])) /
               2;
@@ -311,7 +312,7 @@ RationalOracle::RationalOracle(const BallSet& balls) : balls_(balls) {
   }
 }
 
-// A finite one.
+// `alpha` must be finite.
 Rational rational(const LatticeAlpha& alpha) {
   if (alpha.is_double()) return Rational(alpha.below);
   std::string digits = alpha.text();

@@ -1,4 +1,5 @@
-// Cavities of small sets against their definitions in rationals, and what must not change them.
+// Tests cavities of small sets against their definitions in rationals, and changes that must not
+// affect them.
 #include "core/cavity/cavities.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +74,7 @@ std::set<RationalCavity> as_sets(const Found& found) {
   return cavities;
 }
 
-// Balls on a few points of a lattice, mostly of one radius: every second set has ties.
+// Balls on a few points of a lattice, mostly of equal radius, so every second set has ties.
 BallSet lattice_balls(Random& random) {
   BallSet balls;
   std::set<std::array<int, 3>> taken;
@@ -88,7 +89,7 @@ BallSet lattice_balls(Random& random) {
   return balls;
 }
 
-// An octahedron with a hole inside, closed or nearly so, and up to three more balls.
+// An octahedron with a hole inside, closed or nearly closed, and up to three more balls.
 BallSet hollow_balls(Random& random) {
   BallSet balls;
   const int radius = testing::random_int(random, 4, 5);
@@ -137,7 +138,7 @@ TEST(Cavities, AreThoseOfTheDefinitionInRationals) {
     rules_differ += found_of[0] != found_of[2];
     ties_matter += found_of[0] != found_of[1];
   }
-  // Of all rounds 40, 400, 100, 300, 10, 10.
+  // At least so many of each kind for 300 rounds, and a share of it for fewer.
   const auto share = [&](std::size_t of_all) {
     return of_all * static_cast<std::size_t>(rounds) / 300;
   };
@@ -149,7 +150,7 @@ TEST(Cavities, AreThoseOfTheDefinitionInRationals) {
   EXPECT_GT(ties_matter, share(10));
 }
 
-// At every alpha at which K changes, and between: by ranks of matrices modulo 2.
+// Compares at every alpha at which K changes, and between, with ranks of matrices modulo 2.
 TEST(Cavities, VoidsAreBetti2AtEveryAlpha) {
   Random random(104);
   std::size_t steps = 0, with_voids = 0;
@@ -190,7 +191,7 @@ TEST(Cavities, AreNoneBelowDimension3) {
   }
 }
 
-// By the balls of their tetrahedra.
+// Each cavity as the set of its tetrahedra's balls.
 std::set<std::set<testing::Simplex>> tetrahedra_of(const Found& found,
                                                    const std::vector<BallIndex>& name) {
   std::set<std::set<testing::Simplex>> sets;
@@ -224,7 +225,7 @@ TEST(Cavities, DoNotDependOnTheOrderOfBalls) {
   }
 }
 
-// Where no powers tie, so that the perturbation decides nothing.
+// Sets without tied powers, so that the perturbation decides nothing.
 TEST(Cavities, TurnWithTheBalls) {
   Random random(103);
   for (int round = 0; round < 10; ++round) {

@@ -1,4 +1,4 @@
-// Lives of cavities, against the cavities of one alpha after the other.
+// Tests lives of cavities against the cavities at one alpha after the other.
 #include "core/cavity/cavity_lives.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ CavityGround ground_of(const std::shared_ptr<const BallSet>& balls) {
 }
 
 struct Known {
-  std::set<std::uint32_t> cavities, voids;  // by their deepest sinks
+  std::set<std::uint32_t> cavities, voids;  // cavities and voids by their deepest sinks
   friend bool operator==(const Known&, const Known&) = default;
 };
 Known found_at(const CavityGround& ground, const Filtration& filtration, double alpha,
@@ -52,7 +52,8 @@ Known alive_at(const CavityLives& lives, double alpha) {
   return known;
 }
 
-// Between the alpha values of all triangles and tetrahedra of small sets, and some of large ones.
+// Alphas lie between the alpha values of all triangles and tetrahedra of small sets, and some of
+// large ones.
 TEST(CavityLives, SayWhichCavitiesThereAre) {
   Random random(121);
   std::vector<NamedBalls> sets = testing::large_hard_sets(random, 200);
@@ -72,7 +73,7 @@ TEST(CavityLives, SayWhichCavitiesThereAre) {
     for (const OutsideRule rule : {OutsideRule::castp, OutsideRule::pocket}) {
       const CavityLives lives = cavity_lives(ground, rule);
       for (std::size_t n = 0; n + 1 < values.size(); n += values.size() / 30 + 1) {
-        // Values that are neighbouring floats have nothing between them.
+        // No alpha lies between two neighbouring floats.
         const double alpha = (double(values[n]) + double(values[n + 1])) / 2;
         if (float(alpha) == values[n] || float(alpha) == values[n + 1]) continue;
         const Known found = found_at(ground, filtration, alpha, rule);
@@ -86,7 +87,7 @@ TEST(CavityLives, SayWhichCavitiesThereAre) {
   EXPECT_GT(pockets, 1000u);
 }
 
-// Sinks of balls on few places have many ortho-radii that are exactly equal.
+// Balls on few places have sinks with exactly equal ortho-radii.
 TEST(CavityLives, DoNotFollowTheOrderOfTheBalls) {
   Random random(122);
   std::size_t sinks = 0, equal = 0;
@@ -98,7 +99,7 @@ TEST(CavityLives, DoNotFollowTheOrderOfTheBalls) {
                         2 * testing::random_int(random, 0, 3), testing::random_int(random, 1, 2));
     }
     using Life = std::tuple<std::vector<LatticePoint>, float, float, float>;
-    // In the order of their places, which is that of the centres.
+    // Lives in the order of the centres.
     const auto lives_of = [](const BallSet& set) {
       const CavityGround ground = ground_of(std::make_shared<const BallSet>(set));
       const CavityLives lives = cavity_lives(ground);

@@ -1,4 +1,4 @@
-// Numbers of cavities: what must not change them, and sets whose numbers are known by hand.
+// Tests numbers of cavities: changes that must not affect them, and sets with known numbers.
 #include "core/cavity/cavity_measures.hpp"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(CavityMeasures, AreTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-// Equal balls of radius 5 grown by alpha = 9 · 9 - 5 · 5 are balls of radius 9.
+// Balls of radius 5 grown by alpha = 9 · 9 - 5 · 5 are balls of radius 9.
 TEST(CavityMeasures, GrowingByAlphaIsGrowingEqualBalls) {
   Random random(111);
   std::size_t cavities = 0;
@@ -84,8 +84,8 @@ TEST(CavityMeasures, GrowingByAlphaIsGrowingEqualBalls) {
   EXPECT_GT(cavities, 50u);
 }
 
-// A cube of side 2 with balls of radius 1 at its corners: all edges are tangent, all faces open.
-// What is left of it is 8 - 4/3 pi, and a face of it 4 - pi.
+// A cube of side 2 with balls of radius 1 at its corners. All edges are tangent and all faces open.
+// The space left in the cube is 8 - 4/3 pi, and in a face 4 - pi.
 TEST(CavityMeasures, OfACubeOfTangentBalls) {
   BallSet cube;
   for (int n = 0; n < 8; ++n) testing::add_ball(cube, n & 2, n / 2 & 2, 2 * (n & 1), 1);
@@ -108,7 +108,7 @@ TEST(CavityMeasures, OfACubeOfTangentBalls) {
   EXPECT_EQ(m.lining.size(), 8u);
 }
 
-// Volumes by counting points: of voids, where the sum is exact.
+// Compares volumes of voids, whose sum is exact, with counts of points.
 TEST(CavityMeasures, OfAVoidAreWhatPointsSay) {
   BallSet cube;
   for (int n = 0; n < 8; ++n) testing::add_ball(cube, 20 * (n & 1), 10 * (n & 2), 5 * (n & 4), 16);
@@ -116,7 +116,7 @@ TEST(CavityMeasures, OfAVoidAreWhatPointsSay) {
   const Measured found = measure(cube, 0, 0);
   ASSERT_EQ(found.measures.size(), 1u);
   ASSERT_TRUE(found.cavities.cavities[0].is_void());
-  // One eighth of the cube, on a lattice of 1/16, at the middles of its cells.
+  // Counts one eighth of the cube, at the centres of cells of a lattice of 1/16.
   std::size_t free = 0;
   for (double x = 0.5; x < 160; ++x) {
     for (double y = 0.5; y < 160; ++y) {
@@ -127,7 +127,8 @@ TEST(CavityMeasures, OfAVoidAreWhatPointsSay) {
   EXPECT_GT(found.measures[0].volume_sa_angstrom3, 5);
 }
 
-// Tangent, flat, hidden, at the bounds of the lattice: at alphas where simplices come, too.
+// Tangent, flat and hidden balls, also at the bounds of the lattice, and at alphas where simplices
+// appear.
 TEST(CavityMeasures, AreNumbersForHardSets) {
   Random random(112);
   std::vector<testing::NamedBalls> sets = testing::large_hard_sets(random, 300);
@@ -166,7 +167,7 @@ TEST(CavityMeasures, AreNumbersForHardSets) {
   EXPECT_GT(touching, 10u);
 }
 
-// Against points all over the triangles.
+// Compares with points all over the triangles.
 TEST(CavityMeasures, DepthIsTheFarthestAtomsWayToAMouth) {
   const auto balls = testing::sample_balls("4hhb.pdb.gz", 1.4);
   const CavityGround ground = make_cavity_ground(
@@ -212,26 +213,28 @@ TEST(CavityMeasures, DepthIsTheFarthestAtomsWayToAMouth) {
   EXPECT_GT(pockets, 20u);
 }
 
-// Of the eight balls of radius 16 at the corners of a cube of side 20 each sees a patch of its
-// sphere around the middle, bounded by three planes at distance 10. They are x = 10 and so on as
-// seen from the ball at the origin; the patch's corners are (10, 10, z) and so on, z = sqrt(56).
+// Eight balls of radius 16 are at the corners of a cube of side 20. Each has a patch of its sphere
+// around the middle of the cube, bounded by three planes at distance 10. From the ball at the
+// origin these are x = 10, y = 10 and z = 10. The corners of its patch are (10, 10, z) and so on,
+// with z = sqrt(56).
 struct VoidInACube {
   double half = 10, radius = 16, z = std::sqrt(56.0);
   double arc_radius = std::sqrt(156.0);
   double arc_angle = std::atan2(half, z) - std::atan2(z, half);
-  // Gauss and Bonnet: the planes' circles bend by half / radius for each radian, and at a corner
-  // the boundary turns by the angle between the planes' normals in the tangent plane.
+  // By Gauss and Bonnet. The planes' circles bend by half / radius for each radian. At a corner the
+  // boundary turns by the angle between the planes' normals in the tangent plane.
   double patch() const {
     const double pi = std::acos(-1.0);
     const double turn = std::acos(-half * half / (radius * radius - half * half));
     return radius * radius * (2 * pi - 3 * turn + 3 * arc_angle * half / radius);
   }
-  // The cube's eighth less cones from the ball's centre: on the patch, and on the discs' parts.
+  // The cube's eighth less cones from the ball's centre over the patch and over the parts of the
+  // discs.
   double volume() const {
     const double disc = arc_radius * arc_radius * arc_angle / 2 + half * z;
     return 8 * (half * half * half - (radius * patch() + 3 * half * disc) / 3);
   }
-  // Between the directions to the four centres of a face, from the point above its middle.
+  // The solid angle of the four centres of a face, from the point above its middle.
   double corner() const { return 4 * std::asin(half * half / (half * half + z * z)); }
   double psi() const { return std::asin(half / radius); }
   double volume_ms(double s) const {
@@ -247,7 +250,7 @@ struct VoidInACube {
     const double share = 1 - s / radius;
     return 8 * patch() * share * share + tube_area(s, psi()) + 6 * corner() * s * s;
   }
-  double area_ms(double s) const {  // what is across the axes counts as positive
+  double area_ms(double s) const {  // across the axes counts as positive
     const double across = s > arc_radius ? tube_area(s, std::acos(arc_radius / s)) : 0;
     return area_ms_steiner(s) - 2 * across;
   }
@@ -278,7 +281,7 @@ TEST(CavityMeasures, OfWhatTheProbeReachesAreThoseOfClosedForms) {
   EXPECT_GT(right.area_ms(13) - right.area_ms_steiner(13), 0.1) << "no arc meets itself";
 }
 
-// A solvent radius above all radii: patches, arcs and corners fill all that is around the void.
+// With a solvent radius above all radii, patches, arcs and corners fill all space around the void.
 TEST(CavityMeasures, AProbeLargerThanAllBallsReachesTheirCentres) {
   for (const double s : {17.0, 40.0}) {
     const Measured found = measure(cube_of(20, 16), 0, s);
@@ -289,7 +292,7 @@ TEST(CavityMeasures, AProbeLargerThanAllBallsReachesTheirCentres) {
   }
 }
 
-// A closed box of balls of radius 5 with room inside.
+// A closed box of balls of radius 5, hollow inside.
 BallSet box_of_balls() {
   BallSet box;
   for (int x = 0; x <= 8; ++x) {
@@ -304,7 +307,7 @@ BallSet box_of_balls() {
   return box;
 }
 
-// Small balls within a void: the probe of radius 4 is nowhere kept out by them.
+// Small balls within a void do not exclude the probe of radius 4 from any place.
 TEST(CavityMeasures, BallsSmallerThanTheProbeDoNotKeepItOut) {
   const Measured empty = measure(box_of_balls(), 0, 4);
   ASSERT_EQ(empty.measures.size(), 1u);
@@ -330,9 +333,10 @@ TEST(CavityMeasures, BallsSmallerThanTheProbeDoNotKeepItOut) {
   }
 }
 
-// Two balls on one axis in a void, whose arc is a circle: all is of revolution. Of a small ball and
-// a large one that meet, the probe reaches the small one's part up to its centre, the triangle
-// between the arc and the centres, and of the large ball a shell. By slices.
+// Two balls on one axis in a void have an arc that is a circle, so all bodies are of revolution. A
+// small ball and a large one meet. The probe reaches the small ball's part up to its centre, and
+// the triangle between the arc and the centres. Of the large ball it reaches a shell. Volumes are
+// summed over slices.
 TEST(CavityMeasures, ASmallBallOnALargeOneIsFilledUpToItsCentre) {
   const double s = 4, large = 7, small = 3;
   const Measured empty = measure(box_of_balls(), 0, s);
@@ -342,12 +346,13 @@ TEST(CavityMeasures, ASmallBallOnALargeOneIsFilledUpToItsCentre) {
     testing::add_ball(balls, 18 + apart, 20, 20, static_cast<int>(small));
     const Measured found = measure(balls, 0, s);
     ASSERT_EQ(found.measures.size(), 1u);
-    // Points of both balls' union that are farther than s from what is outside of it. Outside is
-    // nearest in the half-plane of the point itself.
+    // Points within both balls' union that are farther than s from the outside. The nearest outside
+    // point lies in the half-plane of the point itself.
     const double x0 = (apart * apart + large * large - small * small) / (2.0 * apart);
     const double r = std::sqrt(large * large - x0 * x0);
     const auto from_outside = [&](double x, double y) {
-      // In the large ball's cone of its patch, in the small one's, or between: nearest to the arc.
+      // The point is in the cone of the large ball's patch, in that of the small one, or between.
+      // Between them the arc is nearest.
       const bool of_large = y * x0 > x * r || (x < 0 && y >= 0);
       const bool of_small = y * (apart - x0) > (apart - x) * r || x > apart;
       const double to_arc = std::hypot(x - x0, y - r);
@@ -398,8 +403,8 @@ TEST(CavityTable, SumsAreOfAllVoidsOrOfAllPockets) {
 }
 
 TEST(CavityMeasures, OrderIsByFallingVolume) {
-  // Two equal boxes side by side, and a smaller one: the box whose deepest sink comes first by its
-  // centres is the first of the equal ones, in whatever order the balls are.
+  // Two equal boxes side by side, and a smaller one. Among equal boxes the first is that whose
+  // deepest sink has the first centres, in any order of the balls.
   BallSet balls;
   for (const auto& [at, length] : std::vector<std::pair<int, int>>{{400, 5}, {0, 6}, {200, 6}}) {
     for (int x = 0; x <= length; ++x) {
@@ -436,7 +441,7 @@ TEST(CavityMeasures, OrderIsByFallingVolume) {
   }
 }
 
-// All numbers of all cavities, by the centres of their deepest sinks.
+// All numbers of all cavities, keyed by the centres of their deepest sinks.
 std::map<std::vector<LatticePoint>, std::vector<double>> numbers_by_place(const BallSet& balls,
                                                                           double solvent) {
   const auto ground = std::make_shared<const CavityGround>(
@@ -474,7 +479,7 @@ TEST(CavityMeasures, AreTheSameBitsInWhateverOrderTheBallsAre) {
   Random random(114);
   std::vector<BallSet> sets{*testing::sample_balls("1crn.pdb", 0.8)};
   for (int round = 0; round < 10; ++round) {
-    // Few places and radii: volumes, depths and shares tie.
+    // Few places and radii, so volumes, depths and shares tie.
     BallSet balls;
     for (int n = 0; n < 60; ++n) {
       testing::add_ball(balls, 4 * testing::random_int(random, 0, 5),

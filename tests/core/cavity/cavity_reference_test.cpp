@@ -1,4 +1,5 @@
-// Cavities and their numbers beside the tables of an independent program, and beside CASTp's own.
+// Compares cavities and their numbers with the tables of an independent program, and with CASTp's
+// own.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,14 +65,14 @@ TEST(CavityReference, AgreesForAllMolecules) {
   EXPECT_EQ(all_differences(reference), "");
 }
 
-// "521.316" and its like.
+// Formats a number such as "521.316".
 std::string three_digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f", value);
   return text;
 }
 
-// CASTp's tables print three digits.
+// CASTp's tables have three decimals.
 TEST(CavityReference, IsCastpsOutputFor1Hiv) {
   ALPHASCOPE_NEED_TEST_DATA();
   const auto folder = testing::test_data_folder() / "cavities";

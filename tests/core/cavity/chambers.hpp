@@ -1,4 +1,4 @@
-// Chambers in a row: cubes of balls whose walls have holes of known widths.
+// Chambers in a row: cubes of balls with holes of known widths in their walls.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace alphascope::testing {
 
-// On a cubic grid of 4 Å, 4 squares wide and high. In each wall between two chambers, and four
-// times in each of the other walls of a chamber but those at the ends, a ball is missing: the
-// nearest ones of radius r are 4 Å away, so the hole is closed from alpha 16 - r² on, or with a
-// solvent radius of 4 - r. `between`: of each wall between two chambers, the radius of the balls
-// nearest to its hole (0.1 Å); `outer`: the radius of all others.
+// Balls are on a cubic grid of 4 Å, 4 squares wide and high. A ball is missing in each wall between
+// two chambers. Four balls are missing in each other wall of a chamber, except at the ends of the
+// row. The balls nearest to a hole have radius r and are 4 Å away. So the hole is closed from alpha
+// 16 - r² on, or with a solvent radius of 4 - r. `between`: for each wall between two chambers, the
+// radius of the balls nearest to its hole (0.1 Å). `outer`: the radius of all other balls.
 inline BallSet chambers_in_a_row(const std::vector<int>& between, int outer = 30) {
   BallSet balls;
   balls.lattice.digits = 1;

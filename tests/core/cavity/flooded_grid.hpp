@@ -1,5 +1,5 @@
-// The widest walk between places of a fine grid, by flooding it from above: a bound for channels
-// that knows no triangulation.
+// Finds the widest walk between places of a fine grid by flooding it from above. It is a bound for
+// channels that needs no triangulation.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace alphascope::testing {
 
-// A cube around the origin. Steps go to all 26 neighbours.
+// A cube around the origin. Steps lead to all 26 neighbours.
 class FloodedGrid {
  public:
   FloodedGrid(const BallSet& balls, double spacing, double half_width)
@@ -34,11 +34,11 @@ class FloodedGrid {
     }
   }
 
-  // A walk is within half a cell's diagonal of a walk on the grid, and each step of one there is
-  // within as much of its ends; and 0.001 Å of rounding.
+  // Bound of the error in Å. Any walk is within half a cell's diagonal of a walk on the grid. Each
+  // step on the grid is within as much of its ends. Rounding adds 0.001 Å.
   double error() const { return spacing_ * std::sqrt(3.0) / 2 + 0.001; }
 
-  // The places are the grid's.
+  // Both places are rounded to the grid.
   double widest_between(const RealPoint& a, const RealPoint& b) const {
     const std::size_t to = at(b);
     return flood(
@@ -48,7 +48,7 @@ class FloodedGrid {
     return flood(
         a, [&](std::size_t n) { return is_border(n); }, [](const RealPoint&) { return true; });
   }
-  // Without going below a.
+  // The widest walk from a to the border of the cube, without going below a.
   double widest_up(const RealPoint& a) const {
     return flood(
         a, [&](std::size_t n) { return is_border(n); },
@@ -75,7 +75,7 @@ class FloodedGrid {
     return std::any_of(c.begin(), c.end(), [&](int v) { return v == 0 || v == 2 * half_; });
   }
 
-  // Places are added by falling clearance until a's set has an end.
+  // Adds places by falling clearance until the set that contains a has an end.
   template <class IsEnd, class Allowed>
   double flood(const RealPoint& a, const IsEnd& is_end, const Allowed& allowed) const {
     std::vector<std::uint32_t> order(clearance_.size()), parent(clearance_.size());

@@ -1,6 +1,6 @@
-// Gramicidin A, PDB entry 1GRM (A. S. Arseniev et al., NMR, CC0), first model without hydrogens,
-// and what HOLE 2.2.003 finds of its pore (O. S. Smart, J. M. Goodfellow, B. A. Wallace, Biophys.
-// J. 65, 1993).
+// Gramicidin A, PDB entry 1GRM (A. S. Arseniev et al., NMR, CC0), the first model without
+// hydrogens. Also the radii of its pore by HOLE 2.2.003 (O. S. Smart, J. M. Goodfellow, B. A.
+// Wallace, Biophys. J. 65, 1993).
 #pragma once
 
 namespace alphascope::testing {
@@ -103,8 +103,8 @@ inline constexpr GramicidinAtom kGramicidin[] = {
     {-1221, -13041, 7554, 'C'},  {-1280, -12708, 6169, 'O'},
 };
 
-// HOLE's simple.rad: C 1.85, O 1.65, N 1.75 Å. (Clearances at the places that HOLE prints agree
-// with these to its three digits.) Its channel vector is y.
+// HOLE's simple.rad has radii C 1.85, O 1.65, N 1.75 Å. Clearances at the places that HOLE prints
+// agree with these to its three digits. The channel vector is y.
 struct PoreRadius {
   double y, radius;  // Å
 };

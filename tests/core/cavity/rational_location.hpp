@@ -1,4 +1,4 @@
-// Which tetrahedra of a triangulation a point is in: each tried in rationals.
+// Finds the tetrahedra that contain a point by trying each in rationals.
 #pragma once
 
 #include <gmpxx.h>
@@ -12,8 +12,8 @@ namespace alphascope::testing {
 
 using RationalPoint = std::array<mpq_class, 3>;
 
-// The place moved by an explicit small number along x, its square along y, its cube along z: what
-// the definition's infinitesimals are to sets of so small coordinates.
+// Moves the place by a small number along x, its square along y and its cube along z. For sets with
+// such small coordinates this has the effect of the definition's infinitesimals.
 inline RationalPoint moved(const LatticePlace& place, const mpq_class& by) {
   const mpq_class times(place.times);
   return {mpq_class(static_cast<long>(place.x)) / times + by,

@@ -1,4 +1,4 @@
-// Tubes of rings of balls, whose width is known.
+// Tubes made of rings of balls, with known widths.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,8 @@ inline BallSet no_balls() {
   return balls;
 }
 
-// Around the z axis; a point of the axis in its plane has a clearance of `distance` - `radius` (Å).
+// Adds a ring around the z axis. In its plane the axis has a clearance of `distance` - `radius`
+// (Å).
 inline void add_ring(BallSet& balls, int count, double distance, double z, double radius) {
   for (int n = 0; n < count; ++n) {
     const double angle = 2 * std::numbers::pi * n / count + 0.1;
@@ -25,7 +26,7 @@ inline void add_ring(BallSet& balls, int count, double distance, double z, doubl
   }
 }
 
-// Without holes, of inner radius 4 Å.
+// Adds a tube without holes, with an inner radius of 4 Å.
 inline void add_tube(BallSet& balls, int low_z, int high_z) {
   for (int z = low_z; z <= high_z; ++z) add_ring(balls, 24, 6, z, 2);
 }

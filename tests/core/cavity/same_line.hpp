@@ -1,4 +1,4 @@
-// Whether two channels are one, to the last bit.
+// Expects two channels to be the same to the last bit.
 #pragma once
 
 #include <gtest/gtest.h>

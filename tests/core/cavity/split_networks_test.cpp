@@ -1,5 +1,5 @@
-// Networks and their parts: right values of chambers whose openings are known, the definitions
-// against slower ways, and what must not change anything.
+// Tests networks and their parts: chambers with known openings, slower ways to the definitions, and
+// changes that must not matter.
 #include "core/cavity/split_networks.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ double centre_x(const CavityGround& ground, std::uint32_t t) {
   return sum / 4;
 }
 
-// Walls are at multiples of 16 Å, and no tetrahedron crosses one.
+// Walls are at multiples of 16 Å. No tetrahedron crosses one.
 TEST(SplitNetworks, ChambersInARowPartAtTheirWalls) {
   const auto ground = ground_of(chambers_in_a_row({32, 31, 34}));
   const CavityTable whole = table_of(ground, false), split = table_of(ground, true);
@@ -62,7 +62,7 @@ TEST(SplitNetworks, ChambersInARowPartAtTheirWalls) {
   ASSERT_EQ(split.size(), 4u);
   ASSERT_EQ(split.found.networks.size(), 1u);
   const SplitNetwork& network = split.found.networks[0];
-  // The last opening to close is that between the second and the third: 16 - 3.1².
+  // The opening between the second and third chamber closes last, at 16 - 3.1².
   EXPECT_EQ(network.falls_apart_angstrom2, 6.39);
   EXPECT_EQ(network.mouths, 64u);
   EXPECT_EQ(network.parts, 4u);
@@ -88,7 +88,7 @@ TEST(SplitNetworks, ChambersInARowPartAtTheirWalls) {
   EXPECT_EQ(split.voids, 0u);
 }
 
-// Their outer holes close first: what is left is one void, which is no network.
+// The outer holes close first. One void is left, which is no network.
 TEST(SplitNetworks, WhatClosesBeforeItPartsStaysWhole) {
   const auto ground = ground_of(chambers_in_a_row({30, 30}, 33));
   const CavityTable split = table_of(ground, true);
@@ -132,7 +132,7 @@ TEST(NetworkRadius, IsThatAtWhichTheOpeningsAreClosed) {
   EXPECT_THROW(find_network_end(with_solvent(balls, 0.9), there, 0), std::invalid_argument);
 }
 
-// From other radii on; and none where a network stays one for 20 Å.
+// Starts from other radii. There is none where a network stays whole for 20 Å.
 TEST(NetworkRadius, IsAboveThatOfTheNetwork) {
   const BallSet balls = chambers_in_a_row({32, 31});
   for (const double solvent : {0.3, 0.85}) {
@@ -250,7 +250,7 @@ TEST_P(NetworksOf, PartsAreTogetherWhatTheNetworkIs) {
   }
 }
 
-// Alpha against every multiple of 0.01 below it, and the parts against the cavities there.
+// Tries every multiple of 0.01 below alpha, and compares the parts with the cavities there.
 TEST_P(NetworksOf, PartsAreThoseOfTheLeastAlphaWithoutANetwork) {
   const Filtration filtration(ground_->balls, ground_->triangulation);
   const auto left_of = [&](const SplitNetwork& network, double alpha, bool& any_network) {
@@ -292,8 +292,8 @@ TEST_P(NetworksOf, PartsAreThoseOfTheLeastAlphaWithoutANetwork) {
   }
 }
 
-// What is given to a part is joined to what it was at that alpha by a way as wide as to any other:
-// wide is how large alpha may be until a triangle of the way is closed.
+// A tetrahedron goes to the part to which the widest way leads. A way is as wide as the alpha at
+// which its first triangle closes.
 TEST_P(NetworksOf, TetrahedraGoToThePartWithTheWidestWay) {
   if (split_.found.networks.empty()) GTEST_SKIP() << "no network";
   const auto& tetrahedra_of = ground_->incidence.tetrahedra_of_triangle;
@@ -304,7 +304,8 @@ TEST_P(NetworksOf, TetrahedraGoToThePartWithTheWidestWay) {
   const LatticeAlpha zero = 0.0;
   const Membership in =
       membership(*ground_->balls, *ground_->triangulation, ground_->incidence, ground_->flow, zero);
-  // The width of the widest way from a part's own tetrahedra: within the part, and through all.
+  // Widths of the widest ways from the parts' own tetrahedra: within the part, or through all of
+  // them.
   const auto widths = [&](bool within, float limit) {
     std::vector<float> width(count, -1e30f);
     std::priority_queue<std::pair<float, std::uint32_t>> queue;
@@ -349,7 +350,7 @@ TEST_P(NetworksOf, TetrahedraGoToThePartWithTheWidestWay) {
   EXPECT_GT(given, 10u);
 }
 
-// Known by its deepest sink each part is born where it parts, above the alpha of the table.
+// Each part keeps its deepest sink. It is born where it parts, above the alpha of the table.
 TEST_P(NetworksOf, PartsKeepTheirNamesWhenTheyPart) {
   const CavityLives lives = cavity_lives(*ground_);
   const Lattice& lattice = ground_->balls->lattice;
@@ -400,7 +401,7 @@ Places places_of(const BallSet& balls, double alpha) {
   return places;
 }
 
-// Lattices have many faces that open at once; where those are between parts, places decide.
+// On lattices many faces open at once. Where they lie between parts, places decide.
 TEST(SplitNetworks, DoNotFollowTheOrderOfTheBalls) {
   Random random(911);
   std::size_t split = 0;

@@ -1,5 +1,5 @@
-// Which cavity is which of those with another solvent radius: against shares reckoned in rationals,
-// and where cavities are known to split and to merge.
+// Tests which cavities correspond at two solvent radii. Compares with shares in rationals, and with
+// sets where cavities split and merge.
 #include "core/cavity_identity/cavity_identity.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ BallSet grown(BallSet balls, int by) {
   return balls;
 }
 
-// shares[{earlier, later}], six times the volume.
+// shares[{earlier, later}]: six times the shared volume.
 std::map<std::pair<std::uint32_t, std::uint32_t>, mpq_class> rational_shares(
     const CavityTable& earlier, const CavityTable& later) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, mpq_class> shares;
@@ -61,7 +61,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, mpq_class> rational_shares(
 }
 
 CavityMatch rational_match(const CavityTable& earlier, const CavityTable& later) {
-  // Where they are later.
+  // The centres of a cavity's deepest sink, where the later set has them.
   const auto sink = [&](const CavityTable& table, std::uint32_t c) {
     std::vector<LatticePoint> centres;
     for (const BallIndex v :
@@ -116,8 +116,8 @@ TEST(CavityIdentity, SharesAreThoseOfTheDefinitionInRationals) {
   EXPECT_GT(elsewhere, 2 * enough);
 }
 
-// A box with a wall inside, which has a hole: two chambers that are one where the hole is open.
-// Balls are 4 apart; of radius 3 they close the box, of radius 4 the hole.
+// A box with an inner wall that has a hole: two chambers, which are one while the hole is open.
+// Balls are 4 apart. With radius 3 they close the box, with radius 4 the hole.
 BallSet two_chambers(int length, int wall) {
   BallSet balls;
   balls.lattice.digits = 0;
@@ -150,7 +150,7 @@ TEST(CavityIdentity, AVoidThatSplitsGoesOnInItsLargerPart) {
   EXPECT_TRUE(merge.is_same(open->order[0]));
 }
 
-// The chambers have the same volume; the first by its centres is the one of small x.
+// The chambers have equal volumes. The one of small x has the first centres.
 TEST(CavityIdentity, OfPartsOfOneSizeTheOneOfTheFirstSinkGoesOn) {
   BallSet balls = two_chambers(8, 4);
   for (int turn = 0; turn < 2; ++turn) {
@@ -226,7 +226,8 @@ TEST(CavityIdentity, RegionsOfTheSameTrianglesGiveTheSameMatch) {
   const CavityMatch regions = match_regions(regions_of(*a), regions_of(*b), *b->ground->balls);
   EXPECT_EQ(whole, regions);
   for (std::uint32_t n = 0; n < whole.came_from.size(); ++n) EXPECT_EQ(whole.came_from[n], n);
-  // With another radius most cavities share tetrahedra; which they share most of may differ.
+  // Even with another radius most cavities share tetrahedra, but the largest share may be with
+  // another cavity.
   const CavityMatch grow = match_cavities(*a, *c);
   const CavityMatch by_atoms = match_regions(regions_of(*a), regions_of(*c), *c->ground->balls);
   std::size_t equal = 0;
@@ -236,8 +237,8 @@ TEST(CavityIdentity, RegionsOfTheSameTrianglesGiveTheSameMatch) {
   EXPECT_GE(equal + 2, grow.came_from.size());
 }
 
-// A solvent radius of four decimals refines the lattice: the same balls on a coarser lattice must
-// give the same match.
+// A solvent radius of four decimals refines the lattice. Equal balls on a coarser lattice must give
+// the same match.
 TEST(CavityIdentity, LatticesMayDiffer) {
   const auto balls = testing::sample_balls("4hhb.pdb.gz");
   BallSet finer = *balls;
@@ -279,7 +280,8 @@ TEST(CavityNumbers, StayWhileTheSolventRadiusSlidesAndComeBack) {
   EXPECT_EQ(again.used, 2u);
   EXPECT_EQ(again.cavity(1), closed->order[1]);
   EXPECT_EQ(again.cavity(7), kNone);
-  // Begun with two, the smaller one's number waits while it is a part of the larger one.
+  // When the start is with two, the number of the smaller one waits while it is part of the larger
+  // one.
   const CavityNumbers both = first_numbers(closed);
   const CavityNumbers joined = next_numbers(both, open);
   EXPECT_EQ(joined.of, (std::vector<std::uint32_t>{0}));
@@ -301,7 +303,7 @@ TEST(CavityNumbers, ANumberLeadsToWhatItsCavityHasMergedInto) {
   const CavityNumbers parted = next_numbers(joined, closed);
   EXPECT_EQ(parted.cavity_or_heir(1), closed->order[1]) << "it is one of its own again";
   EXPECT_TRUE(parted.merged_into.empty());
-  // What it has merged into may go, and come back.
+  // The cavity into which it merged may vanish and come back.
   const CavityNumbers gone = next_numbers(joined, filled);
   EXPECT_EQ(gone.cavity_or_heir(1), kNone);
   EXPECT_EQ(next_numbers(gone, open).cavity_or_heir(1), open->order[0]);

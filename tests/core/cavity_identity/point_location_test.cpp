@@ -1,4 +1,4 @@
-// Points in triangulations, against all tetrahedra tried one by one in rationals.
+// Tests points in triangulations by trying all tetrahedra in rationals.
 #include "core/cavity_identity/point_location.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Surfaces of cavities: oriented, closed around voids, open at mouths.
+// Tests surfaces of cavities: oriented, closed around voids, open at mouths.
 #include "core/cavity_shape/cavity_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace alphascope {
 namespace {
 
-// How often each side is gone along, less how often it is gone back.
+// Counts how often each side is passed forward, less how often backward.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> open_sides(const CavityMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
   for (const auto& t : mesh.triangles) {
@@ -49,7 +49,7 @@ TEST(CavityMesh, IsClosedAroundVoidsAndEndsAtTheRimsOfMouths) {
     EXPECT_EQ(used.size(), mesh.points.size());
     if (table.cavity(row).is_void()) {
       EXPECT_TRUE(open_sides(mesh).empty()) << "row " << row;
-      // Outwards, so the volume is positive.
+      // Normals point outwards, so the volume is positive.
       const double volume = table.measure(row).volume_of_tetrahedra_angstrom3;
       EXPECT_NEAR(enclosed_volume(mesh), volume, 1e-9 * volume + 1e-9);
     } else {

@@ -1,4 +1,4 @@
-// Spheres that fill cavities, against their definition.
+// Tests spheres that fill cavities against their definition.
 #include "core/cavity_shape/filling_spheres.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ double least_distance(const BallSet& balls, const RealPoint& x) {
   return least;
 }
 
-// By barycentric coordinates in double precision; only to rounding.
+// Uses barycentric coordinates in double precision, so only up to rounding.
 bool is_within(const CavityTable& table, const Cavity& cavity, const RealPoint& x) {
   const double unit = table.ground->balls->lattice.unit_angstrom();
   const auto at = [&](BallIndex i) { return unit * real_point(table.ground->balls->centres[i]); };
@@ -82,7 +82,7 @@ TEST(FillingSpheres, TouchAtomsAndLieInTheCavity) {
   EXPECT_GT(spheres, 1000u);
 }
 
-// Six balls around the origin: of their four tetrahedra, with one orthocentre, one sphere.
+// Six balls around the origin have four tetrahedra with one orthocentre, so they have one sphere.
 TEST(FillingSpheres, FillAHoleKnownByHand) {
   BallSet balls;
   for (const int at : {-4000, 4000}) {

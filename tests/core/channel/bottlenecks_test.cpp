@@ -1,4 +1,4 @@
-// Bottlenecks of many places at once, and the widest places of cavities.
+// Tests bottlenecks of many places at once, and the widest places of cavities.
 #include "core/channel/bottlenecks.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using testing::no_balls;
 using testing::Random;
 using testing::random_int;
 
-// Each answer is what a channel of its own would say.
+// Each answer must be that of a separate channel search.
 void expect_as_channels(const BallSet& balls, const std::vector<RealPoint>& places) {
   const Bottlenecks found = find_bottlenecks(balls, places);
   ASSERT_EQ(found.of.size(), places.size());
@@ -54,8 +54,8 @@ TEST(Bottlenecks, OfATubeWithTwoChambers) {
   add_tube(balls, -16, 16);
   add_ball(balls, 0, 0, -16000, 2000);  // a floor
   add_ring(balls, 8, 2.5, -16, 2);
-  add_ring(balls, 12, 4, 0, 2.2);   // 1.8 Å between the chambers
-  add_ring(balls, 12, 5, 12, 2.2);  // 2.8 Å out
+  add_ring(balls, 12, 4, 0, 2.2);   // 1.8 Å wide, between the chambers
+  add_ring(balls, 12, 5, 12, 2.2);  // 2.8 Å wide, the way out
   const std::vector<RealPoint> places{{0, 0, -8}, {0, 0, 6}, {0, 0, 40}, {6, 0, 0}, {0, 0, 6}};
   const Bottlenecks found = find_bottlenecks(balls, places);
   expect_as_channels(balls, places);
@@ -95,13 +95,13 @@ TEST(Bottlenecks, OfNoPlaceIsNone) {
   EXPECT_THROW(find_bottlenecks(no_balls(), {{0, 0, 0}}), std::invalid_argument);
 }
 
-// The widest place of a cavity, and of its mouth.
+// Finds the widest place of a cavity, and of its mouth.
 TEST(CavityPlaces, OfAChamberWithOneMouth) {
   BallSet balls = no_balls();
   add_tube(balls, -10, 10);
   add_ball(balls, 0, 0, -10000, 2000);
   add_ring(balls, 8, 2.5, -10, 2);
-  add_ring(balls, 12, 4.5, 10, 2);  // 2.5 Å out
+  add_ring(balls, 12, 4.5, 10, 2);  // 2.5 Å wide, the way out
   const auto shared = std::make_shared<const BallSet>(balls);
   const auto ground = std::make_shared<const CavityGround>(make_cavity_ground(
       shared, std::make_shared<const Triangulation>(make_triangulation(balls, 1, {}))));

@@ -1,4 +1,5 @@
-// Channels whose bottleneck is known: built of rings, found by flooding a fine grid, or published.
+// Tests channels with known bottlenecks: built of rings, found by flooding a fine grid, or
+// published.
 #include "core/channel/channel.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ using testing::no_balls;
 using testing::Random;
 using testing::random_int;
 
-// What every channel promises, whatever it is the channel of.
+// Properties of every channel.
 void expect_sound(const BallSet& balls, const Channel& channel) {
   const Clearance clearance(balls);
   ASSERT_FALSE(channel.samples.empty());
@@ -76,7 +77,7 @@ TEST(Channel, OfATubeIsItsNarrowRing) {
   EXPECT_LT(length(channel.narrowest().position_angstrom - RealPoint{0, 0, 2}), 0.01);
   ASSERT_FALSE(channel.touching.empty());
   EXPECT_GE(channel.touching.front(), first_of_ring);
-  // Out at both ends, along the axis.
+  // The channel leads out at both ends, along the axis.
   EXPECT_LT(channel.samples.front().position_angstrom.z, -10);
   EXPECT_GT(channel.samples.back().position_angstrom.z, 10);
   for (const ChannelSample& sample : channel.samples) {
@@ -88,7 +89,8 @@ TEST(Channel, OfATubeIsItsNarrowRing) {
   EXPECT_LE(channel.triangulations, 10);
 }
 
-// Where the end radius is not above 1.5 times the bottleneck, the line would end beside it.
+// Where the end radius is at most 1.5 times the bottleneck, the line would end beside the
+// bottleneck.
 TEST(Channel, GoesOnUntilItIsWiderThanItsBottleneck) {
   BallSet balls = no_balls();
   add_tube(balls, -10, 10);
@@ -101,7 +103,7 @@ TEST(Channel, GoesOnUntilItIsWiderThanItsBottleneck) {
     const double radius = std::max(wanted, 1.5 * channel.widest_angstrom);
     EXPECT_DOUBLE_EQ(channel.end_radius_angstrom, radius) << wanted;
     for (const ChannelSample* end : {&channel.samples.front(), &channel.samples.back()}) {
-      // No further than a step beyond the place where it gets that wide.
+      // The end is at most a step behind the place where it gets that wide.
       EXPECT_GE(end->radius_angstrom, radius - 1e-6) << wanted;
       if (radius > 4) {
         EXPECT_LE(end->radius_angstrom, radius + 0.1) << wanted;
@@ -110,8 +112,8 @@ TEST(Channel, GoesOnUntilItIsWiderThanItsBottleneck) {
   }
 }
 
-// The big balls of one end leave a hole of 1.0 Å, the small ones of the other one of 1.2 Å. By
-// power distance, (hole + r)² - r², the first is the wider one: 11 against 3.84 Å².
+// The big balls of one end leave a hole of 1.0 Å, the small balls of the other one of 1.2 Å. By
+// power distance, (hole + r)² - r², the first hole is the wider one: 11 against 3.84 Å².
 TEST(Channel, IsOrderedByClearanceNotByPowerDistance) {
   BallSet balls = no_balls();
   for (int z = 0; z <= 12; ++z) add_ring(balls, 40, 8, z, 2);
@@ -129,8 +131,8 @@ TEST(Channel, IsOrderedByClearanceNotByPowerDistance) {
 TEST(Channel, KeepsToItsSideOfThePlane) {
   BallSet balls = no_balls();
   add_tube(balls, -12, 12);
-  add_ring(balls, 12, 4, 8, 2.2);   // 1.8 Å up there
-  add_ring(balls, 12, 5, -8, 2.2);  // 2.8 Å down there
+  add_ring(balls, 12, 4, 8, 2.2);   // 1.8 Å wide, at the upper end
+  add_ring(balls, 12, 5, -8, 2.2);  // 2.8 Å wide, at the lower end
   const RealPoint middle{0, 0, 0};
   EXPECT_NEAR(find_channel(balls, ChannelEnds::out(middle)).widest_angstrom, 2.8, 0.0015);
   EXPECT_NEAR(find_channel(balls, ChannelEnds::out_along(middle, {0, 0, -2})).widest_angstrom, 2.8,
@@ -184,7 +186,7 @@ TEST(Channel, OfAFlatRing) {
   EXPECT_EQ(away.limit, ChannelLimit::end);
 }
 
-// Balls of all sizes at random; or small ones all around the origin, which is cut off.
+// Random balls of all sizes, or small balls all around the origin, which is then closed in.
 BallSet balls_to_flood(Random& random, bool closed) {
   BallSet balls = no_balls();
   const int count = closed ? 400 : random_int(random, 4, 60);
@@ -203,7 +205,7 @@ BallSet balls_to_flood(Random& random, bool closed) {
   return balls;
 }
 
-// Any walk on the grid is a walk, and any walk is near one on the grid.
+// Every walk on the grid is a valid walk, and near every walk is one on the grid.
 TEST(Channel, IsWhatFloodingAGridFinds) {
   Random random(7);
   constexpr double kSpacing = 0.5;
@@ -244,7 +246,7 @@ TEST(Channel, IsTheSameForEveryOrderOfBallsAndNumberOfThreads) {
     add_ball(balls, random_int(random, -9000, 9000), random_int(random, -9000, 9000),
              random_int(random, -9000, 9000), random_int(random, 900, 2100));
   }
-  // The widest place of some.
+  // Starts from the widest of some random places.
   const Clearance clearance(balls);
   RealPoint start;
   for (int n = 0; n < 3000; ++n) {
@@ -270,8 +272,8 @@ TEST(Channel, IsTheSameForEveryOrderOfBallsAndNumberOfThreads) {
   EXPECT_EQ(testing::unpermuted(permuted.touching, order), reference.touching);
 }
 
-// A lattice of 6 digits has no room for the helping balls: the set is rounded, and the answer is
-// the same but for that.
+// A lattice of 6 digits has no room for the helping balls. So the set is rounded, and the answer
+// changes by the rounding only.
 TEST(Channel, OfAFineLatticeIsRounded) {
   BallSet balls = no_balls();
   add_tube(balls, -6, 6);
@@ -282,7 +284,7 @@ TEST(Channel, OfAFineLatticeIsRounded) {
   EXPECT_DOUBLE_EQ(fine.step_angstrom, 0.001);
 }
 
-// Whatever the balls are: an answer that is sound, or a reason.
+// For any balls there is either a sound answer or a reason.
 TEST(Channel, OfHardSetsIsSoundOrRefused) {
   Random random(23);
   std::vector<testing::NamedBalls> sets = testing::small_hard_sets(random, 40);
@@ -307,7 +309,7 @@ TEST(Channel, OfHardSetsIsSoundOrRefused) {
       try {
         const Channel channel = find_channel(set.balls, ends);
         ++answers;
-        // Otherwise the set had to be rounded.
+        // Beyond so many digits the set had to be rounded.
         constexpr int kMostDigits = 4;
         if (lattice.digits <= kMostDigits &&
             channel.step_angstrom == std::max(0.001, lattice.unit_angstrom())) {
@@ -334,7 +336,7 @@ TEST(Channel, SaysWhichBallCoversAnEnd) {
                  "the channel's end (0.000, 0.500, 0.000) Å lies in ball 1, 1.500 Å below its "
                  "surface; choose a point outside all balls");
   }
-  // On the surface is not outside.
+  // A point on the surface is not outside.
   EXPECT_THROW(find_channel(balls, ChannelEnds::out({2, 0, 0})), ChannelEndCovered);
   EXPECT_THROW(find_channel(balls, ChannelEnds::between({5, 0, 0}, {0, 0, 1})), ChannelEndCovered);
 }
@@ -390,7 +392,7 @@ BallSet gramicidin() {
   return balls;
 }
 
-// HOLE looks for the widest place in planes at random, so it is a little below ours.
+// HOLE searches for the widest place in random planes, so its result is slightly below ours.
 TEST(Channel, OfGramicidinIsThatOfHole) {
   const BallSet balls = gramicidin();
   const Channel channel = find_channel(balls, ChannelEnds::through({0, 0, 4.2}, {0, 1, 0}));

@@ -1,4 +1,4 @@
-// The surface of a channel as a mesh.
+// Tests the surface of a channel as a mesh.
 #include "core/channel/channel_tube.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ Channel channel_of(const std::vector<std::pair<RealPoint, double>>& samples) {
   return channel;
 }
 
-// Of a closed mesh whose triangles are seen from outside.
+// The volume inside a closed mesh with triangles oriented outwards.
 double volume(const ChannelTube& tube) {
   double six = 0;
   for (const auto& [a, b, c] : tube.triangles) {
@@ -62,7 +62,7 @@ TEST(ChannelTube, HasTheRadiiOfItsSamples) {
   EXPECT_NEAR(volume(tube), kDisc * 6 * (1 + 3 + 9) / 3, 1e-9);
 }
 
-// A quarter of a ring: by Pappus about the length of the line times the disc.
+// A quarter of a ring. By Pappus its volume is about the length of the line times the disc.
 TEST(ChannelTube, TurnsWithItsLineAndNotAboutIt) {
   std::vector<std::pair<RealPoint, double>> samples;
   constexpr int kSteps = 200;
@@ -73,7 +73,8 @@ TEST(ChannelTube, TurnsWithItsLineAndNotAboutIt) {
   const ChannelTube tube = channel_tube(channel_of(samples));
   expect_closed(tube);
   EXPECT_NEAR(volume(tube), 2.25 * kDisc * 5 * std::numbers::pi, 0.01);
-  // Corners of neighbours that are joined lie beside each other: 32 are a fifth of a radian apart.
+  // Joined corners of neighbouring rings lie beside each other. With 32 corners they are a fifth of
+  // a radian apart.
   for (const auto& [a, b, c] : tube.triangles) {
     for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) {
       EXPECT_LT(length(tube.points[from] - tube.points[to]), 1.51);

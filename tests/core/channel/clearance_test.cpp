@@ -1,4 +1,4 @@
-// Clearance and what is built on it alone, against the definition.
+// Tests clearance, and functions built on it alone, against the definition.
 #include "core/channel/clearance.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ double distance_to(const BallSet& balls, BallIndex i, const RealPoint& x) {
   return length(x - unit * real_point(balls.centres[i])) - unit * balls.radii[i];
 }
 
-// Radii from 0.05 to 40 Å: several grids.
+// Radii from 0.05 to 40 Å need several grids.
 BallSet unequal_balls(Random& random, int count) {
   BallSet balls;
   balls.lattice.digits = 3;
@@ -35,7 +35,7 @@ BallSet unequal_balls(Random& random, int count) {
   return balls;
 }
 
-// Else a million of them would be looked at for every point.
+// Otherwise a million balls would be visited for every point.
 TEST(Clearance, OfBallsWithOneCentreTheLargestCounts) {
   BallSet balls;
   balls.lattice.digits = 3;
@@ -130,7 +130,7 @@ TEST(EqualClearance, OfBallsOnOneLineIsNot) {
   EXPECT_FALSE(equal_clearance(balls, {0, 1, 2}).found);
 }
 
-// Between three balls, of any radii: the place is known in closed form.
+// Between three balls of any radii the place is known in closed form.
 TEST(PlaneAscent, SettlesBetweenThreeBalls) {
   BallSet balls;
   balls.lattice.digits = 3;
@@ -147,7 +147,7 @@ TEST(PlaneAscent, SettlesBetweenThreeBalls) {
   }
 }
 
-// 3 to 90 balls in a ring touch at once; in a plane that is not theirs.
+// A ring of 3 to 90 balls, all of which touch at once. The start is outside its plane.
 TEST(PlaneAscent, SettlesOnTheAxisOfARing) {
   for (const int count : {3, 4, 5, 6, 12, 90}) {
     BallSet balls;

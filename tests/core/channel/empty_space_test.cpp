@@ -1,4 +1,4 @@
-// What a search asks for one by one is what the whole complex says.
+// Tests that single queries of a search agree with the whole complex.
 #include "core/channel/empty_space.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(EmptySpace, IsWhatIsNotInTheComplex) {
         const std::uint32_t f = incidence.triangles_of_tetrahedron[t][k];
         ASSERT_EQ(space.is_open(t, k), !in.triangles[f]);
         (in.triangles[f] ? closed : open) += 1;
-        // Attached: open whatever its own ortho-radius is.
+        // An attached triangle is open, whatever its own ortho-radius.
         open_attached += !in.triangles[f] && flow.through(t, k);
       }
     }
@@ -59,13 +59,13 @@ TEST(EmptySpace, IsWhatIsNotInTheComplex) {
   EXPECT_GT(open_attached, 100u);
 }
 
-// Corners have equal power to their four balls, and are outside all balls on a way.
+// Corners of a way have equal power to their four balls, and lie outside all balls.
 TEST(EmptySpace, CornersOfAWayAreOutsideTheBalls) {
   Random random(6);
   int ways = 0;
   for (int n = 0; n < 20; ++n) {
     BallSet balls = testing::random_balls(random, 120, 60, 2, 12);
-    // An end that is outside all balls.
+    // An end must lie outside all balls.
     const auto power = [&](BallIndex i, const RealPoint& x) {
       const RealPoint d = x - real_point(balls.centres[i]);
       return dot(d, d) - static_cast<double>(balls.weight(i));
@@ -96,8 +96,8 @@ TEST(EmptySpace, CornersOfAWayAreOutsideTheBalls) {
   EXPECT_GT(ways, 5);
 }
 
-// ∫ ds / clearance² along the segment between two corners, by many midpoints. Clearance is that of
-// the largest ball of the face, by power distance, and what the balls were grown by.
+// Integrates ds / clearance² along the segment between two corners by many midpoints. Clearance is
+// to the largest ball of the face, by power distance, plus the growth of the balls.
 double integrated(const BallSet& balls, const std::array<BallIndex, 3>& face, const RealPoint& from,
                   const RealPoint& to, const WayCost& cost) {
   constexpr int kSteps = 5000;

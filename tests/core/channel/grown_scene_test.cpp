@@ -1,4 +1,4 @@
-// Balls that have grown, and what is put around them.
+// Tests grown balls and the helping balls around them.
 #include "core/channel/grown_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(GrownScene, HelpingBallsAreFarAwayOnAnyLattice) {
     ASSERT_EQ(scene->original.size(), 3u);
     for (int n = 0; n < 3; ++n) EXPECT_EQ(scene->balls.radii[n], 105);
     ASSERT_EQ(scene->from, 3u + 12);
-    // Three diagonals of the box, and 20 Å, from its middle.
+    // Three diagonals of the box plus 20 Å, from its middle.
     const double far_away = 3 * 500 + 20 * balls.lattice.units_per_angstrom();
     for (std::size_t n = 3; n < 15; ++n) {
       EXPECT_NEAR(length(real_point(scene->balls.centres[n]) - RealPoint{150, 200, 0}), far_away, 1)

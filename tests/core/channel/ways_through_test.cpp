@@ -1,4 +1,4 @@
-// Ways through tubes whose bottlenecks are known, one for each tube and none elsewhere.
+// Tests ways through tubes with known bottlenecks: one in each tube and none elsewhere.
 #include "core/channel/ways_through.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(WaysThrough, ACupHasNone) {
   EXPECT_TRUE(find_ways_through(balls, {all_of(balls)}).ways.empty());
 }
 
-// As a trimeric porin: a pore in each chain and none on the axis.
+// Like a trimeric porin: a pore in each chain and none on the axis.
 TEST(WaysThrough, OfThreeTubesAreOneInEach) {
   BallSet balls = no_balls();
   std::vector<WayPart> parts(1);
@@ -86,7 +86,7 @@ TEST(WaysThrough, OfThreeTubesAreOneInEach) {
     WayPart& part = parts.emplace_back();
     for (std::size_t i = from; i < balls.size(); ++i) part.push_back(static_cast<BallIndex>(i));
   }
-  // What would be a way between them is full.
+  // Fills the space that would be a way between the tubes.
   for (int z = -14; z <= 14; ++z) {
     add_ball(balls, 0, 0, 1000 * z, 2300);
     add_ring(balls, 6, 2, z, 2);
@@ -101,7 +101,7 @@ TEST(WaysThrough, OfThreeTubesAreOneInEach) {
     const RealPoint& p = way.channel.narrowest().position_angstrom;
     EXPECT_NEAR(std::hypot(p.x, p.y), 9.3, 0.1) << n;
     EXPECT_NEAR(p.z, static_cast<double>(n), 0.1) << n;
-    // Its lining is of one tube.
+    // Its lining belongs to one tube.
     std::set<std::size_t> tubes;
     for (const BallIndex ball : way.lining) {
       for (std::size_t part = 1; part < parts.size(); ++part) {
@@ -117,7 +117,7 @@ TEST(WaysThrough, OfThreeTubesAreOneInEach) {
   }
 }
 
-// The corners of its power diagram are farther apart than a third of its length.
+// Corners of its power diagram are farther apart than a third of its length.
 TEST(WaysThrough, OfAShortWideRingIsTheRing) {
   BallSet balls = no_balls();
   for (int z = -3; z <= 3; ++z) add_ring(balls, 60, 16 + 0.3 * z * z, z, 2);
@@ -127,7 +127,7 @@ TEST(WaysThrough, OfAShortWideRingIsTheRing) {
   EXPECT_NEAR(std::fabs(found.ways[0].axis.z), 1, 1e-3);
 }
 
-// A trough, open on one side over its whole length: no ring is around what leads along it.
+// A trough is open on one side over its whole length. No ring surrounds a line along it.
 TEST(WaysThrough, AGrooveIsNone) {
   BallSet balls = no_balls();
   for (int z = -14; z <= 14; ++z) {
@@ -142,7 +142,7 @@ TEST(WaysThrough, AGrooveIsNone) {
     }
   }
   EXPECT_TRUE(find_ways_through(balls, {all_of(balls)}).ways.empty());
-  // With a bridge over it there is a ring.
+  // A bridge over it makes a ring.
   for (int x = -6; x <= 6; ++x) add_ball(balls, 1000 * x, 6000, 0, 2000);
   const WaysThrough found = find_ways_through(balls, {all_of(balls)});
   ASSERT_EQ(found.ways.size(), 1u);

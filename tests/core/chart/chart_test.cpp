@@ -1,4 +1,4 @@
-// Charts: what is drawn where, and the SVG that comes of it.
+// Tests charts: the places of their parts, and their SVG.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ TEST(Chart, BarsAreAsLongAsTheirValues) {
   ASSERT_TRUE(text(d, "some machine"));
 }
 
-// With a font of 10 and letters of 5: names of 3 letters, and 10 on each side of them.
+// The font has 10 units and letters of 5. Names have 3 letters, with 10 on each side.
 TEST(Chart, PartsAreWhereTheTypeSays) {
   Chart chart = bars();
   const ChartDrawing d = lay_out(chart, 600, kType);

@@ -1,5 +1,5 @@
-// That the colours of chains and cavities can be told apart, by colour-blind people as well. Units
-// are those of CIEDE2000, in which about 1 is the least that is seen side by side.
+// Tests that colours of chains and cavities can be told apart, also by colour-blind people. Units
+// are those of CIEDE2000, where about 1 is the least visible difference side by side.
 #include "tests/support/colour_difference.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(ChainColours, DifferForEveryEyeTheFirstOnesMost) {
   EXPECT_GE(least_of_pairs(chains(8), usual), 19);
 }
 
-// Lightness is what every eye tells apart, and a print in grey.
+// Every eye sees differences in lightness, and a grey print keeps them.
 TEST(ChainColours, NeighboursDifferInLightness) {
   for (std::size_t n = 0; n < kChainColours; ++n) {
     const double one = seen(chain_colour(n), Sight::usual).lightness;

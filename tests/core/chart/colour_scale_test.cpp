@@ -1,4 +1,4 @@
-// Colour maps, scales, and the round numbers beside them.
+// Tests colour maps, scales, and their round numbers.
 #include "core/chart/colour_scale.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Drawings in the plane: cells and circles against their definitions, edges by their triangles, and
-// a file that is well-formed.
+// Tests drawings in the plane: cells and circles against their definitions, edges by their
+// triangles, and well-formed files.
 #include "core/chart/flat_drawing.hpp"
 
 #include <gtest/gtest.h>
@@ -113,7 +113,7 @@ TEST(FlatDrawing, ThreeCentresInALineHaveNoOrthocircle) {
   EXPECT_FALSE(orthocircle(balls, {}).any);
 }
 
-// The orthocircle's square is the alpha value of a triangle, in the plane too.
+// The square of the orthocircle's radius is a triangle's alpha value, in the plane too.
 TEST(FlatDrawing, ATriangleAppearsAtTheSquareOfItsOrthocircle) {
   BallSet balls;
   balls.lattice.digits = 0;
@@ -176,7 +176,7 @@ TEST(FlatDrawing, RefusesBallsOutsideThePlane) {
   EXPECT_THROW(flat_shapes(balls, {}, {{0, 0}, {1, 1}}), std::invalid_argument);
 }
 
-// The grown discs, and 8 % of the longer side around them.
+// The box contains the grown discs, and a margin of 8 % of the longer side.
 TEST(FlatDrawing, ABoxHasAMargin) {
   BallSet balls;
   balls.lattice.digits = 0;
@@ -189,7 +189,7 @@ TEST(FlatDrawing, ABoxHasAMargin) {
   EXPECT_NEAR(box.high[1], 5 + 1.6, 1e-12);
 }
 
-// Of two balls of radius 1 the square is (d / 2)² - 1.
+// For two balls of radius 1 at distance d the square is (d / 2)² - 1.
 TEST(FlatDrawing, ASmallOrthocircleIsDrawnAndAnImaginaryOneIsNot) {
   BallSet balls;
   balls.lattice.digits = 1;
@@ -209,7 +209,7 @@ TEST(FlatDrawing, ASmallOrthocircleIsDrawnAndAnImaginaryOneIsNot) {
   EXPECT_EQ(count(imaginary, FlatKind::orthocircle), 0u);
 }
 
-// Each kind on a page of 10 x 5 Å and 10 pixels an Å, y upwards.
+// A page of 10 x 5 Å at 10 pixels per Å, with y upwards.
 TEST(FlatSvg, EachKindLooksAsItsLegendSays) {
   const FlatPage page{{{0, 0}, {10, 5}}, 100};
   const auto drawn = [&](const FlatShape& shape) {

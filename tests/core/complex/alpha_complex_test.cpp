@@ -1,4 +1,4 @@
-// What is said of a complex as a whole: its hash and the memory of its arrays.
+// Tests the hash of a complex, and the memory of its arrays.
 #include "core/complex/alpha_complex.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ AlphaComplex some_faces() {
   return complex;
 }
 
-// Numbers of an implementation of its own, of the definition in simplex_hash.hpp.
+// Numbers from an independent implementation of the definition in simplex_hash.hpp.
 TEST(ComplexHash, IsTheSumOfItsSimplices) {
   AlphaComplex complex = some_faces();
   EXPECT_EQ(hash_text(complex_hash(complex)), "042b455a898b9f86");
@@ -47,7 +47,7 @@ TEST(ComplexHash, DependsOnEveryDimension) {
   EXPECT_NE(complex_hash(one_less), whole);
 }
 
-// Many are summed by several threads.
+// Many simplices are summed by several threads.
 TEST(ComplexHash, OfManyIsTheSameAsOfAsManyParts) {
   AlphaComplex complex;
   std::uint64_t sum = 0;

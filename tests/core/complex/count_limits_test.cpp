@@ -1,4 +1,4 @@
-// What 32 bits do not reach is refused in words, and what they do reach is not.
+// Tests that counts beyond 32 bits are refused with a message, and counts within are accepted.
 #include "core/complex/count_limits.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(CountLimits, CellsOfAGridAreNumberedIn32Bits) {
 }
 
 TEST(CountLimits, FacesOfTetrahedraAreNumberedIn32Bits) {
-  constexpr std::uint64_t kMost = (std::uint64_t{1} << 30) - 1;  // 4 faces each
+  constexpr std::uint64_t kMost = (std::uint64_t{1} << 30) - 1;  // each has 4 faces
   EXPECT_NO_THROW(require_face_records(kMost, 4));
   EXPECT_THROW(require_face_records(kMost + 1, 4), std::length_error);
   EXPECT_NO_THROW(require_face_records(kMostIndices, 1));

@@ -1,4 +1,4 @@
-// What a face has from its cofaces, by the definition of the classes: every combination of cofaces.
+// Tests classes of faces against their definition, for every combination of cofaces.
 #include "core/complex/face_class.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,8 @@ TEST(FaceClass, TheValueIsTheOwnUnlessAttached) {
   EXPECT_EQ(face_value(coface_flags(kInterior), 2, own), 2);
 }
 
-// Cofaces as (alpha value, interior from), and at each alpha the class that they give one by one.
+// Cofaces are (alpha value, interior from). At each alpha the class is compared with that from the
+// cofaces one by one.
 TEST(FaceClass, LevelsSayAtEachAlphaWhatTheCofacesThereSay) {
   const std::vector<std::vector<FaceLevels>> faces = {
       {{1, 1}}, {{1, 3}, {2, 2}}, {{2, kNever}, {1, 1}}, {{1, 1}, {2, kNever}, {3, 4}}, {{2, 4}}};
@@ -63,7 +64,7 @@ TEST(FaceClass, LevelsSayAtEachAlphaWhatTheCofacesThereSay) {
         if (c.regular_from > alpha) continue;
         flags |= coface_flags(c.interior_from <= alpha ? kInterior : kRegular);
       }
-      // A coface that is not there yet leaves its place empty.
+      // A coface that does not exist yet leaves a boundary.
       if (!all && flags != kUnattached) flags |= kHasBoundaryCoface;
       EXPECT_EQ(class_at(levels, alpha), face_class(flags)) << "alpha " << alpha;
     }

@@ -1,3 +1,4 @@
+// Tests groups of simplices with a common face.
 #include "core/complex/face_groups.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 namespace alphascope {
 namespace {
 
-// Distinct simplices of M vertices, in order, some vertices in none of them.
+// Distinct simplices of M vertices, in order. Some vertices are in none of them.
 template <int M>
 Simplices<M> random_simplices(std::mt19937& engine, std::size_t count, BallIndex vertices) {
   std::uniform_int_distribution<BallIndex> vertex(3, vertices);
@@ -45,7 +46,7 @@ Cofaces<N> by_definition(const Simplices<N + 1>& list) {
   return cofaces;
 }
 
-// Adds what is in these groups, which must come after all that is there.
+// Adds the contents of these groups, which must follow all that is there.
 template <int N>
 void add(const FaceGroups<N>& groups, Cofaces<N>& found) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -86,7 +87,7 @@ TEST(FaceGroups, HaveAllCofacesOfEveryFaceHoweverManyAtATime) {
   std::mt19937 engine(71);
   for (const std::size_t count : {0, 1, 2, 30, 500}) {
     for (const BallIndex vertices : {8, 12, 40}) {
-      if (count > 30 && vertices < 40) continue;  // there are not that many
+      if (count > 30 && vertices < 40) continue;  // there are not so many
       expect_all_faces<3>(random_simplices<4>(engine, count, vertices));
       expect_all_faces<2>(random_simplices<3>(engine, count, vertices));
       expect_all_faces<1>(random_simplices<2>(engine, count, vertices));
@@ -94,7 +95,7 @@ TEST(FaceGroups, HaveAllCofacesOfEveryFaceHoweverManyAtATime) {
   }
 }
 
-// Whoever looks for errors in a list may have one that is in no order.
+// A checker may have a list in no order.
 TEST(FaceGroups, NeedNoOrderOfTheSimplices) {
   std::mt19937 engine(72);
   Simplices<4> list = random_simplices<4>(engine, 200, 30);

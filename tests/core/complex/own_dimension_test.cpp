@@ -1,4 +1,5 @@
-// Classes and counts in a plane, on a line and at a point, against the definition in rationals.
+// Tests classes and counts in a plane, on a line and at a point against the definition in
+// rationals.
 #include "core/complex/own_dimension.hpp"
 
 #include <gtest/gtest.h>
@@ -36,13 +37,13 @@ void expect_classes(const SimplexList<N>& found, const SimplexList<N>& expected)
   EXPECT_EQ(found.classes, expected.classes) << "of " << N << " balls";
 }
 
-// At each alpha value, where the complex changes.
+// Compares at each alpha value, where the complex changes.
 void expect_as_defined(const BallSet& balls, int dimension) {
   const testing::RationalOracle oracle(balls);
   ASSERT_EQ(dimension_of_centres(balls), dimension);
   ASSERT_EQ(oracle.dimension(), dimension);
   for (const auto& [simplex, value] : oracle.alpha_values()) {
-    // Not below the value, and on every lattice.
+    // An alpha not below the value, and on every lattice.
     const double alpha = std::ceil(value.get_d() * 64) / 64;
     const AlphaComplex complex = computed(balls, alpha);
     const InOwnDimension own(balls, complex);
@@ -57,7 +58,7 @@ void expect_as_defined(const BallSet& balls, int dimension) {
 
 TEST(OwnDimension, ClassesAreThoseOfTheDefinition) {
   expect_as_defined(balls_at({{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 2, 0, 1}, {2, 2, 0, 1}}), 2);
-  // Cocircular, in a plane that is not z = 0.
+  // Cocircular balls in a plane other than z = 0.
   expect_as_defined(balls_at({{5, 0, 5, 2},
                               {3, 4, 3, 2},
                               {0, 5, 0, 2},
@@ -78,7 +79,7 @@ TEST(OwnDimension, ClassesAreThoseOfTheDefinition) {
   }
 }
 
-// A square filled all around its middle: that one vertex is interior, and four edges are.
+// A square filled around its middle. One vertex and four edges are interior.
 TEST(OwnDimension, AFilledNeighbourhoodInThePlaneIsInterior) {
   const BallSet balls =
       balls_at({{0, 0, 0, 1}, {4, 0, 0, 1}, {0, 4, 0, 1}, {-4, 0, 0, 1}, {0, -4, 0, 1}});

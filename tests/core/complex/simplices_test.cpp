@@ -1,4 +1,4 @@
-// Arrays of results: ordinary ones, and those that begin where their content already is.
+// Tests arrays of results: ordinary ones, and those that adopt existing content.
 #include "core/complex/simplices.hpp"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST(ResultArrays, AreEqualByTheirContent) {
   EXPECT_EQ(in_place<float>(memory, *memory), ResultArray<float>(3, 1.0f));
 }
 
-// Arrays that are so large have memory of another kind.
+// Arrays of this size have another kind of memory.
 TEST(LargeArray, GrowsAndIsCopiedAndMovedAsAnyOther) {
   constexpr std::size_t kSmall = 100, kLarge = 3 * kLargeArrayBytes / sizeof(std::uint32_t);
   ResultArray<std::uint32_t> array(kSmall);
@@ -115,7 +115,7 @@ TEST(LargeArray, GrowsAndIsCopiedAndMovedAsAnyOther) {
 
 TEST(LargeArray, SaysWhenThereIsNoSuchMemory) {
   EXPECT_THROW(allocate_large(~std::size_t{0}), std::bad_alloc);
-  // AddressSanitizer ends the program where so much is asked for.
+  // AddressSanitizer ends the program at such a large request.
   if (testing::kAddressSanitizer) return;
   EXPECT_THROW(ResultArray<std::uint64_t>().resize(std::size_t{1} << 58), std::bad_alloc);
 }

@@ -1,5 +1,5 @@
-// Dual edges in single and double precision: whatever they decide must be what integers decide, on
-// random and on nearly degenerate neighbourhoods; and so must the discs' cull.
+// Tests dual edges and the cull of discs in single and double precision. All decisions must be
+// those of integers, on random and nearly degenerate neighbourhoods.
 #include "core/dual_edge/dual_edge.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ struct Neighbours {
   int ball(int slot) const { return slot; }
 };
 
-// Neighbours of a ball at the origin, no two at one place; a small `spread` gives many ties.
+// Neighbours of a ball at the origin, at distinct places. A small `spread` gives many ties.
 Neighbours random_neighbours(std::mt19937& random, int spread) {
   std::uniform_int_distribution<int> at(-spread, spread), radius(1, spread);
   const std::int64_t own = radius(random);
@@ -50,7 +50,7 @@ struct Count {
   std::size_t decided = 0, undecided = 0, found = 0, ends = 0, attached = 0, wrong = 0;
 };
 
-// All other balls cut: rows of bits with every neighbour but j (0) and k (1).
+// Every neighbour but j (0) and k (1) cuts, as a row of bits.
 constexpr std::uint32_t kOthers = ((1u << kCount) - 1) & ~3u;
 constexpr TriangleRows kTriangle{0, 1, &kOthers, &kOthers};
 
@@ -62,7 +62,7 @@ TriangleFace filtered(const Neighbours& n, Real radius_square, Real scale) {
   return filtered_face<Real>(kTriangle, 1, radius_square, lifted);
 }
 
-// The face by its definition: every candidate for an end against every other ball.
+// The face by its definition: every candidate for an end is tested against every other ball.
 class Definition {
  public:
   Definition(const Neighbourhood<Neighbours>& in, const Neighbours& n) : in_(in), n_(n) {
@@ -82,7 +82,7 @@ class Definition {
  private:
   static constexpr int kNothing = -2;
 
-  // On this side; the ghost if no ball ends it there.
+  // The ball at the end on this side; the ghost if no ball ends it there.
   EndBall end(int side) const {
     const EndBall ghost = ghost_end(n_.lifted(0), n_.lifted(1), side, in_.ghost_reach);
     if (survives(ghost)) return ghost;
@@ -123,7 +123,7 @@ bool same(const TriangleFace& a, const TriangleFace& b) {
 class DualEdges : public ::testing::TestWithParam<int> {
  protected:
   std::int64_t weight() const { return std::int64_t{GetParam()} * GetParam() / 2; }
-  // `alpha` of every third round is next to the alpha value of a simplex.
+  // In every third round `alpha` is next to the alpha value of a simplex.
   double alpha_of(const Neighbours& n, int round, std::mt19937& random) const {
     const double any = whole_below(3.0 * static_cast<double>(weight()) + 1, random);
     if (round % 3 != 0) return any;
@@ -134,7 +134,7 @@ class DualEdges : public ::testing::TestWithParam<int> {
   static double whole_below(double most, std::mt19937& random) {
     return std::floor(most * random() / 4294967296.0);
   }
-  // As the vectors of balls that meet are scaled.
+  // The scale of vectors between balls that meet.
   float scale() const {
     return std::ldexp(1.0f, -std::ilogb(2.0f * static_cast<float>(GetParam())) - 1);
   }
@@ -190,7 +190,7 @@ TEST_P(DualEdges, DoublePrecisionIsNeverWrong) {
   EXPECT_GT(count.attached, 20u);
 }
 
-// What the probe drops is no simplex; and it drops about as much as all that clip() knows.
+// A triangle that the probe drops is no simplex. The probe drops about as many as clip().
 TEST_P(DualEdges, ProbedAwayTrianglesAreNone) {
   std::mt19937 random(3);
   const float scale = 2 * this->scale();
@@ -255,7 +255,8 @@ TEST_P(DualEdges, CutCentresOfDiscsAreCut) {
   EXPECT_GT(out, 1000u);
 }
 
-// A point of the disc that ball m keeps refutes "covered": the disc is sampled around its centre.
+// A point of the disc that ball m does not cut off refutes "covered". Points around the disc's
+// centre are sampled.
 TEST_P(DualEdges, CoveredDiscsAreCovered) {
   std::mt19937 random(11);
   const float scale = this->scale();
@@ -274,7 +275,7 @@ TEST_P(DualEdges, CoveredDiscsAreCovered) {
     if (!disc.covered_by(FacetDisc<float>::coverer(scaled(n.lifted(1), scale))) || depth > square)
       continue;
     ++covered;
-    // Farthest along -d_m in the plane: the point that m cuts off last.
+    // The point of the disc farthest along -d_m, which m cuts off last.
     const double share = dot(m, j) / length;
     const Vector3<double> across{m.x - share * j.x, m.y - share * j.y, m.z - share * j.z};
     const double size = std::sqrt(dot(across, across));

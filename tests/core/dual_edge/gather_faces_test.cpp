@@ -1,4 +1,5 @@
-// Edges are looked for by their triangles; one that is not there is said, not written over.
+// Tests that edges are found by their triangles. A missing edge is an error, and nothing is
+// overwritten.
 #include "core/dual_edge/gather_faces.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ TEST_F(GatherEdges, FindsTheThirdEdgeOfATriangle) {
 }
 
 TEST_F(GatherEdges, SaysThatAnEdgeIsMissing) {
-  EXPECT_THROW(gather_edges(ranges_, complex_), InternalError);  // ball 1 has none at all
+  EXPECT_THROW(gather_edges(ranges_, complex_), InternalError);  // ball 1 has no edge
   add(1, {1, 3});
   EXPECT_THROW(gather_edges(ranges_, complex_), InternalError);
   ranges_[1].edges = nullptr;

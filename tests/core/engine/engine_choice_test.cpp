@@ -1,4 +1,4 @@
-// The table of engines: every enumerator has one entry, and lists follow from it.
+// Tests the table of engines: every enumerator has one entry, and lists follow from the table.
 #include "core/engine/engine_choice.hpp"
 
 #include <gtest/gtest.h>

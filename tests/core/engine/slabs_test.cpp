@@ -1,5 +1,5 @@
-// Slab by slab must give what the whole set gives: the same simplices, values and classes in the
-// same order, wherever the cuts fall.
+// Tests that slabs give the result of the whole set: the same simplices, values and classes in the
+// same order, for all cuts.
 #include "core/engine/slabs.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(Slabs, HoldFewerBallsEach) {
   EXPECT_LE(most, 110u);
 }
 
-// Balls along x, whose coordinates are as much below zero as above it; all of y is far from zero.
+// Coordinates x are symmetric about zero, and all y are far from zero.
 TEST(Slabs, AreCutAcrossTheLongestSideWhereverItLies) {
   BallSet row;
   for (int i = 0; i < 40; ++i) {
@@ -86,7 +86,7 @@ TEST(Slabs, SayWhatTheirPartsTook) {
       compute_in_slabs(row, {0, true}, 3, {}, [&](std::shared_ptr<const BallSet>) {
         AlphaComplex part;
         part.engine.name = "part " + std::to_string(++parts);
-        part.engine.rests_on_cgal = parts == 2;  // neither the first nor the last
+        part.engine.rests_on_cgal = parts == 2;  // neither the first part nor the last
         part.timings.stages = {{"upload", 10.0 * parts, true}, {"tuples", 1.0 * parts, false}};
         return part;
       });

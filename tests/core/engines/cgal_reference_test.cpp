@@ -1,4 +1,4 @@
-// Every engine against CGAL's Fixed_alpha_shape_3 and Regular_triangulation_3 used directly.
+// Tests every engine against CGAL's Fixed_alpha_shape_3 and Regular_triangulation_3, used directly.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -22,7 +22,7 @@ class DirectCgal : public testing::EngineSuite {};
 INSTANTIATE_TEST_SUITE_P(Engines, DirectCgal, ::testing::ValuesIn(testing::engines()),
                          testing::engine_name);
 
-// Fixed_alpha_shape_3 knows no alpha values, so all else must agree.
+// Fixed_alpha_shape_3 has no alpha values; everything else must agree.
 void expect_equals_alpha_shape(const BallSet& balls, Engine& engine, double alpha_angstrom2) {
   const double alpha = balls.lattice.alpha_on_lattice(alpha_angstrom2).nearest();
   const AlphaComplex expected = testing::fixed_alpha_shape(balls, alpha).complex;
@@ -54,7 +54,7 @@ void expect_hard_sets_agree(const EngineFactory& factory, std::uint64_t seed, in
   Random random(seed);
   for (int round = 0; round < rounds; ++round) {
     for (const NamedBalls& set : testing::large_hard_sets(random, factory.balls_of_large_sets())) {
-      if (set.name.starts_with("co") && set.name != "cospherical shells") continue;  // not in 3-D
+      if (set.name.starts_with("co") && set.name != "cospherical shells") continue;  // flat
       SCOPED_TRACE(set.name);
       const auto balls = std::make_shared<const BallSet>(without_coincident(set.balls));
       const auto engine = factory.make(balls);

@@ -1,5 +1,4 @@
-// What the engines of the CPU say beside the complex: lattice, device, times, and the way they
-// went.
+// Tests what CPU engines report beside the complex: lattice, device, times and route.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,8 +55,8 @@ TEST(CpuEngine, SaysWhatItsAnswerIsOf) {
   }
 }
 
-// The first whole complex, then one below it, then another: each stage is named, and what is done
-// once is setup.
+// The first whole complex, then two smaller ones. Each stage is named, and work done once is
+// setup.
 TEST(CpuEngine, NamesItsStages) {
   const auto engine = testing::keeping(make_cpu_engine(some_balls(), {1}));
   const AlphaComplex first = engine->compute({100e-6}, {});
@@ -74,7 +73,7 @@ TEST(CpuEngine, NamesItsStages) {
   EXPECT_EQ(labels(again.timings, false), (Labels{kThreshold}));
 }
 
-// The time of integers is taken out of what was measured for both.
+// The time of integers is subtracted from the measured time of both.
 TEST(CpuEngine, NoStageTakesLessThanNoTime) {
   Random random(52);
   const auto balls =
@@ -88,7 +87,7 @@ TEST(CpuEngine, NoStageTakesLessThanNoTime) {
   }
 }
 
-// A triangulation that its owner has let go of is no reason to triangulate.
+// A triangulation that its owner has dropped is no reason to triangulate.
 TEST(CpuEngine, ClipsAgainWhenItsTriangulationIsGone) {
   const auto engine = make_cpu_engine(some_balls(), {1});
   KnownOfBalls known;
@@ -99,7 +98,7 @@ TEST(CpuEngine, ClipsAgainWhenItsTriangulationIsGone) {
   EXPECT_EQ(engine->compute({100e-6}, known, {}).engine.route, kClippingRoute);
 }
 
-// 27 balls of a cubic lattice that touch: the one in the middle meets six, all meet 54 pairs.
+// 27 touching balls of a cubic lattice. The middle one meets six, and 54 pairs meet.
 TEST(Route, ATriangulationThatIsThereIsUsedForTetrahedra) {
   BallSet balls;
   for (int i = 0; i < 27; ++i) {
@@ -107,8 +106,8 @@ TEST(Route, ATriangulationThatIsThereIsUsedForTetrahedra) {
     balls.radii.push_back(510);
   }
   const UniformGrid grid = make_uniform_grid(balls, balls.lattice.alpha_on_lattice(0), {});
-  // Of four neighbours each, clipping takes 0.1 + 0.085 · 4 + 0.0034 · 16.7 = 0.5 µs a ball; the
-  // ortho-radii of tetrahedra take 0.2, a triangulation 3.5.
+  // With four neighbours each, clipping takes 0.1 + 0.085 · 4 + 0.0034 · 16.7 = 0.5 µs a ball.
+  // Ortho-radii of tetrahedra take 0.2 µs, a triangulation 3.5 µs.
   EXPECT_EQ(choose_route(grid, {1, true, true}), Route::triangulate);
   EXPECT_EQ(choose_route(grid, {1, true, false}), Route::clip_dual_edges);
   EXPECT_EQ(choose_route(grid, {1, false, true}), Route::clip_dual_edges);

@@ -1,5 +1,5 @@
-// Alpha is the decimal that was typed, in every engine: simplices whose ortho-radius is a decimal,
-// worked out by hand, are in at that alpha and out a 10^-18th Å² below it.
+// Tests that alpha is the typed decimal in every engine. For simplices with a decimal ortho-radius,
+// worked out by hand: at that alpha they are in, and 10^-18 Å² below it they are out.
 #include <gtest/gtest.h>
 
 #include <gmpxx.h>
@@ -25,7 +25,7 @@ Alpha alpha_of(const std::string& text) {
   return alpha;
 }
 
-// numerator / 10^digits, and the same less a 10^-18th.
+// numerator / 10^digits, and the same less 10^-18.
 struct Decimals {
   Alpha at, below;
 };
@@ -36,10 +36,11 @@ Decimals decimals(const mpz_class& numerator, int digits) {
   return {alpha_of(parts.get_str() + "e-18"), alpha_of(less.get_str() + "e-18")};
 }
 
-// N balls: one at a corner, the others 10^a units away from it along axes. With c_k = 10^2a + w_0 -
-// w_k the orthocentre is c_k / (2 · 10^a) along each, so rho = sum of c_k² / (4 · 10^2a) - w_0: a
-// decimal of 2a + 2 digits, 25 (sum of c_k²) - 10^(2a + 2) w_0. It lies within the simplex where
-// each c_k is from 0 to 2/3 10^2a, which a larger radius of the other balls sees to.
+// N balls: one at a corner, and the others 10^a units away from it along axes. With c_k = 10^2a +
+// w_0 - w_k the orthocentre is c_k / (2 · 10^a) along each axis. So rho = sum of c_k² / (4 · 10^2a)
+// - w_0. This is a decimal of 2a + 2 digits, 25 (sum of c_k²) - 10^(2a + 2) w_0. The orthocentre
+// lies within the simplex if each c_k is between 0 and 2/3 10^2a. Larger radii of the other balls
+// ensure that.
 struct Corner {
   BallSet balls;
   Decimals alpha;
@@ -60,7 +61,7 @@ Corner random_corner(Random& random, int n, int digits, int a, std::int32_t radi
   for (int k = 0; k < n - 1; ++k) {
     LatticePoint p = first;
     (k == 0 ? p.x : k == 1 ? p.y : p.z) += step;
-    // w_k - w_0 from a third to all of the square.
+    // w_k - w_0 is between a third and all of the square.
     const mpz_class least = sqrt(weight + square / 3) + 1, most = sqrt(weight + square - 1);
     const auto r = static_cast<std::int32_t>(
         random_int(random, static_cast<int>(least.get_si()), static_cast<int>(most.get_si())));
@@ -88,10 +89,10 @@ void expect_in_and_out(const testing::EngineFactory& factory, const BallSet& set
   AlphaComplex at = engine->compute({alpha.at}, {}), below = engine->compute({alpha.below}, {});
   EXPECT_EQ(simplices(at, n), 1u) << alpha.at.digits();
   EXPECT_EQ(simplices(below, n), 0u) << alpha.below.digits();
-  // Again, the other way round: what was kept of the larger one decides the smaller.
+  // In the other order: the result kept from the larger alpha decides the smaller one.
   EXPECT_EQ(engine->compute({alpha.at}, {}).hash, at.hash);
   EXPECT_EQ(engine->compute({alpha.below}, {}).hash, below.hash);
-  // The verifier tells them apart, too.
+  // The verifier tells them apart as well.
   EXPECT_TRUE(verify(set, at).ok());
   EXPECT_TRUE(verify(set, below).ok());
   std::swap(at.alpha_on_lattice, below.alpha_on_lattice);
@@ -108,9 +109,9 @@ TEST_P(ExactAlpha, IncludesARadiusThatIsTheDecimal) {
   Random random(34);
   struct Size {
     int digits, a;
-    std::int32_t radius;  // at least; up to 500 more
+    std::int32_t radius;  // the least radius; up to 500 more
   };
-  // 2a + 2 + 2 digits is 18 at most. Of the last, weights are near their bound of 2^52.
+  // 2a + 2 + 2 digits are at most 18. In the last case weights are near their bound of 2^52.
   for (const auto& [digits, a, radius] :
        {Size{3, 3, 100}, Size{3, 4, 1000}, Size{4, 3, 1000}, Size{5, 3, 10}, Size{6, 2, 10},
         Size{6, 2, 90}, Size{3, 5, kMaxLatticeRadius - 2000}}) {
@@ -125,7 +126,7 @@ TEST_P(ExactAlpha, IncludesARadiusThatIsTheDecimal) {
   }
 }
 
-// Two balls of 1 and 1.500001 Å, 2 Å apart: 5 · 10^11 square units, of six digits.
+// Two balls of 1 and 1.500001 Å are 2 Å apart, with six digits. They have 5 · 10^11 square units.
 TEST_P(ExactAlpha, IsNotRoundedBeyondFourMilliardUnits) {
   BallSet set;
   set.lattice.digits = 6;
@@ -133,8 +134,8 @@ TEST_P(ExactAlpha, IsNotRoundedBeyondFourMilliardUnits) {
   set.radii = {1000000, 1500001};
   // c = 4·10^12 + 10^12 - 2250003000001 = 2749996999999; rho = c² / (16·10^12) - 10^12.
   const mpz_class c("2749996999999"), sixteen("16000000000000"), weight("1000000000000");
-  // c² / 16·10^12 = 625 c² / 10^16, in Å² by 10^12 more: 28 digits, so not a decimal that can be
-  // typed. Its neighbours of 18 digits are.
+  // c² / 16·10^12 = 625 c² / 10^16, in Å² by 10^12 more. These are 28 digits, so nobody can type
+  // this decimal, but its neighbours of 18 digits.
   const mpz_class numerator = 625 * c * c - weight * mpz_class("10000000000000000");
   mpz_class floor;
   mpz_fdiv_q(floor.get_mpz_t(), numerator.get_mpz_t(), mpz_class("10000000000").get_mpz_t());
@@ -143,8 +144,8 @@ TEST_P(ExactAlpha, IsNotRoundedBeyondFourMilliardUnits) {
   expect_in_and_out(GetParam(), set, 2, alpha);
 }
 
-// Equal balls: rho = d² / 4 - w, a quarter of a square unit beyond a whole number. Of 1 Å, 3.000001
-// Å apart: 1.25000150000025 Å². Of 1 Å, 1.001 Å apart: -0.74949975 Å².
+// For equal balls rho = d² / 4 - w, a quarter of a square unit beyond a whole number. For 1 Å and d
+// = 3.000001 Å it is 1.25000150000025 Å². For 1 Å and d = 1.001 Å it is -0.74949975 Å².
 TEST_P(ExactAlpha, IsAQuarterOfAUnit) {
   BallSet fine;
   fine.lattice.digits = 6;
@@ -157,7 +158,7 @@ TEST_P(ExactAlpha, IsAQuarterOfAUnit) {
   expect_in_and_out(GetParam(), coarse, 2, decimals(-74949975, 8));
 }
 
-// Where w + alpha nearly cancels: a ball is there from alpha = -w on, exactly.
+// w + alpha nearly cancels. A ball is in the complex exactly from alpha = -w on.
 TEST_P(ExactAlpha, ABallIsEmptyBelowMinusItsWeight) {
   for (const int digits : {3, 6}) {
     for (const std::int32_t radius : {1, 1880, 1234567, kMaxLatticeRadius}) {

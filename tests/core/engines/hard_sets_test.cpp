@@ -1,4 +1,4 @@
-// Every engine on degenerate and random sets of balls, against the definition in rationals.
+// Tests every engine on degenerate and random sets of balls against the definition in rationals.
 #include <gtest/gtest.h>
 
 #include "tests/support/engines.hpp"
@@ -48,8 +48,8 @@ TEST_P(HardSets, EqualTheDefinitionLong) {
   expect_small_sets_equal(GetParam(), 2, 60, 13);
 }
 
-// Two small balls that touch each other at the rim of a large one, by little and where coordinates
-// are large beside them: whether the two meet must be asked of integers.
+// Two small balls barely touch at the rim of a large one, where coordinates are large beside them.
+// Only integers can decide whether they meet.
 TEST_P(HardSets, SmallBallsFarOutMeet) {
   BallSet balls;
   balls.lattice.digits = 6;

@@ -1,5 +1,5 @@
-// Engines answer from what is known of their balls, say so, add what they make, and keep none of
-// it.
+// Tests that engines answer from known results of their balls, report it, add new results, and keep
+// none.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ class EngineThatKnows : public ::testing::Test {
   AlphaComplex expected(double alpha, bool tetrahedra_only = false) const {
     return make_cgal_engine(balls_, {1})->compute({alpha, tetrahedra_only}, {});
   }
-  // The answer, which may be shared for the next one.
+  // The answer, shared for the next one.
   std::shared_ptr<const AlphaComplex> shared(Engine& engine, double alpha,
                                              KnownOfBalls& known) const {
     auto complex = std::make_shared<const AlphaComplex>(engine.compute({alpha}, known, {}));
@@ -81,7 +81,7 @@ TEST_F(EngineThatKnows, SmallerAlphasAreThresholdsOfItsLastWholeComplex) {
   EXPECT_EQ(route(*engine, 105, known), "filtration of cached complex, then threshold");
 }
 
-// Nobody has to share an answer.
+// The caller need not share an answer.
 TEST_F(EngineThatKnows, AComplexIsNotCopied) {
   const auto engine = make_cpu_engine(balls_, {1});
   KnownOfBalls known;
@@ -126,7 +126,7 @@ TEST_F(EngineThatKnows, DoesNotTriangulateAgain) {
   EXPECT_TRUE(compare(whole, expected(1e4)).identical());
   EXPECT_EQ(known.triangulation, triangulation_);
 
-  // The CPU engine, where it would triangulate.
+  // Here the CPU engine would triangulate.
   KnownOfBalls another{{balls_, triangulation_, nullptr}};
   const auto cpu = make_cpu_engine(balls_, {1});
   EXPECT_EQ(route(*cpu, 1e300, another), "filtration of the whole triangulation, then threshold");

@@ -1,4 +1,5 @@
-// Areas, volumes and cavities follow from the complex, so they are the same after every engine.
+// Tests that areas, volumes and cavities follow from the complex, so that every engine gives the
+// same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ void expect_same_bits(const UnionMeasures& found, const UnionMeasures& expected)
   EXPECT_EQ(found.ball_volume_angstrom3, expected.ball_volume_angstrom3);
 }
 
-// A device rounds otherwise. Errors of a ball are relative to the whole of it: little may be left.
+// A device rounds differently. Errors are relative to a whole ball, since little of it may be left.
 void expect_near(const UnionMeasures& found, const UnionMeasures& expected,
                  const std::vector<double>& spheres) {
   EXPECT_NEAR(found.area_angstrom2, expected.area_angstrom2, kNear * expected.area_angstrom2);
@@ -69,8 +70,8 @@ bool holds(const SimplexList<N>& list, const Simplex& simplex) {
   return std::binary_search(list.simplices.begin(), list.simplices.end(), simplex);
 }
 
-// Cavities are found in the triangulation of all balls. What they say of K is true of the complex
-// of every engine: none of their tetrahedra is in it, no mouth, and all walls of voids.
+// Cavities are found in the triangulation of all balls, and fit the complex of every engine. It has
+// none of their tetrahedra, no mouth, and all walls of voids.
 TEST_P(EngineMeasures, CavitiesFitTheComplexOfEveryEngine) {
   Random random(13);
   std::size_t cavities = 0;

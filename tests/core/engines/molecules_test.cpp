@@ -1,4 +1,4 @@
-// Real molecules: known counts, and every engine against CGAL.
+// Tests real molecules: known counts, and every engine against CGAL.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct KnownCounts {
   std::size_t edges, triangles, tetrahedra;
 };
 
-// From CGAL's Fixed_alpha_shape_3, by an independent program.
+// Counts by CGAL's Fixed_alpha_shape_3 in an independent program.
 constexpr KnownCounts kKnown[] = {
     {"ladder/1grm.crd", 0, 0, 576, 336, 20},
     {"ladder/1grm.crd", 0, 1, 812, 650, 136},
@@ -60,7 +60,7 @@ void expect_equals_cgal(const EngineFactory& factory, const std::string& name,
                         std::shared_ptr<const BallSet> balls) {
   const auto reference = testing::keeping(make_cgal_engine(balls, {1}));
   const auto engine = factory.make(balls);
-  // Clipping of everything by everything is not what dual edges are for.
+  // Dual edges are not meant for clipping every ball by every other.
   const bool dual_edges = factory.name.starts_with("dual_edges");
   for (const double alpha : {10.0, -1.0, 0.0, 0.5, 1.4, 3.0, 100.0}) {
     if ((dual_edges && alpha > 10 && balls->size() > 500) || !factory.affords(*balls, alpha))
@@ -72,7 +72,7 @@ void expect_equals_cgal(const EngineFactory& factory, const std::string& name,
   }
 }
 
-// Without the solvent radius and with it.
+// Compares without the solvent radius and with it.
 void expect_equals_cgal(const EngineFactory& factory, const std::string& file,
                         std::size_t most_balls = SIZE_MAX) {
   for (const double solvent : {0.0, 1.4}) {
@@ -95,7 +95,7 @@ TEST_P(EveryEngine, EqualsCgalOnSmallMolecules) {
   }
 }
 
-// Every file that can be opened and is not too large. Those that cannot are the readers' tests.
+// Every file that can be opened and is not too large. Tests of readers cover the others.
 void expect_equals_cgal_in(const EngineFactory& factory, const char* folder, std::size_t most_balls,
                            std::size_t expected_files) {
   std::vector<std::string> files;

@@ -1,5 +1,5 @@
-// What must hold of K_alpha whatever computes it: invariance, growth with alpha, Euler's number,
-// agreement with the definition, and manners (cancelling, NaN, determinism).
+// Tests properties of K_alpha for every engine: invariance, growth with alpha, Euler's number,
+// agreement with the definition. Also tests cancelling, NaN and determinism.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::vector<double> some_alphas() {
 }
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The list with every vertex v replaced by names[v], in order again.
+// The list with each vertex v replaced by names[v], sorted again.
 template <int N>
 SimplexList<N> renamed(const SimplexList<N>& list, const std::vector<BallIndex>& names) {
   Simplices<N> simplices = list.simplices;
@@ -77,7 +77,7 @@ AlphaComplex renamed(const AlphaComplex& complex, const std::vector<BallIndex>& 
   return result;
 }
 
-// Balls with one centre and one radius are told apart by their order only.
+// Balls with equal centres and radii differ only by their order.
 bool has_twins(const BallSet& balls) {
   std::vector<std::pair<LatticePoint, int>> all;
   for (BallIndex i = 0; i < balls.size(); ++i) all.emplace_back(balls.centres[i], balls.radii[i]);
@@ -104,7 +104,7 @@ TEST_P(Properties, OrderOfTheBallsDoesNotMatter) {
   EXPECT_GE(compared, 8u);
 }
 
-// Without ties every symmetry of the lattice maps K_alpha to that of the image.
+// Without ties a symmetry of the lattice maps K_alpha to that of the mapped balls.
 TEST_P(Properties, SymmetriesOfTheLatticeDoNotMatter) {
   Random random(6);
   const BallSet balls = testing::random_balls(random, 250, 1000, 100, 200);
@@ -124,7 +124,7 @@ TEST_P(Properties, SymmetriesOfTheLatticeDoNotMatter) {
   } while (std::next_permutation(axes, axes + 3));
 }
 
-// Translations keep the order by which ties are broken.
+// Translations keep the order that breaks ties.
 TEST_P(Properties, TranslationsDoNotMatter) {
   Random random(7);
   for (const NamedBalls& set : hard_sets(random)) {
@@ -154,7 +154,7 @@ TEST_P(Properties, GrowsWithAlphaAndMeetsTheDefinition) {
   }
 }
 
-// At alpha = infinity the complex is the whole triangulation of a convex hull: contractible.
+// At alpha = infinity the complex triangulates a convex hull, which is contractible.
 TEST_P(Properties, WholeTriangulationHasEulerCharacteristicOne) {
   Random random(9);
   for (const NamedBalls& set : hard_sets(random)) {
@@ -189,8 +189,8 @@ TEST_P(Properties, StaysUsableWhenCancelled) {
   EXPECT_GT(complex.timings.stages.size(), 0u);
 }
 
-// Long lists, of which most neighbours are left out; of balls whose centre a larger one has within
-// its cell, none are. Centres are dense, so that many tie.
+// Balls have long lists, from which most neighbours are dropped. A ball whose centre lies in the
+// cell of a larger one has an empty list. Centres are dense, so many tie.
 TEST_P(Properties, LongListsEqualCgal) {
   Random random(2024);
   int compared = 0;
@@ -202,7 +202,7 @@ TEST_P(Properties, LongListsEqualCgal) {
     const auto shared = std::make_shared<const BallSet>(balls);
     const auto reference = testing::keeping(make_cgal_engine(shared, {1}));
     for (const double alpha : {25.0, 60.0, 150.0}) {
-      // The limit is about the tuple engines.
+      // The limit concerns the tuple engines.
       if (GetParam().name.starts_with("tuples") && !GetParam().affords(balls, alpha)) continue;
       const UniformGrid grid =
           make_uniform_grid(balls, balls.lattice.alpha_on_lattice(alpha), coincident_hidden(balls));

@@ -1,5 +1,5 @@
-// What an engine does whose executor has little memory, fails, or cannot at all. The executors here
-// compute with the CPU engine and stand in for the device's limits only.
+// Tests an engine whose executor has little memory, fails, or cannot compute. The executors here
+// compute with the CPU engine, and imitate only the limits of a device.
 #include "core/engines/short_of_memory.hpp"
 
 #include <gtest/gtest.h>
@@ -20,10 +20,10 @@ namespace {
 using testing::Random;
 
 struct Device {
-  std::size_t room = ~std::size_t{0};  // balls; a larger set finds no memory
+  std::size_t room = ~std::size_t{0};  // balls; larger sets find no memory
   bool lost = false, beyond = false;
   bool full = false;               // for measures and the outside
-  std::vector<std::size_t> asked;  // balls of each set it was asked for
+  std::vector<std::size_t> asked;  // balls of each requested set
   int made = 0, rested = 0;
 };
 
@@ -73,7 +73,7 @@ class ShortOfMemory : public ::testing::Test {
     });
   }
 
-  // The route, of a result that is right whatever way it came.
+  // The route of a result, which must be right by every route.
   std::string route(double alpha, bool tetrahedra_only = false) {
     const AlphaComplex found = engine_->compute({alpha, tetrahedra_only}, {});
     testing::expect_same(found,
@@ -139,7 +139,7 @@ TEST_F(ShortOfMemory, TheCpuComputesWhatIsBeyondTheLimits) {
   device_.beyond = false;
   device_.room = 350;
   route(1e5);
-  device_.beyond = true;  // of a slab
+  device_.beyond = true;  // for a slab
   EXPECT_NE(route(2e5).find("beyond the GPU kernels' limits"), std::string::npos);
   EXPECT_THROW(engine_->compute({std::nan("")}, {}), std::invalid_argument);
 }

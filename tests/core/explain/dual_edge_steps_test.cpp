@@ -1,5 +1,5 @@
-// The steps of one ball through the dual-edge engine: added up over all balls, its numbers are
-// those of the engine; its result is the star of the ball in CGAL's complex.
+// Tests the steps of one ball through the dual-edge engine. Summed over all balls, the numbers are
+// those of the engine. The result is the star of the ball in CGAL's complex.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ using testing::NamedBalls;
 using testing::Random;
 namespace id = step_count;
 
-// Every simplex has one fate, and what one step leaves is what the next one gets.
+// Every simplex has one fate, and each step gets what the last one left.
 void expect_consistent(const BallSteps& steps) {
   if (steps.left_out != LeftOut::no) {
     EXPECT_EQ(steps.steps.size(), 1u);
@@ -74,7 +74,8 @@ void expect_consistent(const BallSteps& steps) {
   }
 }
 
-// What the engine counts. Each dual edge has three balls, and each simplex its own number of them.
+// Numbers that the engine counts. Each dual edge belongs to three balls, and each simplex to its
+// vertices.
 class Sums {
  public:
   void add(const BallSteps& steps) {
@@ -192,8 +193,8 @@ double power(const BallSet& balls, BallIndex b, const RealPoint& x) {
   return dot(d, d) - balls.lattice.square_angstrom(static_cast<double>(balls.weight(b)));
 }
 
-// What is left of a dual edge is where three balls have the same power and no other has less,
-// within the grown ball or just beyond.
+// On the rest of a dual edge, three balls have equal power and no other has less. It lies within
+// the grown ball or just beyond.
 TEST(DualEdgeSteps, SegmentsAreDualEdges) {
   const auto balls = testing::sample_balls("1crn.pdb");
   const double alpha = 4;
@@ -220,7 +221,7 @@ TEST(DualEdgeSteps, SegmentsAreDualEdges) {
   EXPECT_GT(seen, 200u);
 }
 
-// Ball after ball: what is left only becomes less, and nothing of it once it has settled.
+// With each ball the rest shrinks, and it does not change once it has settled.
 TEST(DualEdgeSteps, CutsShortenDualEdges) {
   const auto balls = testing::sample_balls("1crn.pdb");
   std::map<CutKind, std::size_t> seen;
@@ -279,7 +280,7 @@ TEST(DualEdgeSteps, CountsWhatItLists) {
   EXPECT_GT(seen, 50u);
 }
 
-// Who is said to attach an edge is in conflict with it, exactly.
+// A ball reported to attach an edge is in conflict with it, exactly.
 TEST(DualEdgeSteps, RemoversOfEdgesAreInConflict) {
   Random random(82);
   const BallSet balls = testing::random_balls(random, 40, 10, 2, 5);
@@ -297,7 +298,7 @@ TEST(DualEdgeSteps, RemoversOfEdgesAreInConflict) {
   EXPECT_GT(seen, 100);
 }
 
-// Balls of a cubic lattice: of each square, the foot of a diagonal is as near to the other two
+// Balls of a cubic lattice. The middle of a square's diagonal is equally near to the other two
 // balls, and the ends of dual edges are ties.
 TEST(DualEdgeSteps, TiesAreSaidOnceAndDecidedByIntegers) {
   BallSet balls;

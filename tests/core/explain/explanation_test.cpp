@@ -1,5 +1,5 @@
-// Explanations against the definition in rationals: of every simplex of small hard sets, in the
-// triangulation or not.
+// Tests explanations against the definition in rationals, for every simplex of small hard sets,
+// whether in the triangulation or not.
 #include "core/explain/explanation.hpp"
 
 #include <gtest/gtest.h>
@@ -130,7 +130,7 @@ class Checked {
       if (step.by == Arithmetic::perturbation) continue;
       ASSERT_TRUE(step.sign == 0 || step.sign == sgn(excess)) << name(s) << " and " << one.ball;
       if (!step.has_number || std::isnan(step.value_angstrom2)) continue;
-      // Within the error that the filter says, or exact.
+      // Within the filter's error bound, or exact.
       const Rational off = abs(Rational(step.value_angstrom2) - excess * per_square_);
       const Rational allowed = std::isfinite(step.error_angstrom2)
                                    ? Rational(step.error_angstrom2) * Rational(1.0001)
@@ -171,8 +171,8 @@ class Checked {
     classes(e, s, value);
   }
 
-  // One dual edge for each triangle here that has a tetrahedron on both sides, between their
-  // centres; in less than space one dimension or two below.
+  // The dual of each triangle with tetrahedra on both sides is one edge between their centres. In
+  // flat sets it is that of one or two dimensions below.
   void dual(const Explanation& e, const Balls& s) {
     std::vector<std::vector<double>> expected, found;
     for (const auto& [t, value] : oracle_.alpha_values()) {
@@ -201,10 +201,10 @@ class Checked {
     }
   }
 
-  // Around a critical value, and just there where it is a double.
+  // Alphas around a critical value, and the value itself where it is a double.
   void classes(const Explanation& e, const Balls& s, const Rational& critical) {
     const double at = critical.get_d();
-    // A lattice's alphas are no finer than that.
+    // Alphas on a lattice are no finer than this.
     const double step = std::max(std::nextafter(std::fabs(at), HUGE_VAL) - std::fabs(at), 0x1p-20);
     for (const double alpha : {at - step, at, at + step}) {
       const AlphaComplex& complex = complex_at(alpha);
@@ -218,7 +218,7 @@ class Checked {
       ASSERT_EQ(now.at_alpha->in_complex, expected.has_value()) << name(s) << " at " << alpha;
       ASSERT_EQ(now.at_alpha->simplex_class, expected.value_or(SimplexClass::singular))
           << name(s) << " at " << alpha;
-      // The levels say the same.
+      // The levels agree.
       const auto reached = [&](const std::optional<AlphaLevel>& level) {
         return level && testing::orthosphere(balls_, level->from).rho <= Rational(alpha);
       };
@@ -272,7 +272,7 @@ class Checked {
         FAIL();
     }
   }
-  // With the culprits of a triangle or a tetrahedron alone, it is absent too.
+  // With only the culprits of a triangle or tetrahedron, it is absent as well.
   void guilty(const Explanation& e, const Balls& s) {
     if (s.size() < 3) return;
     Balls few = s;
@@ -328,7 +328,7 @@ TEST(Explanation, RefusesWhatIsNoSimplex) {
   EXPECT_THROW(explain(balls, Balls{0}, std::nan("")), std::invalid_argument);
 }
 
-// Sets with more balls than are chosen at first, against the filtration of the whole triangulation.
+// Larger sets than the first choice of balls, against the filtration of the whole triangulation.
 class Sampled {
  public:
   Sampled(const testing::NamedBalls& set, Random& random)
@@ -378,7 +378,7 @@ class Sampled {
       ASSERT_EQ(e.absence, Absence::none);
       ASSERT_EQ(e.appears.on_lattice, list.alpha_values[at]);
       expect_class(e);
-      if (!levels || e.dimension < 3) continue;  // the filtration's are those of space
+      if (!levels || e.dimension < 3) continue;  // the filtration's dimensions are those of space
       ASSERT_EQ(e.on_hull, std::isnan(levels->interior_from[at]));
       same(e.regular, levels->regular_from[at]);
       same(e.interior, levels->interior_from[at]);
@@ -396,7 +396,7 @@ class Sampled {
       ASSERT_EQ(now.at_alpha->simplex_class, expected.simplex_class);
     }
   }
-  // The tetrahedra around a simplex, when no more than its own balls are given at first.
+  // The tetrahedra around a simplex, when only its own balls are chosen at first.
   void star(const Balls& simplex) {
     const LocalStar found = local_star(*balls_, simplex, simplex, {});
     const auto around = [&](const Balls& t) {
@@ -426,7 +426,7 @@ class Sampled {
 TEST(Explanation, IsTheFiltrationsAnswerAmongManyBalls) {
   Random random(9);
   std::vector<testing::NamedBalls> sets = testing::large_hard_sets(random, 120);
-  // More ties around one point than balls are chosen there at first.
+  // More ties around one point than the balls chosen there at first.
   BallSet tied = testing::random_balls(random, 0, 1, 1, 1);
   for (int x = -31; x <= 31; ++x) {
     for (int y = -31; y <= 31; ++y) {

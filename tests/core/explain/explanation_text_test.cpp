@@ -1,5 +1,4 @@
-// The sentences of explanations: every number in them with its unit, and what they say of each kind
-// of answer.
+// Tests the sentences of explanations: each number has a unit, and each kind of answer its text.
 #include "core/document/explain/explanation_text.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +50,7 @@ TEST(ExplanationText, OfAnAttachedEdge) {
 TEST(ExplanationText, OfWhatIsAbsent) {
   BallSet balls = unit_balls();
   testing::add_ball(balls, 0, 0, 0, 5);
-  testing::add_ball(balls, 1, 0, 0, 1);  // hidden in the first
+  testing::add_ball(balls, 1, 0, 0, 1);  // hidden by the first
   testing::add_ball(balls, 20, 0, 0, 1);
   testing::add_ball(balls, 0, 20, 0, 1);
   testing::add_ball(balls, 20, 20, 0, 2);
@@ -75,7 +74,7 @@ TEST(ExplanationText, OfATie) {
                "the perturbation decides"});
 }
 
-// In the plane a triangle is what a tetrahedron is in space.
+// In the plane a triangle has the role of a tetrahedron.
 TEST(ExplanationText, SpeaksOfThePlaneWhereAllCentresAreInOne) {
   BallSet balls = unit_balls();
   for (const int x : {0, 2}) {

@@ -1,4 +1,4 @@
-// Borders between cells: on them both balls have the same power, and no ball has less.
+// Tests borders between cells: both balls have equal power there, and no ball has less.
 #include "core/explain/power_diagram.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ BallSet no_balls() {
   return balls;
 }
 
-// The plane between radii 2 and 1, 5 apart: 10 x = 25 + 4 - 1.
+// The plane between balls of radii 2 and 1 that are 5 apart: 10 x = 25 + 4 - 1.
 TEST(PowerDiagram, OfTwoBallsIsAPlane) {
   BallSet balls = no_balls();
   add_ball(balls, 0, 0, 0, 2);
@@ -43,8 +43,8 @@ TEST(PowerDiagram, OfTwoBallsIsAPlane) {
   }
 }
 
-// A ball in the middle of four others: its cell is a tetrahedron with corners at (±a, ±a, ±a),
-// 3 a 2 = 3 · 2² with centres at (±2, ±2, ±2) and equal radii.
+// A ball in the middle of four others at (±2, ±2, ±2), all of equal radius. Its cell is a
+// tetrahedron with corners at (±a, ±a, ±a), where 3 a 2 = 3 · 2².
 TEST(PowerDiagram, TheCellOfTheMiddleBallIsATetrahedron) {
   BallSet balls = no_balls();
   add_ball(balls, 0, 0, 0, 2);
@@ -70,7 +70,7 @@ TEST(PowerDiagram, TheCellOfTheMiddleBallIsATetrahedron) {
 TEST(PowerDiagram, HiddenAndEqualBallsHaveNoBorder) {
   BallSet balls = no_balls();
   add_ball(balls, 0, 0, 0, 3);
-  add_ball(balls, 0, 0, 0, 3);  // the same
+  add_ball(balls, 0, 0, 0, 3);  // equal to the first
   add_ball(balls, 0, 0, 0, 2);  // within it
   add_ball(balls, 10, 0, 0, 3);
   const std::vector<PowerFace> faces = power_diagram(balls);

@@ -1,4 +1,4 @@
-// Which arithmetic decides, and what is proposed for it to decide.
+// Tests which arithmetic decides, and what it is asked to decide.
 #include "core/explain/recorded_steps.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,8 @@ bool has(const std::vector<ArithmeticStep>& steps, Arithmetic by) {
   return false;
 }
 
-// d² + r² of the first - r² of the other is 1 or -1, of squares of 2.5e15: no filter can tell.
+// d² + r² of the first - r² of the other is 1 or -1, among squares of 2.5e15, so no filter can
+// decide.
 TEST(RecordedSteps, OfAVertexIntegersDecideWhatFiltersCannot) {
   for (const int sign : {1, -1}) {
     BallSet balls;
@@ -33,7 +34,7 @@ TEST(RecordedSteps, OfAVertexIntegersDecideWhatFiltersCannot) {
   }
 }
 
-// A filter is asked only where all vectors are within its range.
+// A filter is used only when all vectors are within its range.
 TEST(RecordedSteps, AFilterIsNotAskedBeyondItsRange) {
   for (const std::int32_t far : {1'000, 20'000'000, 100'000'000}) {
     BallSet balls;
@@ -49,7 +50,7 @@ TEST(RecordedSteps, AFilterIsNotAskedBeyondItsRange) {
   }
 }
 
-// Balls of radius 1 at x = 0, 10, … 40, and a point at 17.
+// Balls of radius 1 at x = 0, 10, … 40, and a query point at 17.
 TEST(NearestByPower, AreThoseOfLeastPowerFirst) {
   BallSet balls;
   for (int n = 0; n < 5; ++n) testing::add_ball(balls, 10 * n, 0, 0, 1);

@@ -1,4 +1,4 @@
-// Expecting the steps of a ball to end in its star: the simplices that contain it.
+// Expects the steps of a ball to end in its star, the simplices that contain it.
 #pragma once
 
 #include <algorithm>

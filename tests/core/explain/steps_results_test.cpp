@@ -1,4 +1,4 @@
-// Steps as a derived result: of which ball, under which key, with what beside the engine's numbers.
+// Tests steps as a derived result: its ball, its key, and its texts beside the engine's numbers.
 #include "core/document/explain/steps_results.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(StepsResults, TheBallOfASelection) {
   EXPECT_NE(c.asked({AtomRef{100'000, 0}}).why_not, "");
   EXPECT_FALSE(c.asked({}).ball);
   EXPECT_NE(c.asked({}).why_not, "");
-  // The one that was selected first.
+  // The ball that was selected first.
   Selection selection;
   selection.items = RefSet({fifth});
   selection.note_order();
@@ -117,7 +117,7 @@ TEST(StepsResults, TellTheStepsAndHowMuchMoreWorkThereIs) {
       << slow->growth;
   EXPECT_TRUE(slow->growth.ends_with(" instead of " + std::to_string(before) + " in kernel II."))
       << slow->growth;
-  // Without the alpha optimisation alone, kernel I has as much to do as before.
+  // Without only the alpha optimisation, kernel I has as much work as before.
   asked.options.edge_optimisation = true;
   EXPECT_EQ(c.told(asked)->growth.find("The same " + made + " 4-tuples in kernel I, " + made +
                                        " instead of "),

@@ -1,5 +1,5 @@
-// The steps of one ball through the tuple engine: added up over all balls, its numbers are those of
-// the engine, whatever is switched off; its result is the star of the ball in CGAL's complex.
+// Tests the steps of one ball through the tuple engine. Summed over all balls, the numbers are
+// those of the engine, with any switches. The result is the star of the ball in CGAL's complex.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::vector<TupleOptions> all_optimisations() {
   }
   return all;
 }
-// A million cells for each ball take time.
+// A million cells for each ball take long.
 std::vector<TupleOptions> all_switches() {
   std::vector<TupleOptions> all = all_optimisations();
   for (TupleOptions options : all_optimisations()) {
@@ -47,7 +47,7 @@ std::vector<TupleOptions> all_switches() {
   return all;
 }
 
-// What one step leaves is what the next one gets, and every simplex has one fate.
+// Each step gets what the last one left, and every simplex has one fate.
 void expect_consistent(const BallSteps& steps) {
   const auto all = [&](StepKind kind, std::string_view what) {
     return steps.find(kind)->count(what).all;
@@ -84,7 +84,7 @@ void expect_consistent(const BallSteps& steps) {
   }
 }
 
-// Says which sums were not zero, so that no comparison is of nothing.
+// Tells which sums were not zero, so that no comparison is empty.
 class Sums {
  public:
   void add(const BallSteps& steps) {
@@ -176,7 +176,8 @@ TEST(TupleSteps, AddUpToTheEngineOnAMolecule) {
   expect_steps(*balls, {testing::unless_sanitized(1, 0) ? 1.4 : -1}, all_optimisations(), sums);
 }
 
-// Who is said to end a test is in conflict: no more power distance at the orthocentre, exactly.
+// A ball reported to end a test is in conflict: its power distance at the orthocentre is not
+// larger, exactly.
 TEST(TupleSteps, RemoversAreInConflict) {
   Random random(72);
   const BallSet balls = testing::random_balls(random, 30, 10, 2, 5);
@@ -218,7 +219,7 @@ TEST(TupleSteps, PlacesAreSums) {
   EXPECT_GT(tuples, 20u);
 }
 
-// The box around the ball's cell contains it, the cube is around it.
+// The box around the ball's cell contains it, and the cube surrounds the box.
 TEST(TupleSteps, BoxesAreWhereTheBallIs) {
   const auto balls = testing::sample_balls("1crn.pdb");
   for (const TupleGridKind grid : {TupleGridKind::automatic, TupleGridKind::thesis}) {
@@ -228,7 +229,7 @@ TEST(TupleSteps, BoxesAreWhereTheBallIs) {
     const RealPoint p = balls->lattice.unit_angstrom() * real_point(balls->centres[100]);
     std::vector<StepBox> boxes = steps.find(StepKind::grid)->boxes;
     ASSERT_EQ(boxes.size(), 1u);
-    // As many cells as it takes from the least centre to the largest, along each axis.
+    // The number of cells from the least centre to the largest, along each axis.
     std::uint64_t cells = 1;
     for (const double RealPoint::*axis : {&RealPoint::x, &RealPoint::y, &RealPoint::z}) {
       double low = 1e300, high = -1e300;

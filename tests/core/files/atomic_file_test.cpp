@@ -1,4 +1,4 @@
-// Files that appear whole: what becomes of links, modes, and of what stood there before.
+// Tests files that appear whole: links, modes, and the earlier content.
 #include "core/files/atomic_file.hpp"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ TEST_F(AtomicFileTest, WhatCannotBeWrittenIsKnownBefore) {
   fs::create_directory(folder_ / "sub");
   EXPECT_NE(why_not_writable(folder_ / "sub").find("is a folder"), std::string::npos);
   EXPECT_EQ(files(), 2u) << "nothing is made to find out";
-  if (::geteuid() == 0) return;  // who may write everything
+  if (::geteuid() == 0) return;  // root may write all files
   ASSERT_EQ(::chmod((folder_ / "sub").c_str(), 0555), 0);
   EXPECT_NE(why_not_writable(folder_ / "sub" / "new").find("You may not write in the folder"),
             std::string::npos);
@@ -147,7 +147,7 @@ TEST_F(AtomicFileTest, WhatWasReadIsNotReplacedUnderAnyName) {
   for (const char* name : {"read", "link", "hard", "sub/../read"}) {
     EXPECT_THROW(put(folder_ / name, "after"), ReplacesInput) << name;
   }
-  // Moved away, it is still what was read; what takes its name meanwhile is not ours either.
+  // A moved input is still an input, and a new file with its name is not ours either.
   fs::remove(folder_ / "hard");
   fs::rename(folder_ / "read", folder_ / "moved");
   EXPECT_THROW(put(folder_ / "moved", "after"), ReplacesInput);
@@ -176,7 +176,7 @@ TEST_F(AtomicFileTest, OnlyASessionReplacesASession) {
   file.write("after");
   file.commit();
   EXPECT_EQ(contents(folder_ / "session"), "after");
-  { const RegularFile read(folder_ / "session"); }  // as a molecule
+  { const RegularFile read(folder_ / "session"); }  // as a molecule is read
   EXPECT_THROW(AtomicFile(folder_ / "session", FileKind::session), ReplacesInput);
 }
 
@@ -188,7 +188,7 @@ TEST_F(AtomicFileTest, FilesOfASetGetTheirNamesTogetherOrNot) {
     AtomicFile* const all[] = {&a, &b, &c, &d};
     for (AtomicFile* const file : all) file->write("new");
     if (fails) {
-      fs::create_directory(folder_ / "d");  // no file takes its name
+      fs::create_directory(folder_ / "d");  // no file can have that name
       EXPECT_THROW(commit_together(all), WriteError);
       fs::remove(folder_ / "d");
     } else {

@@ -1,4 +1,4 @@
-// Temporary files of processes that are no more.
+// Tests temporary files of processes that have ended.
 #include "core/files/left_behind.hpp"
 
 #include <fcntl.h>
@@ -41,8 +41,8 @@ TEST(LeftBehind, OnlyThoseOfDeadProcessesAreRemoved) {
   const fs::path gone = put(".alphascope-" + dead + "-0.tmp");
   const fs::path gone_too = put(".alphascope-" + dead + "-12.tmp");
   const fs::path kept[] = {
-      put(".alphascope-" + own + "-0.tmp"),  // of a process that is there
-      put(".alphascope-" + dead + ".tmp"),   // not ours by their names
+      put(".alphascope-" + own + "-0.tmp"),  // of a running process
+      put(".alphascope-" + dead + ".tmp"),   // not our names
       put(".alphascope-" + dead + "-x.tmp"), put(".alphascope-" + dead + "-1.tmp.txt"),
       put("alphascope-" + dead + "-1.tmp"),  put(".alphascope-0-1.tmp")};
   const fs::path in_use = put(".alphascope-" + dead + "-3.tmp");

@@ -1,4 +1,4 @@
-// Endings of outputs: which are none, which do not fit, and how it is said.
+// Tests endings of outputs: unknown ones, unfitting ones, and their messages.
 #include "core/files/output_ending.hpp"
 
 #include <gtest/gtest.h>

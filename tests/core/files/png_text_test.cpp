@@ -1,3 +1,4 @@
+// Tests texts in PNG files.
 #include "core/files/png_text.hpp"
 
 #include <gtest/gtest.h>

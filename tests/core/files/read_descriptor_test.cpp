@@ -1,4 +1,4 @@
-// Molecules from an open descriptor, and of a named format.
+// Tests molecules from an open descriptor, and of a named format.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-// Reads what is written into a pipe, piece by piece.
+// Reads from a pipe into which the pieces are written one by one.
 Molecule read_piped(const std::vector<std::string>& pieces, ReadOptions options = {}) {
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("pipe");

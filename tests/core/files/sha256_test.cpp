@@ -1,3 +1,4 @@
+// Tests SHA-256 against vectors of the standard.
 #include "core/files/sha256.hpp"
 
 #include "tests/core/files/temporary_file.hpp"

@@ -1,4 +1,4 @@
-// Small texts read at once, and the limits of large ones.
+// Tests small texts read at once, and the limits of large ones.
 #include "core/files/small_text.hpp"
 
 #include <fcntl.h>
@@ -29,7 +29,7 @@ std::string fault_of(const std::filesystem::path& path) {
 }
 
 TEST(SmallText, IsReadAsItIs) {
-  // Longer than what is read at once, with a zero byte and no line end at its end.
+  // Longer than one read, with a zero byte, and without a line end at its end.
   std::string text(200000, 'a');
   text[70000] = '\0';
   text += "\r\nlast";
@@ -52,7 +52,7 @@ TEST(SmallText, WhatIsReadIsNotedAsRead) {
   EXPECT_EQ(read_behind(file.path()), file.path().string());
 }
 
-// Of an endless stream no more is taken than there may be.
+// No more than the limit is read from an endless stream.
 TEST(SmallText, AStreamHasTheSameLimit) {
   const TemporaryFile beside("a", "");
   const std::filesystem::path pipe = beside.path().parent_path() / "pipe";
@@ -96,7 +96,7 @@ TEST(TextLimits, AreSaidInTheirUnit) {
   EXPECT_EQ(fault_beyond(std::uint64_t{8} << 30), limit + "8192 MiB" + kLarge);
 }
 
-// Lines are looked at while a text grows; the long one is the third.
+// Lines are checked while a text grows. The long one is the third.
 TEST(TextLimits, ALineIsTooLongWhereverItIsCut) {
   const std::filesystem::path path = "a.pdb";
   LineLengths lengths(path);

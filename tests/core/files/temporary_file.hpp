@@ -1,4 +1,4 @@
-// Small input files written by the tests themselves, and the messages of refused ones.
+// Small input files that tests write, and the messages of refused ones.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ inline Molecule read_text(const std::string& name, std::string_view content) {
   return read_molecule(file.path());
 }
 
-// The error that reading this text gives; fails the test when there is none.
+// The error from reading this text. The test fails when there is none.
 inline ReadError refusal(const std::string& name, std::string_view content,
                          const ReadOptions& options = {}) {
   const TemporaryFile file(name, content);

@@ -1,4 +1,4 @@
-// Alpha as a decimal, and in square lattice units.
+// Tests alpha as a decimal, and in square lattice units.
 #include "core/geometry/alpha.hpp"
 
 #include <gmpxx.h>
@@ -128,7 +128,7 @@ TEST(LatticeAlpha, IsTheDecimalItself) {
     if (!alpha.is_double()) {
       ASSERT_EQ(std::nextafter(alpha.below, HUGE_VAL), alpha.above);
     }
-    // The nearest float by comparing with both neighbours' middle.
+    // Finds the nearest float by comparing with the midpoints to both neighbours.
     const float rounded = alpha.nearest_float();
     for (const float other :
          {std::nextafterf(rounded, HUGE_VALF), std::nextafterf(rounded, -HUGE_VALF)}) {
@@ -143,7 +143,7 @@ TEST(LatticeAlpha, IsTheDecimalItself) {
   }
 }
 
-// Halves of floats: 2^24 + 1 square units are exactly between two floats.
+// Ties between floats: 2^24 + 1 square units are exactly between two floats.
 TEST(LatticeAlpha, IsRoundedToAFloatOnce) {
   const Lattice whole{0};
   EXPECT_EQ(whole.alpha_on_lattice(alpha_of("16777217")).nearest_float(), 16777216.0f);

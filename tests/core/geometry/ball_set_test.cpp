@@ -1,4 +1,4 @@
-// Solvent radii on the lattice: exact where the bounds leave room for them.
+// Tests solvent radii on the lattice: exact where the bounds leave room.
 #include "core/geometry/ball_set.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(WithSolvent, RoundsToTheFinestWhereTheBoundsLeaveNoRoom) {
   EXPECT_EQ(far.radii[0], 1701);
   EXPECT_EQ(solvent_on_lattice(far.lattice, 1.4), 1);
   EXPECT_EQ(with_solvent(balls(3, 50'000'000), 0.00044).lattice.digits, 4);
-  // Radii have bounds too.
+  // Radii are bounded as well.
   BallSet wide = balls(3, 1000);
   wide.radii[0] = kMaxLatticeRadius - 5;
   EXPECT_EQ(with_solvent(wide, 0.0004).lattice.digits, 3);

@@ -1,4 +1,4 @@
-// The default direction of a pore.
+// Tests the default direction of a pore.
 #include "core/geometry/principal_axes.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace alphascope {
 namespace {
 
-// A V = V D, and V's columns are unit vectors normal to each other.
+// A V = V D, and the columns of V are orthonormal.
 TEST(Diagonalise, FindsEigenvaluesAndVectors) {
   testing::Random random(81);
   std::uniform_real_distribution<double> number(-3, 3);

@@ -1,5 +1,5 @@
-// Distances and angles: by hand, turned and moved, at the limits of the lattice, and where there is
-// none.
+// Tests distances and angles: by hand, turned and moved, at the limits of the lattice, and where
+// there is none.
 #include "core/measure/angles.hpp"
 
 #include <gtest/gtest.h>
@@ -22,12 +22,11 @@ TEST(AnglesOfPoints, ByHand) {
   EXPECT_DOUBLE_EQ(*angle_degrees({1, 1, 0}, {0, 0, 0}, {7, 0, 0}), 45);
   EXPECT_DOUBLE_EQ(*angle_degrees({1, 0, 0}, {0, 0, 0}, {-3, 0, 0}), 180);
   EXPECT_EQ(*angle_degrees({2, 4, 6}, {0, 0, 0}, {1, 2, 3}), 0);
-  // Methane: the angle of two corners of a tetrahedron at its middle.
+  // In methane: the angle at the centre of a tetrahedron between two corners.
   EXPECT_NEAR(*angle_degrees({1, 1, 1}, {0, 0, 0}, {1, -1, -1}), 109.47122063449069, 1e-12);
 }
 
-// Somebody looks along the line from (0, 0, 0) to (0, 0, 9), with x to the right and so y
-// downwards.
+// The view is along the line from (0, 0, 0) to (0, 0, 9), with x to the right and so y downwards.
 TEST(AnglesOfPoints, DihedralsAreClockwiseSeenFromTheSecondAtom) {
   const LatticePoint a{4, 0, -1}, b{0, 0, 0}, c{0, 0, 9};
   EXPECT_DOUBLE_EQ(*dihedral_degrees(a, b, c, {0, 3, 12}), 90);
@@ -35,11 +34,11 @@ TEST(AnglesOfPoints, DihedralsAreClockwiseSeenFromTheSecondAtom) {
   EXPECT_DOUBLE_EQ(*dihedral_degrees(a, b, c, {2, 2, 3}), 45);
   EXPECT_EQ(*dihedral_degrees(a, b, c, {5, 0, 3}), 0);
   EXPECT_EQ(*dihedral_degrees(a, b, c, {-5, 0, 3}), 180) << "trans, never -180";
-  // The other way round it is the same turn.
+  // In reverse order the turn is the same.
   EXPECT_DOUBLE_EQ(*dihedral_degrees({0, 3, 12}, c, b, a), 90);
 }
 
-// A thousandth of a millionth of a degree beside 180, on both sides.
+// 10^-9 degrees from 180, on both sides.
 TEST(AnglesOfPoints, AlmostTransKeepsItsSide) {
   const LatticePoint a{kMost, 0, 0}, b{0, 0, 0}, c{0, 0, kMost};
   const double above = *dihedral_degrees(a, b, c, {-kMost, 1, kMost}),
@@ -59,7 +58,7 @@ TEST(AnglesOfPoints, NoneWherePointsCoincideOrLieOnALine) {
   EXPECT_FALSE(dihedral_degrees(p, q, r, r));
   EXPECT_FALSE(dihedral_degrees({0, 0, 0}, {1, 2, 3}, {3, 6, 9}, {5, 5, 5}));
   EXPECT_FALSE(dihedral_degrees({5, 5, 5}, {0, 0, 0}, {1, 2, 3}, {3, 6, 9}));
-  // One unit of 10^9 beside the line there is one.
+  // One unit of 10^9 beside the line an angle exists.
   EXPECT_FALSE(dihedral_degrees({-kMost, -kMost, 0}, {0, 0, 0}, {kMost, kMost, 0}, {0, 0, 1}));
   EXPECT_TRUE(dihedral_degrees({-kMost, 1 - kMost, 0}, {0, 0, 0}, {kMost, kMost, 0}, {0, 0, 1}));
 }
@@ -81,8 +80,8 @@ LatticePoint placed(const Matrix& turn, const RealPoint& p, const RealPoint& shi
   return nearest_lattice_point(turned + shift);
 }
 
-// Bonds of about 1.5 Å on a lattice of 10^-6 Å, anywhere and turned anyhow: the angles that they
-// were made with come back as exactly as rounding to the lattice lets them.
+// Bonds of about 1.5 Å on a lattice of 10^-6 Å, at random places and orientations. The angles come
+// back to within the rounding on the lattice.
 TEST(AnglesOfPoints, TurnedAndMovedTheyStay) {
   std::mt19937 random(7);
   const auto between = [&](double low, double high) {
@@ -93,8 +92,8 @@ TEST(AnglesOfPoints, TurnedAndMovedTheyStay) {
     const double angle = between(10, 170), dihedral = between(-180, 180);
     const Matrix turn = random_turn(random);
     const RealPoint shift{between(-4e8, 4e8), between(-4e8, 4e8), between(-4e8, 4e8)};
-    // The line of the dihedral angle is z; what is clockwise to one who looks along it is a
-    // positive turn from x to y.
+    // The line of the dihedral angle is z. A clockwise turn for a view along it is a positive turn
+    // from x to y.
     const double s = kBond * std::sin(angle * kDegree), h = kBond * std::cos(angle * kDegree);
     const LatticePoint a = placed(turn, {s, 0, h}, shift), b = placed(turn, {0, 0, 0}, shift),
                        c = placed(turn, {0, 0, kBond}, shift),
@@ -114,7 +113,7 @@ TEST(AnglesOfPoints, TheLargestCoordinatesDoNotOverflow) {
       d{kMost, -kMost, kMost};
   EXPECT_DOUBLE_EQ(distance_on_lattice(a, b), 2.0 * kMost * std::sqrt(3.0));
   EXPECT_NEAR(*angle_degrees(a, b, c), 54.735610317245346, 1e-12);
-  // Two diagonals of a cube's faces and one of the cube.
+  // Two diagonals of a cube's faces and one of the cube itself.
   EXPECT_NEAR(std::fabs(*dihedral_degrees(c, a, b, d)), 120, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// The closed forms against 113-bit and rational arithmetic.
+// Tests the closed forms against 113-bit and rational arithmetic.
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ Point centre(const GrownBall& b) {
   return {Quad(b.x), Quad(b.y), Quad(b.z)};
 }
 
-// The half of A_m;jk by Gauss and Bonnet from the corner: another way than the program's.
+// Half of A_m;jk from the corner by Gauss and Bonnet, a different way than the program's.
 struct Corner {
   Quad area, volume;
   bool meets;
@@ -55,7 +55,7 @@ Corner corner_of(const GrownBall& m, const GrownBall& j, const GrownBall& k) {
   const Quad c = (dot(v, v) + rr - Quad(k.radius) * k.radius) / 2;
   const Point foot = (1 / dot(n, n)) * cross(b * v - c * u, n);
   const Quad square = rr - dot(foot, foot);
-  // Where one point is all that they share, its angle means nothing.
+  // The angle is undefined where only one point is common to all.
   if (square < rr * 1e-24) return {0, 0, false};
   const Quad chord = sqrt(square);
   const Point p = foot + (chord / length(n)) * n;
@@ -73,7 +73,7 @@ Corner corner_of(const GrownBall& m, const GrownBall& j, const GrownBall& k) {
   const auto bend = [&](const Point& axis) {  // along the sphere at p, towards the axis
     return axis - (dot(axis, p) / rr) * p;
   };
-  const Quad turn = angle(bend(u), bend(v));  // pi less the angle inside
+  const Quad turn = angle(bend(u), bend(v));  // pi less the inner angle
   Quad area = pi - at_j[0] * at_j[1] / radius - at_k[0] * at_k[1] / radius - turn;
   area *= rr;
   return {area, (radius * area - (at_j[1] * at_j[2] + at_k[1] * at_k[2]) / 2) / 3, true};
@@ -109,7 +109,7 @@ TEST(BallTriple, IsThatOf113Bits) {
   }
 }
 
-// Small integers touch often, from outside and inside; a unit off, they nearly do.
+// Small integers often touch, from outside and inside. Shifted by a unit, they nearly touch.
 TEST(BallTriple, OfTangentAndNearlyTangentBallsIsThatOf113Bits) {
   Random random(2);
   for (int n = 0; n < 2000; ++n) {
@@ -170,7 +170,7 @@ TEST(Angles, OfRegularAndRightCornersAreKnown) {
   EXPECT_NEAR(
       solid_angle(Vector3<double>{1, 0, 0}, Vector3<double>{0, 2, 0}, Vector3<double>{0, 0, 3}),
       kPi / 2, 1e-15);
-  EXPECT_NEAR(solid_angle(a, b, c), kPi, 1e-15);  // a quarter of all
+  EXPECT_NEAR(solid_angle(a, b, c), kPi, 1e-15);  // a quarter of the sphere
   const GrownBall ball[4] = {grown_ball({1, 1, 1}, 1, 0), grown_ball({1, -1, -1}, 1, 0),
                              grown_ball({-1, 1, -1}, 1, 0), grown_ball({-1, -1, 1}, 1, 0)};
   const BallTetrahedron t = ball_tetrahedron(ball);
@@ -186,7 +186,7 @@ mpq_class determinant(const Exact& a, const Exact& b, const Exact& c) {
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-// Of ball p: its orthoschemes over all orders of the others, by their corners.
+// The orthoschemes of ball p over all orders of the other balls, by their corners.
 struct ExactTetrahedron {
   std::array<Exact, 4> at;
   std::array<mpq_class, 4> weight;
@@ -200,7 +200,7 @@ struct ExactTetrahedron {
   Exact to(std::size_t p, std::size_t q) const {
     return {at[q][0] - at[p][0], at[q][1] - at[p][1], at[q][2] - at[p][2]};
   }
-  // The orthocentre of p and others, from p.
+  // The orthocentre of p and others, relative to p.
   Exact centre(std::size_t p, const std::vector<std::size_t>& others) const {
     const std::size_t n = others.size();
     std::vector<Exact> v;
@@ -224,7 +224,7 @@ struct ExactTetrahedron {
     }
     return z;
   }
-  // The share, and the sum of the magnitudes.
+  // The share, and the sum of magnitudes.
   std::array<mpq_class, 2> share(std::size_t p) const {
     std::vector<std::size_t> order;
     for (std::size_t q = 0; q < 4; ++q) {
@@ -254,7 +254,7 @@ void expect_shares(const GrownBall (&ball)[4]) {
     EXPECT_NEAR(share[p], value.get_d(), 1e-13 * magnitude.get_d());
     sum += value;
   }
-  EXPECT_EQ(sum, abs(volume));  // the exact ones are right
+  EXPECT_EQ(sum, abs(volume));  // the exact shares are right
 }
 
 TEST(OrthoschemeShares, AreExact) {
@@ -265,7 +265,7 @@ TEST(OrthoschemeShares, AreExact) {
   }
 }
 
-// Four balls that are flat but for a unit, of edges of up to a million units.
+// Four balls that are flat up to a unit, with edges of up to a million units.
 TEST(OrthoschemeShares, OfFlatTetrahedraAreExact) {
   Random random(5);
   for (int n = 0; n < 300; ++n) {

@@ -1,3 +1,4 @@
+// Tests measures of the union clipped to tetrahedra.
 #include "core/measure/clipped.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +31,8 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// Balls in a box with a small ball at each corner: all tetrahedra together are the box, and of the
-// union all is in it but seven octants of each small ball.
+// Balls in a box with a small ball at each corner. All tetrahedra together are the box. It contains
+// the union but for seven octants of each small ball.
 struct Boxed {
   BallSet balls;
   double volume, free_volume, area;  // Å³, Å³, Å²
@@ -104,7 +105,7 @@ TEST(ClippedTetrahedra, AreTheSameBitsForAnyThreads) {
   EXPECT_EQ(one.area_angstrom2, four.area_angstrom2);
 }
 
-// Of single tetrahedra, which balls from elsewhere reach into; also where no corner's cell does.
+// Single tetrahedra into which other balls reach, also where no corner's cell does.
 TEST(ClippedTetrahedra, AgreeWithSampling) {
   Random random(23);
   std::uniform_real_distribution<double> uniform(1e-300, 1);
@@ -147,7 +148,7 @@ TEST(ClippedTetrahedra, RefuseWrongIndices) {
   EXPECT_TRUE(clipped_outside(triangulation, balls, 0, {}).volume_angstrom3.empty());
 }
 
-// A cube of half width 2 cut from a tetrahedron, with a ball of radius 2.5 in it.
+// A cube of half width 2, cut from a tetrahedron, with a ball of radius 2.5 in it.
 TEST(ConvexPiece, OfACubeSharesSixCapsLess) {
   const Vector3<double> corner[4] = {{20, 20, 20}, {20, -20, -20}, {-20, 20, -20}, {-20, -20, 20}};
   const double s = 1 / std::sqrt(3.0), h = 20 * s;

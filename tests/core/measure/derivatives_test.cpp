@@ -1,3 +1,4 @@
+// Tests derivatives of area and volume.
 #include <gtest/gtest.h>
 
 #include "core/measure/ball_geometry.hpp"
@@ -22,7 +23,7 @@ Both derived(const BallSet& balls, double alpha_angstrom2 = 0) {
   return both;
 }
 
-// Two spheres of radii 5 and 4 at distance 6, by hand: 12 h = 36 + 25 - 16.
+// Spheres of radii 5 and 4 at distance 6, by hand: 12 h = 36 + 25 - 16.
 TEST(UnionDerivatives, OfTwoBallsAreKnown) {
   BallSet balls;
   balls.lattice.digits = 0;
@@ -30,7 +31,7 @@ TEST(UnionDerivatives, OfTwoBallsAreKnown) {
   add_ball(balls, 6, 0, 0, 4);
   const UnionDerivatives of = derived(balls).derivatives;
   const double h = 45.0 / 12, h2 = 27.0 / 12;
-  // V' by moving apart is the disc that opens.
+  // The derivative of V by distance is the disc that opens.
   EXPECT_NEAR(of.volume_by_centre_angstrom2[1].x, kPi * (25 - h * h), 1e-12);
   EXPECT_NEAR(of.volume_by_centre_angstrom2[0].x, -kPi * (25 - h * h), 1e-12);
   EXPECT_NEAR(of.volume_by_radius_angstrom2[0], 2 * kPi * 5 * (5 + h), 1e-12);
@@ -44,8 +45,7 @@ TEST(UnionDerivatives, OfTwoBallsAreKnown) {
   EXPECT_NEAR(of.area_by_centre_angstrom[1].y, 0, 1e-12);
 }
 
-// Whatever moves or grows as a whole: the sum of all forces and torques is nothing, and V and A are
-// homogeneous of degree 3 and 2.
+// Invariants: all forces and torques sum to zero, and V and A are homogeneous of degree 3 and 2.
 void expect_euler(const BallSet& balls, const std::string& name) {
   const Both of = derived(balls);
   const auto check = [&](const std::vector<Gradient>& force, const std::vector<double>& by_radius,
@@ -86,7 +86,7 @@ TEST(UnionDerivatives, AreThoseOfAHomogeneousMeasure) {
   }
 }
 
-// Central differences of one lattice unit, 1e-6 Å, times `kStep`.
+// Central differences with a step of `kStep` lattice units of 1e-6 Å.
 TEST(UnionDerivatives, AgreeWithDifferences) {
   constexpr int kStep = 20;
   Random random(12);

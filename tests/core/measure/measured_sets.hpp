@@ -1,4 +1,4 @@
-// Balls and complexes for the tests of measures.
+// Sets of balls and complexes for tests of measures.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,8 @@
 
 namespace alphascope::testing {
 
-// In the source tree, or where the environment variable ALPHASCOPE_MEASURE_DATA says.
+// A file in the source tree, or in the folder that the environment variable ALPHASCOPE_MEASURE_DATA
+// names.
 inline std::string measure_data(const std::string& file) {
   const char* folder = std::getenv("ALPHASCOPE_MEASURE_DATA");
   const std::string in_source = std::string(ALPHASCOPE_SOURCE_DIR) + "/tests/core/measure/data";
@@ -26,7 +27,7 @@ inline std::string measure_data(const std::string& file) {
   return path;
 }
 
-// Lines of x y z r in Å, on the lattice of all their digits.
+// Reads lines of x y z r in Å, on the lattice of all their digits.
 inline BallSet balls_of_file(const std::string& file) {
   BallSet balls;
   balls.lattice.digits = kMinLatticeDigits;
@@ -60,7 +61,7 @@ inline UnionMeasures measured(const BallSet& balls, double alpha_angstrom2 = 0,
   return measure_union(balls, complex_of(balls, alpha_angstrom2), options);
 }
 
-// Spheres through the origin, or a unit of `factor` off it; many touch each other there.
+// Spheres through the origin, or off it by a unit of `factor`. Many touch each other there.
 inline BallSet balls_through_a_point(Random& random, int count, int factor) {
   static constexpr int kVectors[8][4] = {{1, 2, 2, 3},  {2, 3, 6, 7},  {1, 4, 8, 9}, {4, 4, 7, 9},
                                          {2, 6, 9, 11}, {6, 6, 7, 11}, {0, 3, 4, 5}, {0, 0, 1, 1}};
@@ -68,7 +69,7 @@ inline BallSet balls_through_a_point(Random& random, int count, int factor) {
   balls.lattice.digits = 3;
   const int* v = kVectors[0];
   for (int n = 0; n < count; ++n) {
-    // Every other ball in the direction of the one before.
+    // Every other ball lies in the direction of the previous one.
     if (n % 2 == 0) v = kVectors[random_int(random, 0, 7)];
     const int by = factor * random_int(random, 1, 6) * (random_int(random, 0, 2) == 0 ? -1 : 1);
     const int turn = n / 2 % 3;

@@ -1,3 +1,4 @@
+// Tests areas and volumes of unions of balls.
 #include "core/measure/union_measures.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,7 @@ TEST(UnionMeasures, OfHiddenAndEqualBallsAreZero) {
   }
 }
 
-// Degenerate sets of an independent program; all its digits.
+// Degenerate sets of an independent program, compared to all its digits.
 TEST(UnionMeasures, OfTrapsAreThoseOfAnotherProgram) {
   std::ifstream table(testing::measure_data("traps.tsv"));
   std::string name, area, volume;
@@ -87,7 +88,7 @@ TEST(UnionMeasures, OfEachBallOfAProteinAreThoseOfAnotherProgram) {
   EXPECT_NEAR(of.volume_angstrom3, 8357.32154551, 6e-9);
 }
 
-// Points of a spiral on each sphere, and of a grid of the whole.
+// Samples points of a spiral on each sphere, and of a grid over the union.
 TEST(UnionMeasures, AgreeWithSampling) {
   Random random(7);
   for (int n = 0; n < 3; ++n) {
@@ -156,7 +157,7 @@ TEST(UnionMeasures, AreTheSameBitsForAllThreadsAndEngines) {
   }
 }
 
-// The union does not know the order of its balls; equal ones change places.
+// The union does not depend on the order of its balls, and equal balls may swap places.
 TEST(UnionMeasures, DoNotDependOnTheOrderOfBalls) {
   Random random(8);
   for (auto& [name, balls, unit] : testing::large_hard_sets(random, 300)) {
@@ -167,8 +168,8 @@ TEST(UnionMeasures, DoNotDependOnTheOrderOfBalls) {
       const UnionMeasures a = measured(balls, alpha * unit),
                           b = measured(testing::permuted(balls, order), alpha * unit);
       const double area = std::max(1e-300, a.area_angstrom2), volume = a.volume_angstrom3;
-      // Caps of a ball that small ones cut at its rim are flat: their roundings add up to 1.4e-11
-      // (60 seeds). Elsewhere they stay below 1e-12.
+      // Caps of a ball that small ones cut at its rim are flat. Their rounding errors add up to
+      // 1.4e-11 (60 seeds). Elsewhere errors stay below 1e-12.
       const double near = name.starts_with("at a rim") ? 5e-11 : 1e-12;
       EXPECT_NEAR(a.area_angstrom2, b.area_angstrom2, near * area) << name;
       EXPECT_NEAR(a.volume_angstrom3, b.volume_angstrom3, near * volume) << name;
@@ -176,7 +177,7 @@ TEST(UnionMeasures, DoNotDependOnTheOrderOfBalls) {
   }
 }
 
-// Balls that touch a large one from inside add nothing to it.
+// Balls that touch a large one from inside add nothing to the union.
 TEST(UnionMeasures, OfBallsThatTouchFromInsideAreThoseOfTheLargeOne) {
   const BallSet balls = angstrom_balls({{0, 0, 0, 50},
                                         {15, 20, 0, 25},
@@ -200,8 +201,8 @@ TEST(UnionMeasures, OfBallsThatTouchFromInsideAreThoseOfTheLargeOne) {
   }
 }
 
-// No ball has more than its sphere and ball, nor less than nothing, and the union has not more
-// surface than the isoperimetric inequality says it must have.
+// No ball has more than its whole sphere and ball, or less than zero. The surface of the union
+// obeys the isoperimetric inequality.
 TEST(UnionMeasures, StayWithinBoundsOnHardSets) {
   Random random(9);
   auto sets = testing::small_hard_sets(random, 40);
@@ -260,7 +261,7 @@ TEST(SumsByGroup, LoseNothingAndRefuseWrongGroups) {
   EXPECT_THROW(sums_by_group(one, std::vector<std::uint32_t>{}, 2), std::invalid_argument);
 }
 
-// Of a sphere whose squared radius is r² + alpha; of one that alpha has shrunk away, nothing.
+// Shares of a sphere with squared radius r² + alpha. A sphere shrunk away by alpha has none.
 TEST(FreeAreas, AreThoseOfTheGrownBalls) {
   BallSet balls;
   testing::add_ball(balls, 0, 0, 0, 1000);

@@ -1,3 +1,4 @@
+// Tests the choice of alternative locations.
 #include "core/molecule/altlocs.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ TEST(Altlocs, OneLetterPerResidueSoThatConformersDoNotMix) {
   m.atoms = {atom(m, "SER", "CA", ' ', 1, 1),     atom(m, "SER", "CB", 'A', 0.6f, 1),
              atom(m, "SER", "CB", 'B', 0.4f, 1),  atom(m, "SER", "OG", 'A', 0.45f, 1),
              atom(m, "SER", "OG", 'B', 0.55f, 1), atom(m, "SER", "HG", 'B', 0.5f, 1)};
-  // A has the higher mean; HG exists in B only and stays.
+  // A has the higher mean occupancy. HG exists in B only and stays.
   EXPECT_EQ(kept(m), (std::vector<int>{0, 1, 3, 5}));
 }
 
@@ -56,7 +57,8 @@ TEST(Altlocs, BlankCompetesWithALetterOfTheSameName) {
   Molecule m;
   m.atoms = {atom(m, "SER", "CB", ' ', 0.3f, 1), atom(m, "SER", "CB", 'B', 0.7f, 1),
              atom(m, "SER", "CA", ' ', 1, 1), atom(m, "SER", "CA", ' ', 1, 1)};
-  // Two blank CA are a fault of the file, not alternatives: both stay and are reported coincident.
+  // Two blank CA are a fault of the file, not alternatives. Both stay and are reported as
+  // coincident.
   EXPECT_EQ(kept(m), (std::vector<int>{1, 2, 3}));
 }
 
@@ -79,7 +81,7 @@ TEST(Altlocs, AWaterWithAWrappedNumberIsNoLocationOfAnother) {
   renumber(m, 1, 9999);
   renumber(m, 2, 7);
   EXPECT_EQ(kept(m), (std::vector<int>{0, 1, 2}));
-  // Each with one letter, as a water beside one of two side chains has.
+  // Each has one letter, like a water beside one of two side chains.
   m.atoms = {atom(m, "HOH", "O", 'A', 0.5f, 1), atom(m, "HOH", "O", ' ', 1, 1),
              atom(m, "HOH", "O", 'B', 0.6f, 1)};
   m.atoms[1].residue_number = 9999;
@@ -99,7 +101,7 @@ TEST(Altlocs, AnotherSegmentsResidueIsAnotherResidue) {
 
 TEST(Altlocs, ResiduesWithoutSegmentsAreToldApartByWhatTheyHaveTwice) {
   Molecule m;
-  // Two chains without a letter: far apart, then next to one another.
+  // Two chains without a letter, first far apart, then adjacent.
   m.atoms = {atom(m, "SER", "CA", ' ', 1, 1),    atom(m, "SER", "CB", 'A', 0.6f, 1),
              atom(m, "SER", "CB", 'B', 0.4f, 1), atom(m, "GLY", "CA", ' ', 1, 1),
              atom(m, "SER", "CA", ' ', 1, 1),    atom(m, "SER", "CB", ' ', 1, 1)};
@@ -109,7 +111,7 @@ TEST(Altlocs, ResiduesWithoutSegmentsAreToldApartByWhatTheyHaveTwice) {
              atom(m, "SER", "CA", ' ', 1, 1), atom(m, "SER", "CB", 'A', 0.6f, 1),
              atom(m, "SER", "CB", 'B', 0.4f, 1)};
   EXPECT_EQ(kept(m), (std::vector<int>{0, 1, 2, 3}));
-  // A ligand and a side chain of one number, with the same letters.
+  // A ligand and a side chain with equal numbers and letters.
   m.atoms = {atom(m, "SER", "CB", 'A', 0.6f, 1), atom(m, "SER", "CB", 'B', 0.4f, 1),
              atom(m, "LIG", "C1", 'A', 0.6f, 1), atom(m, "LIG", "C1", 'B', 0.4f, 1)};
   EXPECT_EQ(kept(m), (std::vector<int>{0, 2}));

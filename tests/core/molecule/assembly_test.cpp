@@ -1,3 +1,4 @@
+// Tests assemblies: operators, products, copies and their names.
 #include "core/molecule/assembly.hpp"
 
 #include <gtest/gtest.h>
@@ -90,7 +91,7 @@ TEST(Assembly, DamagedRecordsAreNotedAndLeftOut) {
   EXPECT_NE(m.notes[0].find("line 9"), std::string::npos) << m.notes[0];
 }
 
-// kDimer with another matrix for its second operator, whose first row is in line 8.
+// kDimer with another matrix for its second operator. The first row is in line 8.
 std::string dimer_with(const char* row1, const char* row2, const char* row3) {
   std::string text = kDimer;
   const char* const rows[] = {row1, row2, row3};
@@ -180,7 +181,7 @@ TEST(Assembly, OnlyAssembliesThatUseAMatrixAreRefusedForIt) {
   EXPECT_NE(why_not(m, "4").find("there is no assembly 4: the file has 1"), std::string::npos);
 }
 
-// The operator on the right moves first: +10 Å in x, then 90° about z takes (11, 0, 0) to (0, 11,
+// The right operator moves first. It adds 10 Å in x. Then 90° about z takes (11, 0, 0) to (0, 11,
 // 0).
 TEST(Assembly, OfAProductTheLastOperatorMovesFirst) {
   const std::string text =
@@ -206,7 +207,7 @@ TEST(Assembly, OfAProductTheLastOperatorMovesFirst) {
   using Points = std::vector<LatticePoint>;
   EXPECT_EQ(places("1"), (Points{{0, 11000, 0}}));
   EXPECT_EQ(places("2"), (Points{{10000, 1000, 0}}));
-  // The last factor runs fastest.
+  // The last factor varies fastest.
   EXPECT_EQ(places("3"), (Points{{-1000, 0, 0}, {0, 11000, 0}, {10000, 1000, 0}, {21000, 0, 0}}));
 }
 

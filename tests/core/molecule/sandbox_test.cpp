@@ -1,5 +1,5 @@
-// Balls set by hand: bounds, planes, and what becomes of absurd numbers; and that complexes stay
-// exact through thousands of changes, most of them with ties.
+// Tests balls set by hand: bounds, planes, and absurd numbers. Complexes stay exact through
+// thousands of changes, most of them with ties.
 #include "core/molecule/sandbox.hpp"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(Sandbox, KeepsAbsurdNumbersWithinItsBounds) {
   EXPECT_THROW(remove_ball(sandbox, 1), std::invalid_argument);
 }
 
-// The finest lattice ends before 1,000 Å.
+// The finest lattice ends below 1,000 Å.
 TEST(Sandbox, EndsWithItsLattice) {
   Sandbox sandbox;
   sandbox.lattice.digits = kMaxLatticeDigits;
@@ -102,7 +102,7 @@ TEST(Sandbox, MayBeEmpty) {
   EXPECT_EQ(prepared.balls->size(), 0u);
 }
 
-// One change after another, as a hand makes them; on a coarse grid, where most sets have ties.
+// Makes one change after another, as a user does, on a coarse grid, where most sets have ties.
 void walk(Sandbox sandbox, int moves, std::uint64_t seed) {
   Random random(seed);
   const auto place = [&] {

@@ -1,3 +1,4 @@
+// Tests which of several balls with one centre are hidden.
 #include "core/neighbours/coincident.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace {
 using testing::add_ball;
 using testing::random_int;
 
-// From the definition: of the balls with a centre, all but the first of the largest.
+// By definition: among balls with one centre all are hidden but the first of the largest.
 std::vector<bool> expected_hidden(const BallSet& balls) {
   std::map<std::tuple<int, int, int>, BallIndex> shown;
   std::vector<bool> hidden(balls.size(), false);
@@ -45,7 +46,7 @@ TEST(CoincidentHidden, LeavesTheFirstOfTheLargest) {
   EXPECT_EQ(coincident_hidden(balls), (std::vector<bool>{true, false, true, true, true, false}));
 }
 
-// In few places and in many: so many that they are looked for in several groups and runs.
+// Sets in few places and in many, which need several groups and runs.
 TEST(CoincidentHidden, IsTheSameInSetsOfAnySize) {
   testing::Random random(11);
   for (const int extent : {0, 3, 40, 2000}) {

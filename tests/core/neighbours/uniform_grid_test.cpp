@@ -1,4 +1,5 @@
-// Cells of balls: that no two that may meet are farther apart than neighbouring cells.
+// Tests cells of balls: two balls that may meet are always in the same cell or in neighbouring
+// ones.
 #include "core/neighbours/uniform_grid.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace {
 
 using testing::Random;
 
-// The balls in the cells around each ball's, itself as well.
+// For each ball the balls in its cell and the cells around it.
 std::vector<std::set<BallIndex>> around(const BallSet& balls, const UniformGrid& grid) {
   std::vector<std::set<BallIndex>> result(balls.size());
   for (std::size_t s = 0; s < grid.size(); ++s) {
@@ -36,7 +37,8 @@ bool may_meet(const BallSet& balls, BallIndex i, BallIndex j, const LatticeAlpha
          grown_balls_may_meet(q.x - p.x, q.y - p.y, q.z - p.z, grown_reach(a), grown_reach(b));
 }
 
-// Two that touch, the first a unit before the end of a cell that were as wide as both together.
+// Two touching balls. With cells as wide as both together, the first would end a unit before its
+// cell's end.
 TEST(UniformGrid, BallsThatTouchAreInNeighbouringCells) {
   for (const int axis : {0, 1, 2}) {
     BallSet balls;

@@ -1,5 +1,5 @@
-// The predicates against rationals: what they decide, and that their brackets hold. Cases are
-// random and near-degenerate, from single lattice units to the bounds of the lattice.
+// Tests decisions and brackets of the predicates against rationals. Cases are random and
+// near-degenerate, from single lattice units to the bounds of the lattice.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ LiftedVector<double> as_double(const LiftedInt& v) {
   return lifted_as<double>(v);
 }
 
-// How often each kind of decision was seen, so that a test that sees none fails.
+// Counts each kind of decision, so that a test that misses one fails.
 struct Seen {
   std::size_t cases = 0, ties = 0, filtered = 0;
 };
@@ -68,7 +68,7 @@ void check_ortho_radius(const BallSet& balls, int count, Random& random, Seen& s
   const double near = sphere.rho.get_d();
   for (const double alpha : {near, std::nextafter(near, 1e300), std::nextafter(near, -1e300),
                              near + random_int(random, -9, 9), double(float(near)), 0.0}) {
-    // No alpha on the lattice is so small; a rational is finite.
+    // Skips alphas smaller than any on the lattice, and infinite ones, which are no rationals.
     if ((std::fabs(alpha) < 1e-30 && alpha != 0) || std::isinf(alpha)) continue;
     const int expected = sign_of_rational(sphere.rho - Rational(alpha));
     ASSERT_EQ(compare_ortho_radius(balls, simplex, alpha), expected) << "alpha " << alpha;
@@ -81,7 +81,7 @@ void check_ortho_radius(const BallSet& balls, int count, Random& random, Seen& s
   }
 }
 
-// The filters alone: a sign they give is the right one.
+// Tests the filters alone: a sign that they give must be right.
 void check_filters(const BallSet& balls, Seen& seen) {
   LiftedInt v[5];
   for (BallIndex n = 1; n < 5; ++n) v[n] = lifted_vector(balls, 0, n);
@@ -147,7 +147,7 @@ TEST(Predicates, AgreeWithRationals) {
   check_predicates(1, 4000);
 }
 
-// Filters too, up to the bounds for which each is proven.
+// Filters are tested as well, up to their proven bounds.
 TEST(Predicates, AgreeWithGmp) {
   testing::PredicateCheck check(5);
   for (std::uint64_t n = 0; n < 16 * 500; ++n) check.check(n);
@@ -158,7 +158,7 @@ TEST(Predicates, AgreeWithGmp) {
   }
 }
 
-// A quarter of a unit that no double of this size has decides which float is nearest.
+// A quarter of a unit decides which float is nearest. No double of this size has such quarters.
 TEST(Predicates, QuartersAbove2To51AreKept) {
   BallSet balls;
   balls.lattice.digits = 6;
@@ -169,7 +169,7 @@ TEST(Predicates, QuartersAbove2To51AreKept) {
             testing::nearest_float(testing::orthosphere(balls, edge).rho));
 }
 
-// Of balls i at the origin, j and m; in every direction along the line.
+// Balls i at the origin, j and m, in all directions along the line.
 TEST(Predicates, ATieAtAnEdgesFootIsBesideBetweenOrOutside) {
   const std::int64_t lines[][3] = {{2, 0, 0}, {0, -2, 0}, {0, 0, 2}, {-2, 4, -6}, {0, 2, -2}};
   for (const auto& d : lines) {
@@ -215,7 +215,7 @@ mpz_class as_integer(Int128 value) {
          mpz_class(std::to_string(low));
 }
 
-// Of up to 127 bits and a sign, often at their ends.
+// Values of up to 127 bits and a sign, often at the ends of the range.
 Int128 random_int128(Random& random) {
   const WideInt<8> wide = random_wide(random, 2);
   const auto magnitude =

@@ -1,4 +1,4 @@
-// The space that centres span: a point, a line, a plane or all of it.
+// Tests the space that centres span: a point, a line, a plane or all of space.
 #include "core/predicates/spanning_balls.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(SpanningBalls, AreTheFirstThatAreNotInTheSpanOfThoseBefore) {
   EXPECT_EQ(spanning_balls(balls, 3), (Balls{3, 0, 4, 6})) << "from another ball";
 }
 
-// One unit of the lattice off a line, and off a plane, that is as long as the lattice allows.
+// A ball one lattice unit off a line, or off a plane, as long as the lattice allows.
 TEST(SpanningBalls, OneUnitIsBeyond) {
   for (const int off : {0, 1}) {
     BallSet balls;

@@ -1,6 +1,6 @@
-// Every atom of AMBER's residues against its type: the residue libraries all_amino94,
+// Tests every atom of AMBER's residues against its type. The residue libraries are all_amino94,
 // all_aminont94, all_aminoct94 and all_nucleic94 (W. D. Cornell et al., J. Am. Chem. Soc. 117
-// (1995) 5179), whose assignments parm99 keeps.
+// (1995) 5179). parm99 keeps their types.
 #include "core/radii/amber_radii.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ struct TypedAtom {
 };
 using TypedAtoms = std::vector<TypedAtom>;
 
-// "CB:CT HB1:HC": names and types.
+// Reads names and types: "CB:CT HB1:HC".
 TypedAtoms atoms_of(const std::string& text) {
   TypedAtoms atoms;
   std::istringstream words(text);
@@ -29,7 +29,7 @@ TypedAtoms atoms_of(const std::string& text) {
   return atoms;
 }
 
-// R* of the types in 10^-3 Å; HO and HW are 0 in AMBER and 600 here.
+// R* of the types in 10^-3 Å. HO and HW are 0 in AMBER and 600 here.
 int radius_of_type(const std::string& type) {
   static const std::map<std::string, int> kRadii = {
       {"H", 600},   {"HO", 600},  {"HS", 600},  {"HW", 600},  {"HC", 1487},
@@ -74,7 +74,7 @@ TypedAtoms renamed(TypedAtoms atoms, std::string (*rename)(const std::string&)) 
   return atoms;
 }
 
-// "1HB" for "HB1", as files before 2007 have it.
+// "1HB" for "HB1", as in files before 2007.
 std::string digit_first(const std::string& name) {
   const bool digit = name.back() >= '0' && name.back() <= '9' && name.size() > 1;
   return digit ? name.back() + name.substr(0, name.size() - 1) : name;
@@ -135,7 +135,7 @@ const std::map<std::string, std::string>& side_chains() {
   return kChains;
 }
 
-// Under the spellings of AMBER, of old PDB files and of neutron structures.
+// Tries the spellings of AMBER, of old PDB files and of neutron structures.
 void expect_in_all_spellings(const std::string& residue, const std::string& text) {
   const TypedAtoms atoms = atoms_of(text);
   expect_types(residue, atoms);
@@ -189,13 +189,13 @@ TEST(AmberRadii, CapsAreWhatTheyAre) {
   expect_in_all_spellings("NMA", "N:N H:H CA:CT HA1:H1 HA2:H1 HA3:H1");
   expect_in_all_spellings("NH2", "N:N HN1:H HN2:H");
   expect_in_all_spellings("NHE", "N:N H1:H H2:H");
-  // CHARMM puts both caps into the residues at the ends.
+  // CHARMM puts both caps into the residues at the chain ends.
   expect_types("ALA", atoms_of("CAY:CT HY1:HC HY2:HC HY3:HC CY:C OY:O N:N HN:H CA:CT HA:H1 CB:CT "
                                "HB1:HC HB2:HC HB3:HC C:C O:O NT:N HNT:H CAT:CT HT1:H1 HT2:H1 "
                                "HT3:H1"));
 }
 
-// Bases and, as the backbone of each spelling, phosphate and sugar.
+// Bases, and phosphate and sugar as the backbone of each spelling.
 const std::map<char, std::string>& bases() {
   static const std::map<char, std::string> kBases = {
       {'A', " N9:N* C8:CK H8:H5 N7:NB C5:CB C6:CA N6:N2 H61:H H62:H N1:NC C2:CQ H2:H5 N3:NC C4:CB"},
@@ -207,7 +207,7 @@ const std::map<char, std::string>& bases() {
   return kBases;
 }
 
-// Hydrogens of the base with the digit in front: "1H6" for "H61", but "H6" stays.
+// Hydrogens of the base with the digit first: "1H6" for "H61", but "H6" stays.
 TypedAtoms old_base(char base) {
   TypedAtoms atoms = atoms_of(bases().at(base));
   for (TypedAtom& atom : atoms) {
@@ -233,7 +233,7 @@ constexpr const char* kOldSugar =
 TEST(AmberRadii, EveryAtomOfDnaInThreeSpellings) {
   for (const char base : {'A', 'G', 'C', 'T'}) {
     const std::string d = std::string("D") + base;
-    // PDB format 3, AMBER's, PDB format 2 (where the residue is called as RNA's).
+    // PDB format 3, AMBER, and PDB format 2, which gives the residue RNA's name.
     const std::string now = std::string(kSugar) + "OP1:O2 OP2:O2 H5':H1 H5'':H1 H2':HC H2'':HC ";
     const std::string amber =
         std::string(kSugar) + "O1P:O2 O2P:O2 H5'1:H1 H5'2:H1 H2'1:HC H2'2:HC ";

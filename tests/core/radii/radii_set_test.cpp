@@ -1,3 +1,4 @@
+// Tests radii of atoms in every set, with their types and the reasons for a guess.
 #include "core/radii/radii_set.hpp"
 
 #include <gtest/gtest.h>
@@ -106,7 +107,7 @@ TEST(RadiiSets, MetalsAreIonsWhereTheSetIsMadeForBiomolecules) {
     EXPECT_EQ(radius(set, "LIG", "CL1", "Cl", AtomKind::ligand).microangstrom, 1750000)
         << "chlorine of a molecule is no chloride";
   }
-  // AMBER has ions of its own, but no iron.
+  // AMBER has radii for its own ions, but none for iron.
   EXPECT_EQ(radius(RadiiSet::amber, "CA", "CA", "Ca", AtomKind::ion).microangstrom, 1713000);
   EXPECT_FALSE(radius(RadiiSet::amber, "CA", "CA", "Ca", AtomKind::ion).guessed);
   EXPECT_EQ(radius(RadiiSet::amber, "HEM", "FE", "Fe").microangstrom, 610000);

@@ -1,5 +1,5 @@
-// Every value of every radii set, copied from the sources that docs/file-formats.md names, in
-// tables of the test's own. The tables of the program are not used here.
+// Tests every value of every radii set against tables copied from the sources in
+// docs/file-formats.md. The tables of the program are not used here.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -30,13 +30,13 @@ const Table kBondi = table(
     "Kr 2020 Pd 1630 Ag 1720 Cd 1580 In 1930 Sn 2170 Te 2060 I 1980 Xe 2160 Pt 1750 Au 1660 "
     "Hg 1550 Tl 1960 Pb 2020 U 1860");
 
-// M. Mantina et al., J. Phys. Chem. A 113 (2009) 5806, table 12: what Bondi left out.
+// M. Mantina et al., J. Phys. Chem. A 113 (2009) 5806, table 12: elements that Bondi left out.
 const Table kMantina = table(
     "Be 1530 B 1920 Al 1840 Ca 2310 Ge 2110 Rb 3030 Sr 2490 Sb 2060 Cs 3430 Ba 2680 Bi 2070 "
     "Po 1970 At 2020 Rn 2200 Fr 3480 Ra 2830");
 
 // R. D. Shannon, Acta Cryst. A 32 (1976) 751, table 1, effective radii for coordination number 6.
-// To 0.01 Å in the first part, as the CRC Handbook has them.
+// The first part has them to 0.01 Å, as in the CRC Handbook.
 const Table kShannon = table(
     "Li 760 Be 450 F 1330 Na 1020 Mg 720 Al 540 Cl 1810 K 1380 Ca 1000 Sc 750 Ti 860 V 790 Cr 730 "
     "Mn 830 Fe 610 Co 650 Ni 690 Cu 730 Zn 740 Ga 620 Br 1960 Rb 1520 Sr 1180 Zr 720 Mo 690 "
@@ -56,16 +56,16 @@ const Table kAlvarez = table(
     "Tl 2470 Pb 2600 Bi 2540 Ac 2800 Th 2930 Pa 2880 U 2710 Np 2820 Pu 2810 Am 2830 Cm 3050 "
     "Bk 3400 Cf 3050 Es 2700");
 
-// RasMol's source: 275, 387, 350, 337, 470 and 452 of its units of 1/250 Å.
+// RasMol's source: 275, 387, 350, 337, 470 and 452 units of 1/250 Å.
 const Table kRasmol = table("H 1100 C 1548 N 1400 O 1348 P 1880 S 1808");
 
-// parm99, R*; C and N have one radius whatever their type.
+// R* of parm99. C and N have one radius for all types.
 const Table kAmber = table(
     "Li 1137 C 1908 N 1824 F 1750 Na 1868 Mg 793 P 2100 S 2000 Cl 1948 K 2658 Ca 1713 Zn 1100 "
     "Br 2220 Rb 2956 I 2350 Cs 3395");
 const std::set<std::string> kNoAmberIon = {"F", "Br", "I"};
 
-// What a united-atom set gives a ligand's atom, whose type it does not know.
+// Radii of a united-atom set for an atom of a ligand, whose type is unknown.
 const Table kProtorTypical = table("C 1760 N 1640 O 1460 P 1800 S 1770 Se 1900");
 const Table kNaccessTypical = table("C 1760 N 1650 O 1400 P 1900 S 1850 Se 1800");
 
@@ -152,8 +152,9 @@ TEST(RadiiTables, EveryElementOfEverySet) {
   EXPECT_EQ(radius(RadiiSet::bondi, "LIG", "I1", 53, AtomKind::ligand).microangstrom, 1980000);
 }
 
-// Heavy atoms with the types of Tsai et al.: bonds of a carbon (4; 3; 3h with one hydrogen), N, an
-// oxygen with one neighbour (O1) or two (O2), S. NZ of lysine is a type of its own for NACCESS.
+// Heavy atoms with the types of Tsai et al. Carbon has its number of bonds: 4, 3, or 3h with one
+// hydrogen. N and S are plain. Oxygen has one neighbour (O1) or two (O2). NACCESS has a type of its
+// own for NZ of lysine.
 const std::map<std::string, std::string> kSideChains = {
     {"ALA", "CB:4"},
     {"ARG", "CB:4 CG:4 CD:4 NE:N CZ:3 NH1:N NH2:N"},
@@ -187,7 +188,7 @@ Element element_of(const std::string& atom) {
   return atom == "SE" ? 34 : element_from_symbol(atom.substr(0, 1));
 }
 
-// "CB:4 OG:O2", each with the radius of its type.
+// Expects for "CB:4 OG:O2" the radius of each type.
 void expect_types(RadiiSet set, const std::string& residue, const std::string& atoms,
                   const Table& types) {
   std::istringstream words(atoms);
@@ -210,7 +211,7 @@ TEST(RadiiTables, EveryHeavyAtomOfTheAminoAcids) {
     for (const char end : {'N', 'C'}) {
       expect_types(RadiiSet::protor, end + residue, backbone + side, kProtorTypes);
     }
-    // Both oxygens of a carboxyl group are 1.40 Å for CASTp: OXT, and those of ASP and GLU.
+    // For CASTp both oxygens of a carboxyl group have 1.40 Å: OXT, and those of ASP and GLU.
     Table castp = kProtorTypes;
     castp["acid"] = 1400;
     std::string acid = side;
@@ -231,7 +232,7 @@ TEST(RadiiTables, NamesOfProtonationStatesAreTheirAminoAcids) {
   }
 }
 
-// s: sugar, b: ring carbon without hydrogen, h: with one, m: methyl.
+// s: sugar; b: ring carbon without hydrogen; h: ring carbon with hydrogen; m: methyl.
 TEST(RadiiTables, EveryHeavyAtomOfTheNucleotides) {
   const Table protor = table("s 1880 b 1610 h 1760 m 1880 N 1640 O1 1420 O2 1460 P 1800");
   const Table naccess = table("s 1800 b 1800 h 1800 m 1800 N 1600 O1 1400 O2 1400 P 1900");

@@ -1,5 +1,5 @@
-// Every file of the data folder opens to the atom counts of the folder's README, or is refused as
-// written below. The README is the table of this test.
+// Tests that every file of the data folder opens with the atom counts in its README, or is refused
+// as listed below.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -13,7 +13,7 @@
 namespace alphascope {
 namespace {
 
-// Files that must not open, with what the message must say.
+// Files that must not open, with a part of the message.
 const std::map<std::string, std::string> kRefused = {
     {"awkward/header_only.pdb", "no atoms"},
     {"awkward/empty.pdb", "no atoms"},
@@ -82,7 +82,7 @@ TEST(DataFolder, WhatIsNoMoleculeThereIsRefusedBySayingWhatItIs) {
   }
 }
 
-// x, y, z and radius of every ball on the lattice of that many digits, which holds them exactly.
+// x, y, z and radius of every ball, on a lattice of `digits` that holds them exactly.
 std::vector<std::array<int, 4>> balls_at(const Molecule& m, const BallOptions& options,
                                          int digits) {
   const PreparedBalls prepared = prepare_balls(m, options);
@@ -110,8 +110,7 @@ TEST(DataFolder, TheSameMoleculeInOtherFormatsHasTheSameAtoms) {
     ASSERT_EQ(pdb.text(pdb.atoms[i].name), card.text(card.atoms[i].name)) << i;
     ASSERT_EQ(pdb.atoms[i].residue_number, card.atoms[i].residue_number) << i;
   }
-  // The same atoms as PQR; but 24 hydrogens were built anew there, and some atoms come in another
-  // order.
+  // The same atoms as PQR. 24 hydrogens were rebuilt there, and some atoms have another order.
   const Molecule pqr = read_molecule(test_data("ladder/adk_open.pqr.gz"));
   BallOptions bondi;
   bondi.radii = RadiiSet::bondi;

@@ -1,4 +1,4 @@
-// The table in the README of the data folder: a row for each file.
+// Reads the table in the README of the data folder: a row for each file.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace alphascope {
 
 struct DataRow {
   std::string file, format;
-  bool molecule = false;                          // or what is no molecule: tables, text
-  std::size_t atoms = 0, hetero = 0, models = 0;  // of molecules
+  bool molecule = false;                          // else tables or text
+  std::size_t atoms = 0, hetero = 0, models = 0;  // for molecules
 };
 
 inline std::vector<DataRow> data_table() {

@@ -1,3 +1,4 @@
+// Tests exact decimal numbers and their rounding.
 #include "core/read/decimal.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +74,7 @@ TEST(Decimal, BecomesTheNearestDouble) {
 }
 
 TEST(Decimal, CutDigitsStillDecideATie) {
-  // 30 digits: just above, exactly at and just below 0.5 units.
+  // 30 digits: just above, at and just below 0.5 units.
   double rounding;
   EXPECT_EQ(to_units(parsed("1.0005000000000000000000000001"), 3, rounding), 1001);
   EXPECT_EQ(to_units(parsed("1.0005000000000000000000000000"), 3, rounding), 1001);

@@ -1,4 +1,4 @@
-// Elements by the names of atoms: the same in every format, whichever column a name begins in.
+// Tests elements from atom names: the same in every format, in whichever column names begin.
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -49,7 +49,7 @@ struct File {
   std::string name, text;
 };
 
-// One atom in every format that names atoms and has no elements.
+// One atom in every format that has atom names but no elements.
 std::vector<File> twins(const char* residue, const char* atom, bool hetero) {
   const std::string tag = hetero ? "HETATM" : "ATOM  ";
   const char* const rest = " A   1       1.000   2.000   3.000  1.00  0.00\n";
@@ -106,7 +106,7 @@ TEST(ElementNames, TwinsHaveTheSameRadiiAndCountThemAsGuessed) {
   }
 }
 
-// Residues that only share their name with an ion; light atoms whose names begin like a metal.
+// Residues that only share their name with an ion, and light atoms whose names begin like a metal.
 TEST(ElementNames, ALigandWithAnIonsNameIsALigand) {
   const Names atoms[] = {
       {"CLA", "MG", 12}, {"CLA", "NA", 7},   {"CLA", "CHA", 6},  {"CLA", "C1A", 6},
@@ -139,7 +139,7 @@ TEST(ElementNames, BiopolymersAndWatersAreNoGuess) {
   }
 }
 
-// By the rule of the columns, which a HETATM of an unknown residue is taken to keep.
+// The rule of the columns, which a HETATM of an unknown residue is assumed to keep.
 TEST(ElementNames, ColumnsTellCalciumFromCarbon) {
   const auto element = [](const char* name) {
     return read_text("a.pdb", std::string("HETATM    1 ") + name +

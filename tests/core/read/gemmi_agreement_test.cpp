@@ -1,5 +1,5 @@
-// Atoms, hydrogens, classes and positions of every PDB and mmCIF file agree with gemmi's own
-// readers, where those read the file.
+// Tests that atoms, hydrogens, classes and positions of every PDB and mmCIF file agree with gemmi's
+// readers, where these read the file.
 #include <algorithm>
 #include <cmath>
 #include <gemmi/cif.hpp>
@@ -16,29 +16,29 @@
 namespace alphascope {
 namespace {
 
-// What gemmi 0.5.7 reads otherwise, and why we do not follow.
+// Files that gemmi 0.5.7 reads differently, and why we do not follow.
 const std::set<std::string> kGemmiDiffers = {
-    "pbc_resid_overflow.pdb.gz",  // takes cut digits where columns are pushed right
+    "pbc_resid_overflow.pdb.gz",  // takes cut digits where columns are shifted right
     "end-endmdl.pdb",             // stops at the first END; another model follows
-    // takes HB1 for no hydrogen and the like, without an element column
+    // without an element column, takes HB1 and the like for no hydrogen
     "adk_open.pdb.gz", "5dfr_solvated.pdb.gz"};
 
-// Larger files are of the same kinds, and gemmi, which is not optimised here, takes half of its
-// time for them.
+// Larger files are of the same kinds. gemmi is not optimised here, and would take half of its time
+// for them.
 constexpr std::size_t kMostAtoms = 50'000;
 
-// Where gemmi's classes are others than ours, and why.
+// Files where gemmi's classes differ from ours, and why.
 const std::set<std::string> kClassesDiffer = {
-    // waters and ions of simulation packages (TIP3, SOL, SOD), which gemmi takes for ligands
+    // waters and ions of simulation packages (TIP3, SOL, SOD): ligands for gemmi
     "1tw7x2_h36.pdb.gz", "1tw7x2_hex.pdb.gz", "5digitresid.pdb", "5dfr_solvated.pdb.gz",
     "cryst_then_model.pdb", "lysozyme_md.pdb.gz", "triclinic.pdb", "xl_serial.pdb",
-    // polymers without the atoms, elements or length that gemmi knows a polymer by
+    // polymers without the atoms, elements or length by which gemmi recognises a polymer
     "adk_open.pdb.gz", "no_chain_name.pdb", "nucl_res.pdb", "difficult_quoting.cif", "1ssu_mod.cif",
-    // ATOM records of no known residue: ligands for us; polymer or nothing for gemmi
+    // ATOM records of unknown residues: ligands for us; polymer or nothing for gemmi
     "conect2ter.pdb", "singleconect.pdb", "random_walk.pdb",
-    // one oxygen and two hydrogens without a residue's name: water for us
+    // an oxygen and two hydrogens without a residue name: water for us
     "short-atom.pdb", "short-cryst1.pdb",
-    // a minimal table that gemmi takes for one polymer, waters and all
+    // a minimal table: one polymer with all waters for gemmi
     "2buk-assembly1.cif.gz"};
 
 struct Counts {
@@ -102,7 +102,7 @@ TEST(GemmiAgreement, EveryPdbAndMmcifFile) {
       theirs = gemmi::read_structure(gemmi::MaybeGzipped(path.string()));
       gemmi::setup_entities(theirs);
     } catch (const std::exception&) {
-      continue;  // refused by gemmi; the table of the data folder says what we do
+      continue;  // gemmi refuses it; the data folder's table has our result
     }
     Molecule ours;
     try {
@@ -112,7 +112,7 @@ TEST(GemmiAgreement, EveryPdbAndMmcifFile) {
       continue;
     }
     const Counts a = counts_of(ours), b = counts_of(theirs, ours.lattice);
-    if (b.atoms == 0) continue;  // minimal tables that gemmi takes nothing from
+    if (b.atoms == 0) continue;  // gemmi reads nothing from minimal tables
     ++compared;
     EXPECT_EQ(a.atoms, b.atoms);
     EXPECT_EQ(a.hydrogens, b.hydrogens);

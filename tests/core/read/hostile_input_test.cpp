@@ -1,5 +1,5 @@
-// Input that is damaged, absurd or malicious: a message or the right molecule, never a crash, a
-// hang or a silently different one.
+// Tests damaged, absurd or malicious input. The result is a message or the right molecule, never a
+// crash, a hang or a silently different molecule.
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -80,7 +80,7 @@ TEST(HostileInput, TruncationAtEveryByte) {
       try {
         const Molecule m = read_text(sample.name, sample.text.substr(0, length));
         ASSERT_LE(m.atoms.size(), 2u);
-        // Only an atom in the cut line may differ, and then a note says so.
+        // Only an atom in the cut line may differ. A note then says so.
         const bool cut = sample.text[length - 1] != '\n' && m.format != "PDB";
         if (cut) {
           ASSERT_FALSE(m.notes.empty());
@@ -133,7 +133,7 @@ TEST(HostileInput, GzipTruncatedDamagedAndEndless) {
   EXPECT_NE(refusal("a.pdb.gz", bomb, small).reason().find("limit of 1 MiB"), std::string::npos);
 }
 
-// Such limits are those of lessons, sessions and tables: a remedy about atoms would mislead.
+// Lessons, sessions and tables have such small limits, so a remedy about atoms would mislead.
 TEST(HostileInput, ASmallLimitIsSaidInItsUnit) {
   ReadOptions small;
   for (const auto& [bytes, said] :
@@ -195,7 +195,7 @@ TEST(HostileInput, PipesAndForbiddenFilesAreNamed) {
   EXPECT_THROW(read_molecule(file.path() / "x.pdb"), ReadError) << "a file is no folder";
 }
 
-// Root may read everything, so that a child gives that up first.
+// Root may read all files, so a child process drops that right first.
 TEST(HostileInput, AFileWithoutPermissionIsNamed) {
   const TemporaryFile file("a.pdb", "x");
   std::filesystem::permissions(file.path(), std::filesystem::perms::none);
@@ -249,7 +249,7 @@ TEST(HostileInput, ABombIsRefusedWithoutTheMemoryThatItAsksFor) {
     EXPECT_NE(error.reason().find("more than 200 times"), std::string::npos) << error.what();
     EXPECT_EQ(error.line(), 0u) << "of the whole file";
   }
-  // One long line, packed.
+  // A long line, packed.
   const std::string line = gzip(std::string(std::size_t{64} << 20, 'x'));
   EXPECT_EQ(refusal("a.pdb.gz", line).reason(), "this line is longer than 16 MiB");
 }
@@ -269,7 +269,7 @@ TEST(HostileInput, AbsurdNumbers) {
     EXPECT_EQ(refusal("a.xyzr", std::string("1 2 3 1\n") + number + " 2 3 1\n").line(), 2u)
         << number;
   }
-  // Far below the lattice is zero, and the rounding is told.
+  // A number far below the lattice becomes zero, and the rounding is reported.
   const Molecule tiny = read_text("a.xyzr", "1e-300 2 3 1\n");
   EXPECT_EQ(tiny.atoms[0].position.x, 0);
   EXPECT_EQ(tiny.notes.size(), 1u);
@@ -278,7 +278,7 @@ TEST(HostileInput, AbsurdNumbers) {
   EXPECT_EQ(refusal("a.xyzr", "536870912 0 0 1\n").line(), 1u);
 }
 
-// A file of each format with one atom, whose y is @ and whose radius, if any, is %.
+// A file of each format with one atom. Its y is @, and its radius, if any, is %.
 const Sample kTemplates[] = {
     {"a.pdb", "ATOM      1  N   MET A   1      27.340@   2.614\n"},
     {"a.cif",
@@ -292,7 +292,7 @@ const Sample kTemplates[] = {
     {"a.crd", "1\n\n1.25 @ 3.75 %\n"},
     {"c.crd", "* T\n    1\n    1    1 LYS  N    -14.05410@  43.57444 G    1      0.00000\n"}};
 
-// Columns of PDB and CHARMM files are 8 and 10 wide.
+// Columns of PDB files are 8 wide, those of CHARMM files 10.
 std::string filled(const Sample& sample, std::string number, const std::string& radius) {
   std::string text = sample.text;
   const std::string_view name = sample.name;

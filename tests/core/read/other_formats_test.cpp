@@ -1,4 +1,4 @@
-// PQR, XYZ in its three kinds, CHARMM cards, and telling formats apart.
+// Tests PQR, the three kinds of XYZ, CHARMM cards, and the recognition of formats.
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -102,7 +102,7 @@ TEST(ReadCharmmCard, NarrowAndWide) {
       2u);
 }
 
-// A card of so many atoms, without EXT, in the columns that this number asks for.
+// A card with so many atoms, without EXT, in the columns for that number.
 std::string card_of(int atoms) {
   const char* const format = atoms < 100000
                                  ? "%5d%5d LYS  N   %10.5f%10.5f%10.5f PROA 1      0.00000\n"
@@ -118,7 +118,7 @@ std::string card_of(int atoms) {
   return text;
 }
 
-// CHARMM writes wide lines from 100,000 atoms on, and does not say EXT then in older versions.
+// From 100,000 atoms on CHARMM writes wide lines. Older versions do not write EXT then.
 TEST(ReadCharmmCard, From100000AtomsOnLinesAreWide) {
   for (const int atoms : {99'999, 100'000}) {
     const Molecule m = read_text("a.crd", card_of(atoms));
@@ -142,7 +142,7 @@ TEST(SniffFormat, ContentGoesBeforeTheExtension) {
 }
 
 TEST(SniffFormat, WordsOfATitleAreNoMarks) {
-  // At the byte where a density map has its name, and a tar archive and a DCD file theirs.
+  // The word is at the byte where density maps, tar archives and DCD files have their marks.
   for (const auto& [at, word] : {std::pair{208, "MAP "}, {257, "ustar"}}) {
     std::string text;
     for (int k = 0; k < 4; ++k) text += "REMARK   1" + std::string(70, ' ') + "\n";
@@ -188,7 +188,7 @@ TEST(SniffFormat, UnknownFilesAreDescribed) {
       {"OFF\n3 1 0\n0 0 0\n", "surface mesh", "coordinates"},
       {"\x54\0\0\0CORD\0\0"sv, "DCD", "frames"},
   };
-  // Whatever they are called: a page that says "not found" is saved under the name of the molecule.
+  // The name does not matter. A page that says "not found" may be saved under a molecule's name.
   for (const char* name : {"a.dat", "a.pdb", "a.cif.gz", "a.xyzr"}) {
     for (const auto& c : cases) {
       if (std::string_view(name) != "a.dat" && c.remedy.starts_with("Formats")) continue;

@@ -1,5 +1,5 @@
-// PDB files as programs write them: frames without MODEL, lines that are nearly records, chains of
-// two letters, numbers that do not tell residues apart, PDBQT.
+// Tests PDB files as programs write them: frames without MODEL, lines that are nearly records,
+// chains of two letters, residue numbers that repeat, PDBQT.
 #include <string>
 #include <vector>
 
@@ -10,7 +10,7 @@
 namespace alphascope {
 namespace {
 
-// "ATOM" with everything in its columns; residue: columns 18-27, such as "GLY A   1 ".
+// An ATOM record with everything in its columns. residue: columns 18-27, such as "GLY A   1 ".
 std::string atom(int serial, const std::string& name, const std::string& residue, int x,
                  const std::string& behind = "  1.00 20.00          ",
                  const std::string& record = "ATOM  ") {
@@ -42,7 +42,7 @@ TEST(PdbFrames, TheSameAtomsBehindEndAreModels) {
   EXPECT_EQ(m.models[2].begin, 4u);
   EXPECT_EQ(m.models[2].number, 3);
   EXPECT_TRUE(is_noted(m, "read as 3 models")) << all_notes(m);
-  // The last may have been cut off.
+  // The last frame may have been cut off.
   EXPECT_EQ(
       read_text("a.pdb", frame(1, "A") + "END\n" + atom(1, " N", "GLY A   1 ", 5)).models.size(),
       2u);
@@ -122,7 +122,7 @@ TEST(PdbChains, OfTwoLettersAreToldByTheWholeFile) {
   EXPECT_EQ(m.text(m.atoms[0].chain), "AA");
   EXPECT_EQ(m.text(m.atoms[2].residue_name), "LIG");
   EXPECT_EQ(m.text(m.atoms[2].chain), "AB");
-  // MODRES names such a chain in columns 16-17.
+  // MODRES has such a chain in columns 16-17.
   const Molecule modified =
       read_text("a.pdb", "MODRES 1ABC XYZAA    2  SER\n" + chain +
                              atom(2, " N", "XYZAA   2 ", 5, "  1.00 20.00           N", "HETATM"));

@@ -1,3 +1,4 @@
+// Tests tables of balls.
 #include <string>
 
 #include "core/selection/prepare_balls.hpp"
@@ -94,7 +95,7 @@ TEST(ReadBallTable, NumbersBehindTheRadiusAreSaid) {
   EXPECT_EQ(m.atoms[2].file_radius, 1700);
   ASSERT_EQ(m.notes.size(), 1u);
   EXPECT_NE(m.notes[0].find("in 2 of 3 lines, first in line 1"), std::string::npos) << m.notes[0];
-  // MSMS' flag and name, names and marked comments are no surplus.
+  // MSMS' flag and name, names, and comments with a mark are no surplus.
   const Molecule named =
       read_text("a.xyzr", "1 2 3 1.7 1 CA_ALA_12\n2 2 3 1.7 1 CD_CD_13\n3 1.0 2.0 1.5 1 C_LIG_2\n");
   EXPECT_TRUE(named.notes.empty());
@@ -127,7 +128,7 @@ TEST(ReadBallTable, NamesLineAndRemedyOfWhatIsWrong) {
   const ReadError huge = refusal("a.xyzr", "1 2 3 1.5\n1e300 2 3 1\n");
   EXPECT_EQ(huge.line(), 2u);
   EXPECT_NE(huge.reason().find("too large"), std::string::npos) << huge.what();
-  // The last that fits on a lattice of whole Ångström, and the first that does not.
+  // The largest coordinate that fits on a lattice of whole ångströms, and the next one.
   EXPECT_EQ(read_text("a.xyzr", "536870911 0 0 1\n").atoms.at(0).position.x, 536870911);
   EXPECT_EQ(refusal("a.xyzr", "1 2 3 1\n0 -536870912 0 1\n").line(), 2u);
   EXPECT_EQ(refusal("a.xyzr", "1 2 3 1\n0 0 0 67108864\n").line(), 2u);

@@ -1,4 +1,4 @@
-// GRO, the coordinates of GROMACS.
+// Tests GRO, the coordinates of GROMACS.
 #include <cstdio>
 #include <string>
 
@@ -8,7 +8,7 @@
 namespace alphascope {
 namespace {
 
-// A line for an atom: columns as GROMACS writes them.
+// An atom line with GROMACS' columns.
 std::string atom(int residue, const char* name, const char* atom_name, const std::string& rest) {
   char text[64];
   std::snprintf(text, sizeof text, "%5d%-5s%5s%5d", residue, name, atom_name, 1);

@@ -1,3 +1,4 @@
+// Tests mmCIF files.
 #include <string>
 
 #include "core/selection/prepare_balls.hpp"

@@ -1,4 +1,4 @@
-// MOL2 of Tripos.
+// Tests MOL2 of Tripos.
 #include <string>
 
 #include "core/selection/prepare_balls.hpp"
@@ -13,7 +13,7 @@ std::string all_notes(const Molecule& m) {
   return notes;
 }
 
-// One molecule of these atoms, with what stands behind them.
+// One molecule with these atoms, followed by the rest.
 std::string molecule(int count, const std::string& atoms, const std::string& rest = "") {
   return "# made by hand\n@<TRIPOS>MOLECULE\nbenzamidine\n " + std::to_string(count) +
          " 1 1 0 0\nSMALL\nGASTEIGER\n\n@<TRIPOS>ATOM\n" + atoms + rest;
@@ -75,7 +75,7 @@ TEST(ReadMol2, TypesGiveElementsAndNothingElse) {
   EXPECT_EQ(pair.atoms[1].kind, AtomKind::dummy);
 }
 
-// As SYBYL writes a protein: what residues are called stands behind the atoms.
+// A protein as SYBYL writes it: names of residues follow the atoms.
 TEST(ReadMol2, SubstructuresAreResidues) {
   const Molecule m = read_text(
       "a.mol2", molecule(7,
@@ -101,7 +101,7 @@ TEST(ReadMol2, SubstructuresAreResidues) {
   EXPECT_EQ(m.text(m.atoms[6].residue_name), "");
 }
 
-// A residue of no known name between two of a chain: its bonds say that it belongs there.
+// A residue with an unknown name between two of a chain. Its bonds show that it belongs there.
 TEST(ReadMol2, BondsAreEvidence) {
   const std::string atoms =
       "11 N 0 0 0 N.am 1 ALA1\n12 CA 1.5 0 0 C.3 1 ALA1\n13 C 2 1.4 0 C.2 1 ALA1\n"

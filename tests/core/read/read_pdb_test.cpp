@@ -1,3 +1,4 @@
+// Tests PDB files.
 #include <string>
 
 #include "core/selection/prepare_balls.hpp"
@@ -194,7 +195,7 @@ TEST(ReadPdb, SegmentsTellResiduesOfOneNumberApart) {
   const Molecule m = read_text("a.pdb", text);
   EXPECT_EQ(m.atoms[0].segment, m.atoms[1].segment);
   EXPECT_NE(m.atoms[1].segment, m.atoms[2].segment);
-  // PDBQT writes charges into these columns.
+  // PDBQT has charges in these columns.
   const std::string charges = water(1, 'A', " 0.1") + water(1, 'B', " 0.2");
   EXPECT_EQ(prepare_balls(read_text("a.pdb", charges), with_waters()).report.used, 1u);
 }

@@ -1,4 +1,4 @@
-// Bonds that records state (LINK, CONECT, struct_conn), as evidence of what residues are.
+// Tests recorded bonds (LINK, CONECT, struct_conn) as evidence of what residues are.
 #include <string>
 #include <vector>
 
@@ -11,8 +11,8 @@ namespace {
 
 using Why = ResidueReason;
 
-// GLY 1 and ALA 3 of a chain, and between them 50 Å away a residue that no table knows: no distance
-// tells that it belongs there. Atoms 1 to 4, 5 to 8, and 9 to 11.
+// GLY 1 and ALA 3 of a chain, and between them, 50 Å away, a residue of unknown name. No distance
+// shows that it belongs there. Atoms are 1 to 4, 5 to 8, and 9 to 11.
 std::vector<SampleAtom> torn_chain(const char* unknown = "Q7M") {
   std::vector<SampleAtom> sample;
   add_amino_acid(sample, "GLY", 'A', 1, 0, 0);
@@ -96,7 +96,7 @@ void expect_unknown(const std::vector<SampleAtom>& sample, const std::vector<Bon
   }
 }
 
-// C of GLY 1 (3) to N9 (9), and C7 (10) to N of ALA 3 (5), in either direction.
+// Bonds from C of GLY 1 (3) to N9 (9), and from C7 (10) to N of ALA 3 (5), in either direction.
 TEST(RecordedBonds, OnBothSidesInTheChainMakeAPolymer) {
   const auto sample = torn_chain();
   expect_unknown(sample, {{3, 9}, {10, 5}}, AtomKind::polymer, Why::bond_record);
@@ -107,7 +107,8 @@ TEST(RecordedBonds, OnOneSideLeaveALigandAndSaySo) {
   const auto sample = torn_chain();
   expect_unknown(sample, {{3, 9}}, AtomKind::ligand, Why::bound_ligand);
   expect_unknown(sample, {{10, 5}}, AtomKind::ligand, Why::bound_ligand);
-  // To CA and O, which are no ends of a residue: a ligand that holds two of them together.
+  // Bonds to CA and O, which are no ends of a residue, make a ligand that holds two residues
+  // together.
   expect_unknown(sample, {{2, 9}, {10, 8}}, AtomKind::ligand, Why::bound_ligand);
   EXPECT_FALSE(is_guess(Why::bound_ligand));
 }
@@ -122,7 +123,7 @@ TEST(RecordedBonds, OfMetalsAndWithinAResidueTellNothing) {
   }
 }
 
-// Chains of two letters have column 21 as well, in atoms and in LINK alike.
+// Chains of two letters use column 21 as well, in atoms and in LINK.
 TEST(RecordedBonds, NameChainsOfTwoLetters) {
   const auto sample = torn_chain();
   const auto with_two_letters = [](std::string text) {
@@ -145,7 +146,7 @@ TEST(RecordedBonds, NameChainsOfTwoLetters) {
   EXPECT_NE(unknown_of(other).why, Why::bond_record) << "chain A is not there";
 }
 
-// A ligand that the tables know stays one: a haem, say, that is tied to a chain's ends.
+// A known ligand stays a ligand, for example a haem tied to the ends of a chain.
 TEST(RecordedBonds, AKnownLigandStaysOne) {
   expect_unknown(torn_chain("NAG"), {{3, 9}, {10, 5}}, AtomKind::ligand, Why::bound_ligand);
 }
@@ -167,7 +168,7 @@ TEST(RecordedBonds, ToAnotherAsymmetricUnitAreNone) {
       << "of another data block";
 }
 
-// Serial numbers that come twice, as in files that ran out of them, name no atom.
+// Serial numbers that repeat, as in files that ran out of them, identify no atom.
 TEST(RecordedBonds, ASerialNumberOfTwoAtomsNamesNone) {
   const auto sample = torn_chain();
   const std::string atom =
@@ -177,7 +178,7 @@ TEST(RecordedBonds, ASerialNumberOfTwoAtomsNamesNone) {
   EXPECT_EQ(unknown_of(m).why, Why::bound_ligand) << "by the other bond";
 }
 
-// Records go before the atoms' places, and behind the entity table.
+// Bond records take precedence over places of atoms, but not over the entity table.
 TEST(RecordedBonds, TheEntityTableGoesBeforeThem) {
   const auto sample = torn_chain();
   const std::string cif = as_mmcif(sample, {.entities = true, .numbers_polymers = true});
@@ -185,7 +186,7 @@ TEST(RecordedBonds, TheEntityTableGoesBeforeThem) {
   EXPECT_EQ(unknown_of(m).why, Why::entity_non_polymer);
 }
 
-// A chain that no atom has is not the one without a name.
+// A chain name that no atom has is not the empty name.
 TEST(RecordedBonds, OfAChainThatIsNotThereTellNothing) {
   auto sample = torn_chain();
   auto elsewhere = sample;

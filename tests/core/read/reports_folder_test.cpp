@@ -1,6 +1,6 @@
-// Every file of the data folder's reports, which people had trouble with: opening it never ends in
-// anything but atoms or a message that names the file. What is right for each kind is in the suite
-// of that kind.
+// Tests every file in the data folder's reports, which people had trouble with. Opening ends with
+// atoms, or with a message that names the file. The right result for each kind is tested in the
+// suite of that kind.
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-// One sample of residues, written as programs write it: for tests that no dialect changes what a
-// residue is. Places are a made-up but possible geometry.
+// One sample of residues as different programs write it. Tests show with it that no dialect changes
+// what a residue is. Places are made up but possible.
 #pragma once
 
 #include <cstdio>
@@ -17,8 +17,8 @@ struct SampleAtom {
   int number;
   double x, y, z;
   bool hetero = false;
-  AtomKind kind = AtomKind::polymer;  // what it is
-  const char* entity = "1";           // of sample_entities()
+  AtomKind kind = AtomKind::polymer;  // its expected kind
+  const char* entity = "1";           // an id in sample_entities()
 };
 
 inline const char* sample_entities() {
@@ -26,7 +26,7 @@ inline const char* sample_entities() {
          "5 non-polymer\n6 water\n";
 }
 
-// N, CA, C and O of the k-th residue of a chain along x; C to the next N is 1.33 Å.
+// Adds N, CA, C and O of the k-th residue of a chain along x. From C to the next N is 1.33 Å.
 inline void add_amino_acid(std::vector<SampleAtom>& sample, const char* residue, char chain,
                            int number, double x, double y, bool hetero = false,
                            AtomKind kind = AtomKind::polymer, const char* entity = "1") {
@@ -36,8 +36,8 @@ inline void add_amino_acid(std::vector<SampleAtom>& sample, const char* residue,
   sample.push_back({"O", "O", residue, chain, number, x + 2.47, y - 1.2, 0, hetero, kind, entity});
 }
 
-// A cap, two amino acids with a modified one between them, two nucleotides, then what is no
-// polymer: a ligand, a free glycine, zinc, and waters of a known and of an unknown name.
+// A cap, two amino acids with a modified one between them, two nucleotides. Then residues outside
+// polymers: a ligand, a free glycine, zinc, and waters of a known and an unknown name.
 inline std::vector<SampleAtom> residue_sample() {
   std::vector<SampleAtom> sample;
   sample.push_back({"C", "C", "ACE", 'A', 0, -1.33, 0, 0, true});
@@ -81,7 +81,7 @@ inline std::string quoted(const std::string& name) {
   return name.find('\'') == std::string::npos ? name : '"' + name + '"';
 }
 
-// Whether a polymer of a sample ends before this atom.
+// True when a polymer of a sample ends before this atom.
 inline bool ends_chain(const SampleAtom* before, const SampleAtom& atom) {
   return before && before->kind == AtomKind::polymer &&
          std::string_view(before->entity) != atom.entity;
@@ -113,7 +113,7 @@ inline std::string as_pqr(const std::vector<SampleAtom>& sample) {
   return text;
 }
 
-// What programs leave out of mmCIF or fill in.
+// Parts of mmCIF that programs leave out or fill in.
 struct CifDialect {
   bool entities = false;          // the tables, and each atom's entity
   bool numbers_polymers = false;  // label_seq_id for polymers, "." for others
@@ -135,7 +135,7 @@ inline std::string as_mmcif(const std::vector<SampleAtom>& sample, const CifDial
   int serial = 0;
   for (const SampleAtom& a : sample) {
     if (dialect.group) text += a.hetero ? "HETATM " : "ATOM ";
-    // Each entity has a label_asym_id of its own where there are entities.
+    // With entities, each one has a label_asym_id of its own.
     const std::string asym =
         dialect.entities ? std::string("L") + a.entity : std::string(1, a.chain);
     const bool numbered =

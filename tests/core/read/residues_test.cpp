@@ -1,4 +1,4 @@
-// What residues are, and why: the evidence in its order, and the same answers in all dialects.
+// Tests what residues are and why: evidence in its order, and the same answers in all dialects.
 #include <algorithm>
 #include <string>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Why = ResidueReason;
 
-// The first atom of a residue by its number.
+// The first atom of the residue with this number.
 const Atom& residue(const Molecule& m, int number, const char* name = nullptr) {
   for (const Atom& atom : m.atoms) {
     if (atom.residue_number == number && (!name || m.text(atom.residue_name) == name)) return atom;
@@ -54,7 +54,7 @@ TEST(Residues, AreTheSameInEveryDialect) {
   expect_sample(read_text("a.cif", as_mmcif(sample, {})), sample, "mmCIF of Phenix");
 }
 
-// Open Babel writes no HETATM: a ligand is told by its own atoms, which is a guess, and said.
+// Open Babel writes no HETATM. A ligand is then guessed from its own atoms, with a note.
 TEST(Residues, AreToldWithoutHetatm) {
   std::vector<SampleAtom> sample = residue_sample();
   std::erase_if(sample, [](const SampleAtom& a) { return a.number == 302; });
@@ -109,7 +109,7 @@ TEST(Residues, EntitiesAreFoundByChainAndAfterTheAtoms) {
   EXPECT_EQ(m.atoms[1].why, Why::entity_polymer);
 }
 
-// Four atoms of a peptide bond apart from others, after the TER of its chain and before any.
+// Free amino acids of four atoms, away from chains, with TER records and without.
 TEST(Residues, FreeAminoAcidsAreLigands) {
   std::vector<SampleAtom> sample;
   add_amino_acid(sample, "THR", 'A', 1, 0, 0);
@@ -129,7 +129,7 @@ TEST(Residues, FreeAminoAcidsAreLigands) {
 
 TEST(Residues, ModifiedResiduesBelongToTheirChain) {
   std::vector<SampleAtom> sample;
-  add_amino_acid(sample, "QA1", 'A', 1, 0, 0, true);  // bound to the next
+  add_amino_acid(sample, "QA1", 'A', 1, 0, 0, true);  // bound to the next one
   add_amino_acid(sample, "ALA", 'A', 2, 3.8, 0);
   add_amino_acid(sample, "QA4", 'A', 4, 30, 0, true);  // between gaps
   add_amino_acid(sample, "ALA", 'A', 6, 60, 0);
@@ -138,7 +138,7 @@ TEST(Residues, ModifiedResiduesBelongToTheirChain) {
   for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, AtomKind::polymer) << reason_id(atom.why);
   EXPECT_EQ(residue(m, 1).why, Why::chain_bond);
   EXPECT_EQ(residue(m, 4).why, Why::place_in_chain);
-  // A chromophore has other names of atoms, and the bonds.
+  // A chromophore has other atom names, but the bonds.
   sample.clear();
   add_amino_acid(sample, "ALA", 'A', 1, 0, 0);
   sample.push_back({"N1", "N", "QRO", 'A', 2, 3.8, 0, 0, true});
@@ -147,7 +147,7 @@ TEST(Residues, ModifiedResiduesBelongToTheirChain) {
   EXPECT_EQ(residue(read_text("a.pdb", as_pdb(sample)), 2).why, Why::chain_bond);
 }
 
-// Files made by hand have residues far apart: then their numbers tell. D-amino acids and caps.
+// In files made by hand residues are far apart, so their numbers decide. D-amino acids and caps.
 TEST(Residues, NumbersTellWhereNothingIsBound) {
   std::vector<SampleAtom> sample;
   add_amino_acid(sample, "DAL", 'A', 1, 0, 0, true);
@@ -193,7 +193,7 @@ TEST(Residues, OneOxygenIsWaterWhateverItsName) {
     const Molecule m = read_text("a.pdb", as_pdb(sample));
     for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, AtomKind::water) << name;
   }
-  // Methanol and hydroxide are none.
+  // Methanol and hydroxide are no water.
   std::vector<SampleAtom> others;
   others.push_back({"C", "C", "QZ3", 'W', 1, 1.4, 0, 0, true, AtomKind::ligand});
   others.push_back({"O", "O", "QZ3", 'W', 1, 0, 0, 0, true, AtomKind::ligand});
@@ -225,7 +225,7 @@ TEST(Residues, ModelsOfTheSameAtomsGetTheSameAnswers) {
   for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, AtomKind::polymer);
 }
 
-// Two types at one place, whose atoms take turns.
+// Two residue types at one place, whose atoms alternate.
 TEST(Residues, AlternativeTypesAreOneEach) {
   std::string text;
   const char* names[] = {" N  ", " CA ", " C  ", " O  "};

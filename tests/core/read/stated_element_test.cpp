@@ -1,4 +1,4 @@
-// What columns of elements say: symbols, charges, types of force fields.
+// Tests columns of elements: symbols, charges, types of force fields.
 #include "core/read/residues/stated_element.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(StatedElement, WhatIsNoneIsTold) {
 }
 
 TEST(StatedElement, OfAutoDocksTypes) {
-  // AutoDock 4.2's table: small and capital letters differ.
+  // AutoDock 4.2's table, where case matters.
   for (const auto& [type, symbol] :
        {std::pair("A", "C"),   std::pair("C", "C"),    std::pair("HD", "H"),  std::pair("HS", "H"),
         std::pair("H", "H"),   std::pair("N", "N"),    std::pair("NA", "N"),  std::pair("NS", "N"),

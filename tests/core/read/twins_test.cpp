@@ -1,5 +1,5 @@
-// Twins of one structure: whatever program wrote it, and in whatever format, the same atoms are
-// polymer, ligand, ion and water, and have the same elements, radii and cavities.
+// Tests twins of one structure by different programs and in different formats. All have the same
+// polymer, ligand, ion and water atoms, elements, radii and cavities.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string without_elements(const std::string& pdb) {
   return text;
 }
 
-// SEQRES and MODRES of the sample.
+// SEQRES and MODRES records of the sample.
 std::string sequence_records() {
   return "HEADER    A TWIN\n"
          "SEQRES   1 A    5  ACE GLY ZQ2 ALA NH2\n"
@@ -72,7 +72,7 @@ CifProgram gemmis() {
   return program;
 }
 
-// No table of entities, and label_seq_id on everything.
+// No table of entities, and a label_seq_id for every atom.
 CifProgram pymols() {
   return {.tags = {"group_PDB", "id", "type_symbol", "label_atom_id", "label_alt_id",
                    "label_comp_id", "label_asym_id", "label_entity_id", "label_seq_id",
@@ -83,7 +83,7 @@ CifProgram pymols() {
           .numbers_all = true};
 }
 
-// Entities are numbered, and no table says what they are.
+// Numbered entities without a table of their types.
 CifProgram phenixs() {
   return {.tags = {"group_PDB", "id", "label_atom_id", "label_alt_id", "label_comp_id",
                    "auth_asym_id", "auth_seq_id", "pdbx_PDB_ins_code", "Cartn_x", "Cartn_y",
@@ -102,7 +102,7 @@ CifProgram alphafolds() {
   return program;
 }
 
-// Neither chains nor HETATM; the chain's number is called the entity.
+// Neither chains nor HETATM. The chain's number is the entity.
 CifProgram open_babels() {
   return {.tags = {"id", "type_symbol", "label_atom_id", "label_comp_id", "label_entity_id",
                    "label_seq_id", "Cartn_x", "Cartn_y", "Cartn_z"},
@@ -134,8 +134,8 @@ std::vector<Twin> twins_of(const std::vector<SampleAtom>& sample) {
   };
 }
 
-// Of programs that write no HETATM: then a ligand is guessed, and a free glycine looks like one of
-// a chain, so that it is left out here.
+// For programs that write no HETATM. A ligand is then guessed, and a free glycine looks like part
+// of a chain, so it is left out here.
 std::vector<SampleAtom> without_free_glycine() {
   std::vector<SampleAtom> sample = twin_sample();
   std::erase_if(sample, [](const SampleAtom& a) { return a.number == 302; });
@@ -165,7 +165,7 @@ void expect_kinds(const Twin& twin, const Molecule& m, const std::vector<SampleA
   }
 }
 
-// The radius of each atom (10^-6 Å), the set's whatever the file has; -1 where it gets no ball.
+// The radius of each atom (10^-6 Å) in this set, whatever the file has. -1 where it gets no ball.
 std::vector<std::int64_t> radii_of(const Molecule& m, RadiiSet set) {
   BallOptions options;
   options.radii = set;
@@ -179,7 +179,7 @@ std::vector<std::int64_t> radii_of(const Molecule& m, RadiiSet set) {
   return result;
 }
 
-// What tables of CASTp's radii have: the polymer's atoms by their types.
+// CASTp's radii as in its tables: atoms of the polymer by their types.
 std::int64_t castp_radius(const SampleAtom& a) {
   const std::string_view name = a.name;
   if (name == "CA") return 1880000;
@@ -201,9 +201,9 @@ CavityTable castps_cavities(const Molecule& m) {
   return make_cavity_table(ground, {.alpha_angstrom2 = 0.0, .solvent_radius_angstrom = kSolvent});
 }
 
-// Eight balls of 1.88 + 1.4 Å at the corners of a cube of 4.2 Å: faces are closed (half a diagonal
-// is 2.97 Å) and the middle is free (3.64 Å). Volume and area of what is free in the cube, by
-// integration over one corner of it.
+// Eight balls of 1.88 + 1.4 Å at the corners of a cube of 4.2 Å. Faces are closed (half a diagonal
+// is 2.97 Å), and the middle is free (3.64 Å). Volume and area of the free part, by integration
+// over one corner.
 constexpr double kVoidVolume = 0.346103740871926, kVoidArea = 3.01601225753098;
 
 void expect_cavities(const char* dialect, const CavityTable& table, const CavityTable& first) {
@@ -288,7 +288,7 @@ TEST(Twins, KeepTheRadiiThatTheirFormatHas) {
 
 TEST(Twins, HaveTheSameCavities) {
   std::vector<Twin> twins = twins_of(twin_sample());
-  // The free glycine is no part of the body.
+  // The free glycine is not part of the body.
   for (Twin& twin : twins_without_hetatm(without_free_glycine())) twins.push_back(std::move(twin));
   const CavityTable first = castps_cavities(read_text(twins[0].file, twins[0].text));
   for (const Twin& twin : twins) {
@@ -296,7 +296,7 @@ TEST(Twins, HaveTheSameCavities) {
   }
 }
 
-// Two chains of one number each, side by side in a file that has no names of chains.
+// Two chains with equal residue numbers, side by side in a file without chain names.
 TEST(Twins, OfOpenBabelKeepTheirChainsApart) {
   const std::vector<SampleAtom> sample{
       {"O", "O", "HOH", 'A', 1, 0, 0, 0, true, AtomKind::water, "1"},

@@ -1,5 +1,5 @@
-// What stands in files as atoms and is none, what files say of elements, and what they give in
-// place of B factors.
+// Tests points that files list as atoms but that are none, element columns, and values in place of
+// B factors.
 #include <string>
 #include <vector>
 
@@ -54,8 +54,8 @@ TEST(VirtualSites, OfProteinsAndLigands) {
 }
 
 TEST(VirtualSites, AtomsOfSuchNamesAreAtoms) {
-  // What a file says of an element is believed, deuterium is hydrogen, and X of a residue that is
-  // known, or of an unknown atom, is an atom of unknown element.
+  // A stated element is accepted, and deuterium is hydrogen. An X in a known residue, or of an
+  // unknown atom, is an atom of unknown element.
   const Molecule m = read_text(
       "a.pdb", pdb_atom("MW", "LIG", 0, "MG", "HETATM") + pdb_atom(" D1", "DOD", 4) +
                    pdb_atom(" D", "ALA", 8) + pdb_atom(" CA", "GLY", 12, "X") +
@@ -82,9 +82,9 @@ TEST(VirtualSites, DrudeParticlesStandOnTheirAtoms) {
   EXPECT_EQ(m.atoms[6].element, kHydrogen) << "deuterium, since no B is beside it";
 }
 
-// One residue of 30,000 carbons of one name in a row, and as many particles, of which every second
-// stands on a carbon; at the last one they are just within 0.5 Å and just beyond. To compare each
-// with each would take 10^9 steps.
+// One residue of 30,000 carbons of one name in a row, and as many particles. Every second one is on
+// a carbon. At the last carbon they are just within 0.5 Å and just beyond. Comparing all pairs
+// would take 10^9 steps.
 TEST(VirtualSites, OfAResidueOfManyAtomsAreFoundNearThem) {
   constexpr int kAtoms = 30000;
   std::vector<bool> is_site;
@@ -104,7 +104,7 @@ TEST(VirtualSites, OfAResidueOfManyAtomsAreFoundNearThem) {
   };
   for (int k = 0; k < kAtoms; ++k) {
     add(carbon, 1500 * (k - kAtoms / 2), 0, false);
-    // Half of them are in the middle between two carbons.
+    // Half of the particles are in the middle between two carbons.
     add(particle, 1500 * (k - kAtoms / 2) + (k % 2 ? 750 : 100), 0, k % 2 == 0);
   }
   const std::int32_t last = 1500 * (kAtoms / 2 - 1);
@@ -119,7 +119,7 @@ TEST(VirtualSites, OfAResidueOfManyAtomsAreFoundNearThem) {
   }
 }
 
-// The particle of another location, or of an atom of another residue, is none of this atom's.
+// A particle of another location or residue does not belong to this atom.
 TEST(VirtualSites, StandOnAtomsOfTheirLocationAndResidue) {
   Molecule m;
   m.lattice = Lattice{3};
@@ -181,7 +181,8 @@ TEST(StatedElements, ChargesAreNoPartOfThem) {
 }
 
 TEST(StatedElements, NamesFromTheFirstColumn) {
-  // "F1" and "OAB" show that this residue's names all begin there; mercury's residue shows nothing.
+  // "F1" and "OAB" show that names of this residue all begin in column 13. Mercury's residue shows
+  // nothing.
   const Molecule m = read_text(
       "a.pdb",
       pdb_atom("CAA", "LIG", 0, "", "HETATM") + pdb_atom("CA", "LIG", 4, "", "HETATM") +
@@ -222,7 +223,7 @@ TEST(ReadPqr, APdbFileIsNamed) {
   const ReadError error =
       refusal("a.pqr", "ATOM      1  N   THR A   1      17.047  14.099   3.625  1.00 13.79\n");
   EXPECT_NE(error.reason().find("PDB file"), std::string::npos) << error.reason();
-  // Two digits are printed by others, too.
+  // Other programs also print two decimals.
   EXPECT_EQ(
       read_text("a.pqr", "ATOM      1  N   THR A   1      17.047  14.099   3.625  0.15  1.55\n")
           .atoms[0]

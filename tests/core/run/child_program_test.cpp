@@ -1,4 +1,5 @@
-// Programs that are fed: what they take, say and answer, and that none outlives its owner.
+// Tests programs that are fed: their input, output and exit status, and that none outlives its
+// owner.
 #include "core/run/child_program.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ std::vector<std::uint8_t> bytes(std::size_t count) {
 }
 
 TEST(ChildProgram, IsFedAndAnswersWithItsStatus) {
-  // More than any buffer between the two holds.
+  // More data than any buffer between the two programs holds.
   ChildProgram child("/bin/sh", shell("test $(wc -c) -eq 3000000 && echo enough >&2 && exit 7"));
   EXPECT_TRUE(child.write(bytes(1000000), {}));
   EXPECT_TRUE(child.write(bytes(2000000), {}));

@@ -1,3 +1,4 @@
+// Tests that objects are freed on another thread.
 #include "core/run/freed_elsewhere.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 namespace alphascope {
 namespace {
 
-// Says by which thread it was destroyed.
+// Reports the thread that destroyed it.
 struct Told {
   std::shared_ptr<std::atomic<std::thread::id>> by;
   std::shared_ptr<std::atomic<int>> count;
@@ -20,7 +21,7 @@ struct Told {
       : by(std::move(b)), count(std::move(c)) {}
   Told(Told&&) = default;
   ~Told() {
-    if (!by) return;  // was moved
+    if (!by) return;  // it was moved from
     *by = std::this_thread::get_id();
     ++*count;
   }

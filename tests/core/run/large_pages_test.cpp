@@ -1,4 +1,4 @@
-// Memory on large pages.
+// Tests memory on large pages.
 #include "core/run/large_pages.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(LargePages, HoldAllThatIsAskedFor) {
 }
 
 TEST(LargePages, RefuseWhatNoMachineHas) {
-  // More than a page less, and a sanitizer's allocator would end the program.
+  // Beyond a page less, a sanitizer's allocator would end the program.
   for (const std::size_t less : {0, 1, 1'000'000}) {
     EXPECT_THROW(allocate_large(std::numeric_limits<std::size_t>::max() - less), std::bad_alloc);
   }

@@ -1,4 +1,4 @@
-// Loops over indices and ranges, on the caller's threads.
+// Tests loops over indices and ranges, on the caller's threads.
 #include "core/run/parallel.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(Parallel, ShortIndicesEndAtTheirLargest) {
 }
 
 TEST(Parallel, RangesHoldEachIndexOnceAndAreNotShorterThanHalfOfTheGrain) {
-  constexpr std::size_t kGrain = kCount / 3;  // larger than a range without it would be
+  constexpr std::size_t kGrain = kCount / 3;  // larger than a range would be without it
   Calls calls(kCount);
   std::atomic<std::size_t> shortest{kCount};
   parallel_ranges(7, kCount, kGrain, [&](std::size_t first, std::size_t end) {
@@ -113,7 +113,7 @@ TEST(Parallel, ManyThrowsWhenItIsCancelled) {
   EXPECT_LT(calls, 100 * kCount);
 }
 
-// An arena of one thread lends no other.
+// An arena of one thread lends no second one.
 TEST(Parallel, WorksOnTheCallersThreads) {
   std::mutex mutex;
   std::set<std::thread::id> threads;
@@ -131,7 +131,7 @@ TEST(Parallel, WorksOnTheCallersThreads) {
   EXPECT_EQ(threads, std::set{std::this_thread::get_id()});
 }
 
-// A loop returns when all of it is done, also where a task beside the caller has thrown meanwhile.
+// A loop returns when all of it is done, even if a task beside the caller has thrown.
 TEST(Parallel, AFailureBesideTheCallerLeavesNothingOut) {
   tbb::task_group group;
   std::atomic<bool> begun{false}, thrown{false}, whole{true};

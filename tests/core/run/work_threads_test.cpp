@@ -1,4 +1,4 @@
-// Threads that several callers share.
+// Tests threads that several callers share.
 #include "core/run/work_threads.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(WorkThreads, SaysHowManyWork) {
   EXPECT_EQ(WorkThreads(1000).used(), WorkThreads().used()) << "as many as the machine has";
 }
 
-// Where one works, the other of two callers brings its own.
+// While one caller works, the other one brings its own thread.
 TEST(WorkThreads, HaveRoomForAsManyAsAreAsked) {
   for (const auto& [asked, room] : {std::pair{1, 2}, {2, 2}, {3, 3}, {7, 7}}) {
     int found = 0;
@@ -74,7 +74,7 @@ TEST(WorkThreads, SeveralWorkAtOnce) {
   EXPECT_TRUE(together);
 }
 
-// Else a slider would wait for a table.
+// Otherwise a slider would wait for a table.
 TEST(WorkThreads, OfOneThreadNobodyWaitsForTheOther) {
   WorkThreads threads(1);
   std::atomic<bool> second_ran{false};

@@ -1,4 +1,5 @@
-// The worker's promises, with jobs that the test holds and releases by hand: no sleeping for luck.
+// Tests the worker's promises. The test holds and releases jobs by hand, so it never sleeps for
+// luck.
 #include "core/run/worker.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Blocks jobs until opened; notices when their token is cancelled.
+// Blocks jobs until opened, and notices when their token is cancelled.
 class Gate {
  public:
   void open() {
@@ -100,7 +101,7 @@ TEST(Worker, CallsATaskOnItsThreadWhenNoJobWaits) {
   EXPECT_NE(task_thread, std::this_thread::get_id());
   EXPECT_FALSE(worker.activity().busy);
 
-  worker.when_idle([&] { ++calls; });  // of a worker that does nothing
+  worker.when_idle([&] { ++calls; });  // for an idle worker
   while (calls == 1) std::this_thread::yield();
   poll_until_idle(worker);
   EXPECT_EQ(calls, 2);
@@ -122,7 +123,7 @@ TEST(Worker, DropsTheUnstartedAndCancelsTheRunning) {
     second_ran = true;
     return [&] { delivered.push_back(2); };
   });
-  // The first may have ended already; then the second may have run, in order.
+  // The first may have ended already. The second may then have run, in order.
   worker.submit(
       [&](const RunContext&) -> Worker::Delivery { return [&] { delivered.push_back(3); }; });
   poll_until_idle(worker);
@@ -132,8 +133,8 @@ TEST(Worker, DropsTheUnstartedAndCancelsTheRunning) {
   EXPECT_FALSE(first_failed) << "being superseded is not a failure";
 }
 
-// Longer than this takes, and less than machines have been on: grace begins when the job does, not
-// when the clock did.
+// Longer than the test takes, and shorter than machines have been on. Grace begins with the job,
+// not with the clock.
 TEST(Worker, GraceLetsShortJobsFinish) {
   Worker worker({}, std::chrono::seconds(60));
   Gate gate;
@@ -223,7 +224,7 @@ TEST(Worker, CancelTellsTheLatestRequestEvenIfTheJobFinishesAnyway) {
   Worker::Failure told;
   worker.submit(
       [&](const RunContext&) -> Worker::Delivery {
-        gate.wait_open(RunContext{});  // looks at no token: finishes whatever happens
+        gate.wait_open(RunContext{});  // ignores the token, so it always finishes
         return [&] { delivered = true; };
       },
       [&](const Worker::Failure& failure) { told = failure; });

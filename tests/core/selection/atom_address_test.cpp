@@ -1,3 +1,4 @@
+// Tests addresses of atoms: written, read back, and refused.
 #include "core/selection/atom_address.hpp"
 
 #include <gtest/gtest.h>

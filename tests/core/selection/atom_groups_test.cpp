@@ -1,3 +1,4 @@
+// Tests groups of atoms, such as those of one residue or chain.
 #include "core/selection/atom_groups.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ TEST(AtomGroups, AreAtomsResiduesOrChains) {
   EXPECT_EQ(chains.of_ball, (Numbers{0, 0, 0, 1, 0})) << "a chain has its ions, too";
   EXPECT_EQ(group_name(m, residues.first[1], AtomGrouping::residue), "A:GLY 88");
   EXPECT_EQ(group_name(m, chains.first[1], AtomGrouping::chain), "B");
-  // Only atoms that are balls count, by their places among the balls.
+  // Only atoms that are balls count, by their indices among the balls.
   EXPECT_EQ(atom_groups(m, Numbers{1, 3}, AtomGrouping::residue).first, (Numbers{1, 3}));
 }
 

@@ -1,4 +1,5 @@
-// What is kept, dropped, guessed and set by hand, and that all of it is counted.
+// Tests which atoms are kept, dropped, guessed and set by hand, and that the report counts all of
+// them.
 #include "core/selection/prepare_balls.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +53,7 @@ TEST(PrepareBalls, ListsWhatWasDroppedByReasonAndResidue) {
   EXPECT_EQ(dropped, report.total - report.used);
 }
 
-// Each line: "reason residue name", with the atom's place for what an assembly copies.
+// Lines "reason residue name", with the place of the atom where an assembly copies it.
 std::vector<std::string> left_out_texts(const Molecule& m, const PreparedBalls& prepared) {
   std::vector<std::string> texts;
   for (const LeftOutAtom& out : prepared.left_out) {
@@ -159,7 +160,7 @@ TEST(PrepareBalls, RadiiSetByHandGoBeforeTheSetAndAreCounted) {
       << summary(after.report);
 }
 
-// Balls at 0 and `far` Å, one of them with the radius of a table.
+// Balls at 0 and `far` Å, one of them with a radius from a table.
 PreparedBalls typed_radius(const std::string& far, std::int32_t microangstrom) {
   BallOptions options = bondi();
   options.overrides = {{"", "C", 6, microangstrom}};
@@ -176,7 +177,7 @@ TEST(PrepareBalls, TypedRadiiGetALatticeThatHoldsThem) {
   EXPECT_EQ(four.report.lattice, four.balls->lattice);
   ASSERT_EQ(four.report.sizes.size(), 2u);
   EXPECT_EQ(four.report.sizes[0].radius, 12345);
-  // Three digits hold this one, and the lattice stays.
+  // Three digits hold this radius, and the lattice stays.
   const PreparedBalls three = typed_radius("400", 1234000);
   EXPECT_EQ(three.balls->lattice.digits, 3);
   EXPECT_EQ(three.balls->radii[0], 1234);

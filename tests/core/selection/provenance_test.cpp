@@ -1,3 +1,4 @@
+// Tests texts on how balls were made.
 #include "core/selection/provenance.hpp"
 
 #include <map>

@@ -1,4 +1,4 @@
-// Residues by name and decision, and what treatments call them.
+// Tests residues by name and decision, and their names in treatments.
 #include "core/selection/residue_groups.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class ResidueGroupsTest : public ::testing::Test {
       file_.atoms.push_back(atom);
     }
   }
-  // Two lysines of a chain and a free one, two residues that were guessed, and a water.
+  // Adds two lysines of a chain and a free one, two guessed residues, and a water.
   void add_sample() {
     add("LYS", 1, AtomKind::polymer, Why::chain_bond, 9);
     add("LYS", 2, AtomKind::polymer, Why::chain_bond, 9);
@@ -177,7 +177,7 @@ TEST_F(ResidueGroupsTest, PointsWithoutMatterAreNeitherCountedNorTreated) {
   EXPECT_EQ(kinds_text(found.kinds), "ligand 3");
 }
 
-// A chain's atoms without residues have no address of their own: "A:" is the whole chain.
+// Atoms of a chain without residues have no address of their own, since "A:" is the whole chain.
 TEST_F(ResidueGroupsTest, WhatHasNoAddressIsNotNamed) {
   add("LIG", 1, AtomKind::ligand, Why::hetatm);
   add("", 0, AtomKind::polymer, Why::no_name);

@@ -1,3 +1,4 @@
+// Tests the selection language.
 #include "core/selection/selection_expression.hpp"
 
 #include <gtest/gtest.h>
@@ -89,8 +90,8 @@ TEST(Selection, PicksWhatItSays) {
   for (const auto& c : cases) EXPECT_EQ(picked(c.expression), c.atoms) << c.expression;
 }
 
-// A residue of no known name is protein with N and CA, nucleic with C1'; one of the two is not
-// enough.
+// A residue of unknown name is protein with both N and CA, and nucleic with C1'. One of N and CA is
+// not enough.
 TEST(Selection, APolymerOfUnknownNameIsKnownByItsAtoms) {
   Molecule m = read_text(
       "a.pdb",
@@ -139,7 +140,7 @@ TEST(Selection, ZonesAreExactAndAsThoughEveryPairWasTried) {
     m.atoms.push_back(atom);
   }
   m.models = {{1, 0, 2000}, {2, 2000, 3000}};
-  // One pair at exactly 3 Å (1, 2 and 2), and one a unit of the lattice farther.
+  // One pair at exactly 3 Å (1, 2 and 2), and one a lattice unit farther.
   m.atoms[50].position = {0, 0, 90000};
   m.atoms[1].position = {1000, 2000, 92000};
   m.atoms[100].position = {0, 0, -90000};
@@ -178,7 +179,7 @@ TEST(Selection, WordsOfThePictureNeedOne) {
   for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(bound(m.atoms[i]), i == 3 || i == 5);
 }
 
-// An expression at random, and the atoms it picks by set operations.
+// A random expression, and the atoms that it picks by set operations.
 struct RandomExpression {
   std::mt19937 random;
 

@@ -1,4 +1,4 @@
-// What a user says that residues are.
+// Tests kinds of residues that a user sets.
 #include "core/selection/treatments.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace alphascope {
 namespace {
 
-// Two atoms each of LIG 1 and LIG 2 of chain A, and one of HOH 3.
+// Two atoms each of LIG 1 and LIG 2 in chain A, and one of HOH 3.
 Molecule small() {
   Molecule m;
   const NameId chain = m.names.intern("A"), lig = m.names.intern("LIG"),
@@ -75,7 +75,7 @@ TEST(Treatments, SettleWhatWasANoteOnGuesses) {
   EXPECT_EQ(m.notes, std::vector<std::string>{note});
 }
 
-// A list of treatments is for many files; of these one has no such residue.
+// A list of treatments can serve many files, some of which lack such a residue.
 TEST(Treatments, ANameThatIsNotThereFindsNothing) {
   for (const std::string name : {"PU8", "005", "C-1"}) {
     Molecule m = small();

@@ -1,3 +1,4 @@
+// Tests that texts from files become printable.
 #include "core/text/printable.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +31,8 @@ TEST(Printable, WhatCannotBeSeenIsSpelt) {
       {"\U000e0041", "\\uE0041"},
       {"caf\xe9", "caf\\xE9"},
       {"\xc3", "\\xC3"},
-      {"\xc0\xaf\xe0\x80\xaf", "\\xC0\\xAF\\xE0\\x80\\xAF"},  // longer than need be
-      {"\xed\xa0\x80", "\\xED\\xA0\\x80"},                    // half of a pair
+      {"\xc0\xaf\xe0\x80\xaf", "\\xC0\\xAF\\xE0\\x80\\xAF"},  // overlong encodings
+      {"\xed\xa0\x80", "\\xED\\xA0\\x80"},                    // half of a surrogate pair
       {"\xf4\x90\x80\x80", "\\xF4\\x90\\x80\\x80"},           // beyond Unicode
       {"\xf0\x9f\xa7", "\\xF0\\x9F\\xA7"},                    // cut
   };
@@ -94,7 +95,7 @@ TEST(Printable, NamesAndTitlesOfFilesAreSo) {
   options.chains = {"\x1b"};
   EXPECT_EQ(prepare_balls(m, options).report.dropped_chains, 0u);
 
-  // CIF allows no such characters: see the messages below.
+  // CIF does not allow such characters: see the messages below.
   expect_printable(read_text("a.xyz", "1\n" + evil + "\nC\x1b 1 2 3\n"));
   expect_printable(read_text("a.xyzr", "1 2 3 1.5 " + evil + "\n"));
   expect_printable(read_text("a.pqr", "ATOM 1 C\x1b L\xffG A\a 1 1.0 2.0 3.0 0.5 1.5\n"));

@@ -1,4 +1,4 @@
-// Parts and words of texts.
+// Tests parts and words of texts.
 #include "core/text/text_parts.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Boundaries of complexes: closed, oriented, each solid by itself, around the volume of its
-// tetrahedra.
+// Tests boundaries of complexes: closed, oriented, separate for each solid, and around the volume
+// of its tetrahedra.
 #include "core/triangulation/boundary.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,8 @@ double volume_of_tetrahedra(const BallSet& balls, const AlphaComplex& complex) {
   return six / 6 * std::pow(balls.lattice.unit_angstrom(), 3);
 }
 
-// Each side once in each direction, one fan around each vertex, no vertex of two solids.
+// Each side occurs once in each direction, each vertex has one fan, and no two solids share a
+// vertex.
 ::testing::AssertionResult is_manifold(const Boundary& b) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> after;  // side to its triangle
   for (std::uint32_t f = 0; f < b.triangles.size(); ++f) {
@@ -130,7 +131,7 @@ TEST(Boundary, OfMoleculesIsClosedAroundTheirTetrahedra) {
       touching += middles(make_boundary(*balls, complex.tetrahedra.simplices));
     }
   }
-  EXPECT_GT(touching, 10u);  // solids that touch themselves along an edge were among them
+  EXPECT_GT(touching, 10u);  // some solids touch themselves along an edge
 }
 
 TEST(Boundary, OfHardSetsIsClosed) {
@@ -145,7 +146,7 @@ TEST(Boundary, OfHardSetsIsClosed) {
   }
 }
 
-// Tetrahedra that share an edge, and some that share a vertex only.
+// Tetrahedra that share an edge, and some that share only a vertex.
 TEST(Boundary, SolidsThatTouchHaveTheirOwnVertices) {
   BallSet balls;
   balls.lattice.digits = 0;

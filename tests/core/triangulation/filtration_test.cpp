@@ -1,4 +1,5 @@
-// Thresholds of a cached filtration, from the whole triangulation and from a complex at alpha_max.
+// Tests thresholds of a filtration, made from the whole triangulation or from a complex at
+// alpha_max.
 #include "core/triangulation/filtration.hpp"
 
 #include <gtest/gtest.h>
@@ -25,9 +26,9 @@ using testing::NamedBalls;
 using testing::Random;
 using testing::RationalOracle;
 
-// A cluster of balls and one so far away that its simplices have values near 6e16 that differ by
-// about 1e9, less than the distance of floats there: thresholds between them separate values of one
-// float.
+// A cluster of balls and one very distant ball. Values of the latter's simplices are near 6e16 and
+// differ by about 1e9, less than the distance of floats there. Thresholds between them separate
+// values of one float.
 TEST(Filtration, SeparatesValuesOfOneFloat) {
   Random random(20);
   std::size_t separated = 0;
@@ -58,7 +59,7 @@ TEST(Filtration, SeparatesValuesOfOneFloat) {
   EXPECT_GT(separated, 100u);
 }
 
-// Most of the hash is known before: of small and large sets, at, between and beyond alpha values.
+// Most of the hash is known beforehand. Small and large sets, at, between and beyond alpha values.
 TEST(Filtration, TheHashIsThatOfTheSimplices) {
   Random random(29);
   std::vector<NamedBalls> sets = testing::large_hard_sets(random);
@@ -127,7 +128,7 @@ TEST(Filtration, NeedsAWholeComplex) {
   EXPECT_THROW(Filtration(balls, only), std::invalid_argument);
 }
 
-// Orthospheres larger than any float: the values are infinite, alpha decides exactly.
+// Orthospheres exceed every float, so values are infinite and alpha decides exactly.
 TEST(Filtration, KeepsValuesBeyondAllFloatsApart) {
   BallSet balls;
   balls.lattice.digits = 0;
@@ -159,7 +160,7 @@ TEST(Filtration, ClassesFollowFromTheSimplices) {
   }
 }
 
-// Cancelled before, or at any report of progress: the making ends before the next one.
+// Cancelled before the start, or at any report of progress. It ends before the next report.
 TEST(Filtration, ItsMakingCanBeCancelled) {
   Random random(26);
   const auto balls =
@@ -201,7 +202,7 @@ TEST(Filtration, FacesAreNotSortedForOneWhoCancelled) {
   EXPECT_EQ(triangulation.tetrahedra, before);
 }
 
-// A cancelled engine is as good as new.
+// A cancelled engine still works.
 TEST(CpuEngine, CanBeCancelledWhileMakingAFiltration) {
   Random random(28);
   const auto balls =
@@ -222,7 +223,7 @@ TEST(CpuEngine, CanBeCancelledWhileMakingAFiltration) {
   EXPECT_EQ(found.hash, make_cgal_engine(balls, {1})->compute({9e3}, {}).hash);
 }
 
-// Setup is paid once: later alphas are thresholds and say so.
+// Setup is paid once. Later alphas are thresholds and say so.
 TEST(CgalEngine, TimesSetupApart) {
   Random random(24);
   const auto engine = testing::keeping(make_cgal_engine(
@@ -248,7 +249,7 @@ TEST(CgalEngine, TimesSetupApart) {
   EXPECT_GE(later.timings.wall_milliseconds, later.timings.stages[0].milliseconds);
 }
 
-// What came from CGAL's triangulation says so, by whatever engine.
+// A result that rests on CGAL's triangulation says so, from every engine.
 TEST(Engines, SayWhatThisRunDid) {
   Random random(25);
   const auto balls =

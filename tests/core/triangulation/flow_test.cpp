@@ -1,4 +1,4 @@
-// Through which faces tetrahedra flow out, and where to, against rationals.
+// Tests through which faces tetrahedra flow, and to which sinks, against rationals.
 #include "core/triangulation/flow.hpp"
 
 #include <gtest/gtest.h>
@@ -20,12 +20,12 @@ namespace {
 
 using testing::Random;
 
-// Four balls at a time, up to the bounds of the lattice: filter, integers and perturbation.
+// Four balls at a time, up to the bounds of the lattice, for filter, integers and perturbation.
 TEST(FlowPredicate, IsThatOfRationals) {
   Random random(81);
   std::size_t decided = 0, ties = 0, tied_in = 0;
   for (int n = 0; n < 30000; ++n) {
-    // Every third of few small numbers: they tie.
+    // Every third set has few small numbers, so it has ties.
     const BallSet balls = n % 3 == 0 ? testing::random_balls(random, 4, 2, 1, 2)
                                      : testing::five_balls(random, n % testing::kFiveBallKinds);
     const auto seen = [&](BallIndex i, BallIndex k) { return lifted_vector(balls, i, k); };
@@ -58,9 +58,9 @@ TEST(FlowPredicate, IsThatOfRationals) {
   EXPECT_GT(ties, tied_in + 100);
 }
 
-// Tetrahedra whose orthocentre is in the plane of a face but for a unit: where the filter's error
-// bound must not decide, and where it must not be too careful. Balls a, b and c lie on a circle
-// around the orthocentre's foot, and the weight of d moves the orthocentre along the normal.
+// Tetrahedra whose orthocentre is within a unit of a face's plane. The filter's error bound must
+// not decide there, and must not be too careful beside it. Balls a, b and c lie on a circle around
+// the orthocentre's foot. The weight of d moves the orthocentre along the normal.
 TEST(FlowPredicate, IsThatOfRationalsNextToAFace) {
   Random random(84);
   std::size_t near = 0, ties = 0, sides[2] = {0, 0}, undecided = 0;
@@ -72,8 +72,8 @@ TEST(FlowPredicate, IsThatOfRationalsNextToAFace) {
       const int x = at(), y = at(), z = at();
       testing::add_ball(balls, x, y, z, reach);
     }
-    // A fourth ball at the same distance from the centre of the circle of the three, rounded: so d
-    // is on their smallest sphere, and the side of face abc is that of one unit or none.
+    // The fourth ball is as far from the circle's centre as the other three, up to rounding. So d
+    // is on their smallest sphere, and the side of face abc is decided by a unit or less.
     const auto v = [&](int m) {
       return real_point(balls.centres[m]) - real_point(balls.centres[0]);
     };

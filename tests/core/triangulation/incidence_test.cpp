@@ -1,4 +1,4 @@
-// Triangles and edges of a triangulation, against the faces that sorting all of them finds.
+// Tests triangles and edges of a triangulation against a sort of all faces.
 #include "core/triangulation/incidence.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Marks of K_alpha, from a filtration and from the triangulation alone, against the complex.
+// Tests marks of K_alpha, from a filtration and from the triangulation alone, against the complex.
 #include "core/triangulation/membership.hpp"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ TEST(Membership, IsTheComplexAtAlphaValuesAndBetween) {
   EXPECT_GT(compared, 1000u);
 }
 
-// Values near 6e16 that differ by less than floats do there.
+// Values near 6e16 that differ by less than the distance of floats there.
 TEST(Membership, SeparatesValuesOfOneFloat) {
   Random random(92);
   std::size_t separated = 0;

@@ -1,5 +1,5 @@
-// The triangulation of hard sets of balls: proved from the definition, and equal to what rationals
-// and CGAL used directly find.
+// Tests the triangulation of hard sets of balls. It is proved from the definition, and equals those
+// of rationals and of CGAL used directly.
 #include "core/complex/triangulation.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(Triangulation, OfHardSetsIsProved) {
   for (const int sets : sets_of_dimension) EXPECT_GT(sets, 0);
 }
 
-// All simplices of N balls that the rationals find.
+// All simplices of N balls that the rational oracle finds.
 template <int N>
 Simplices<N> of_size(const RationalOracle& oracle) {
   Simplices<N> found;
@@ -86,7 +86,7 @@ TEST(Triangulation, OfLargeHardSetsEqualsThatOfCgalUsedDirectly) {
   Random random(33);
   std::size_t compared = 0;
   for (const NamedBalls& set : testing::large_hard_sets(random)) {
-    if (!coincident_hidden(set.balls).empty()) continue;  // which of equals is CGAL's own choice
+    if (!coincident_hidden(set.balls).empty()) continue;  // CGAL chooses among equal balls
     const Triangulation found = make_triangulation(set.balls, 1);
     if (found.dimension != 3) continue;
     const double all = std::numeric_limits<double>::infinity();
@@ -98,7 +98,7 @@ TEST(Triangulation, OfLargeHardSetsEqualsThatOfCgalUsedDirectly) {
   EXPECT_GT(compared, 3000u);
 }
 
-// Hidden and coincident balls included.
+// Includes hidden and coincident balls.
 TEST(Triangulation, DoesNotDependOnThreads) {
   Random random(23);
   for (const int high_radius : {30, 900}) {
@@ -120,14 +120,14 @@ TEST(Triangulation, ItsHullLooksOutward) {
   ASSERT_EQ(t.tetrahedra.size(), 4u);
   const std::array<BallIndex, 4> first{0, 1, 2, 4};
   EXPECT_EQ(t.tetrahedra[0], first);
-  // Seen from below, x to the right and y up is clockwise: so it goes 0 2 1.
+  // Seen from below, with x to the right and y up, the order is clockwise, so it is 0 2 1.
   const HullFacet below{{0, 2, 1}, 0};
   EXPECT_EQ(t.hull.at(0), below);
   EXPECT_EQ(t.neighbours[0][3], Neighbour::hull_facet(0));
   EXPECT_EQ(t.neighbours[0][0], Neighbour::tetrahedron(3));  // of 1 2 3 4
 }
 
-// At any report of progress the making ends; it goes on for no more than a part.
+// The making ends at any report of progress, or soon after.
 TEST(Triangulation, ItsMakingCanBeCancelled) {
   Random random(34);
   const BallSet balls = testing::random_balls(random, 6000, 3000, 100, 300);
@@ -149,7 +149,7 @@ TEST(Triangulation, ItsMakingCanBeCancelled) {
   }
 }
 
-// The store decides by these numbers what it builds.
+// The store decides by these numbers what it makes.
 TEST(MemoryNeed, BytesAreThoseOfAllArrays) {
   Triangulation t;
   t.tetrahedra.resize(2);

@@ -1,5 +1,5 @@
-// The tuple engine's switches: the same complex byte for byte whatever they are, and work that is
-// really done or saved.
+// Tests the tuple engine's switches. The complex is the same byte for byte with all of them, and
+// work is really done or saved.
 #include "core/tuples/tuple_engine.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ TEST(TupleSwitches, ChangeNothingOnAMolecule) {
   expect_switches_change_nothing(testing::sample_balls("1crn.pdb"), {0, 1.4});
 }
 
-// Balls that all meet: every tuple there is, once.
+// All balls meet, so every tuple exists and is made once.
 TEST(TupleCounters, EveryTupleOnce) {
   Random random(32);
   const auto balls = shared(testing::random_balls(random, 20, 1000, 100, 300));
@@ -93,7 +93,7 @@ TEST(TupleCounters, EveryTupleOnce) {
   }
 }
 
-// Neighbours in the cube and tuples of them, counted from the definition.
+// Neighbours in the cube and their tuples, counted by definition.
 struct Expected {
   std::uint64_t neighbours = 0, pairs = 0, meeting_pairs = 0, in_cube = 0, meeting = 0;
 };
@@ -103,7 +103,7 @@ bool meet(const BallSet& b, BallIndex i, BallIndex j) {
   return static_cast<double>(v.c) <= std::pow(double(b.radii[i]) + b.radii[j], 2);
 }
 
-// alpha = 0 and equal radii: the cube of a pair is the same from both sides, whatever the slots.
+// With alpha = 0 and equal radii a pair's cube is the same from both sides, whatever the slots.
 Expected expected_counts(const BallSet& b) {
   Expected e;
   const auto n = static_cast<BallIndex>(b.size());
@@ -150,7 +150,7 @@ TEST(TupleCounters, SwitchesSaveWork) {
   EXPECT_EQ(no_alpha.at("4-tuples enumerated"), expected.meeting);
   EXPECT_EQ(no_alpha.at("4-tuples into kernel II"), expected.meeting);
   EXPECT_LT(both.at("4-tuples into kernel II"), expected.meeting);
-  // Without the edge optimisation pairs, triples and tuples are all that the cubes hold.
+  // Without the edge optimisation, pairs, triples and tuples are all combinations in the cubes.
   EXPECT_GT(none.at("4-tuples enumerated"), 2 * expected.meeting);
   EXPECT_EQ(none.at("4-tuples enumerated"), no_edge.at("4-tuples enumerated"));
   EXPECT_EQ(none.at("4-tuples into kernel II"), none.at("4-tuples enumerated"));
@@ -195,8 +195,8 @@ TEST(TupleEngine, NamesItsStagesInOrder) {
   EXPECT_EQ(labels, expected);
 }
 
-// Everything meets everything: without a look at the token between batches this would take minutes.
-// What a CPU does not have is not said to be left out.
+// All balls meet. Without checking the token between batches this would take minutes.
+// A CPU does not list stages that only a device has as left out.
 TEST(TupleEngine, ItsRouteSaysWhatIsLeftOut) {
   const auto balls = testing::sample_balls("1crn.pdb");
   const auto route = [&](const TupleOptions& options) {

@@ -1,5 +1,5 @@
-// The epsilon band of kernel II: whatever single precision decides must be what integers decide, on
-// random and on nearly degenerate tuples.
+// Tests the epsilon band of kernel II. Decisions of single precision must be those of integers, on
+// random and nearly degenerate tuples.
 #include "core/tuples/tuple_float.hpp"
 
 #include <gtest/gtest.h>
@@ -23,8 +23,8 @@ struct Tally {
   }
 };
 
-// Five balls of small integers (`spread` small: many ties), times `scale`, shaken by `shake` units:
-// a large scale with a small shake is nearly degenerate.
+// Five balls of small integers times `scale`, shaken by `shake` units. A small `spread` gives many
+// ties. A large scale with a small shake is nearly degenerate.
 std::array<BallRecord, 5> five_balls(std::mt19937& random, int spread, int scale, int shake) {
   std::uniform_int_distribution<int> at(-spread, spread), off(-shake, shake), radius(1, spread);
   std::array<BallRecord, 5> balls;
@@ -86,7 +86,7 @@ void check_tuples(int spread, int scale, int shake, double least_share) {
     conflicts.add(conflict.side(b[0], b[4]), exact_side<K>(v, lifted_from(b[0], b[4])));
     EXPECT_EQ(conflict.side(b[0], b[1]), 0) << "a ball of the tuple itself has equal power";
 
-    // Alphas at and around the ortho-radius.
+    // Alphas at the ortho-radius and around it.
     const std::int64_t weight = std::int64_t{b[0].radius} * b[0].radius;
     LiftedSimplex<K + 1> simplex{{}, weight};
     std::copy(v, v + K, simplex.v);
@@ -121,7 +121,7 @@ TEST(TupleFloat, NeverDecidesTiesAndNearTies) {
   }
 }
 
-// Differences up to 2^24 units, where float still is exact.
+// Differences up to 2^24 units, up to which floats are exact.
 TEST(TupleFloat, HoldsUpToItsLimit) {
   check_tuples<1>(4000000, 1, 0, 0.99);
   check_tuples<2>(4000000, 1, 0, 0.99);

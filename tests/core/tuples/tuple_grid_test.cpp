@@ -1,4 +1,4 @@
-// The cells of the tuple engine.
+// Tests the cells of the tuple engine.
 #include "core/tuples/tuple_grid.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace alphascope {
 namespace {
 
-// From (0, 0, 0) to (12345, 6789, 99) units, and many between.
+// A box from (0, 0, 0) to (12345, 6789, 99) units, with many balls inside.
 BallSet box_of_balls() {
   testing::Random random(91);
   BallSet balls;
@@ -31,7 +31,7 @@ TupleGrid grid_of(const BallSet& balls, TupleGridKind kind) {
   return grid;
 }
 
-// Slots of each cell are those whose records are in it, all once.
+// The slots of each cell are those whose records lie in it. Each slot occurs once.
 void expect_sorted(const BallSet& balls, const TupleGrid& grid) {
   const TupleGridView& v = grid.view;
   ASSERT_EQ(grid.cell_start.size(),
@@ -56,7 +56,7 @@ void expect_sorted(const BallSet& balls, const TupleGrid& grid) {
   EXPECT_EQ(std::count(seen.begin(), seen.end(), true), static_cast<long>(balls.size()));
 }
 
-// A hundred along each axis, the last of which ends behind the last ball.
+// The thesis has a hundred cells along each axis. The last one ends behind the last ball.
 TEST(TupleGrid, OfTheThesisHasAHundredCellsAnAxis) {
   const BallSet balls = box_of_balls();
   const TupleGrid grid = grid_of(balls, TupleGridKind::thesis);
@@ -69,7 +69,7 @@ TEST(TupleGrid, OfTheThesisHasAHundredCellsAnAxis) {
   expect_sorted(balls, grid);
 }
 
-// As wide as half the cube that is searched, so that few cells hold many balls.
+// Cells are half as wide as the searched cube, so that few cells hold many balls.
 TEST(TupleGrid, IsAsWideAsNeighboursAreFar) {
   const BallSet balls = box_of_balls();
   const TupleGrid grid = grid_of(balls, TupleGridKind::automatic);

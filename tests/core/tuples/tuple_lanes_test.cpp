@@ -1,5 +1,5 @@
-// The order of the tuple pipeline on an executor with several lanes that run as late as they may:
-// what a device with streams may do. A missing wait shows as a wrong complex.
+// Tests the order of the tuple pipeline on an executor with several lanes that run as late as
+// possible, as streams of a device may. A missing wait gives a wrong complex.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -14,14 +14,14 @@
 namespace alphascope {
 namespace {
 
-// Calls wait in their lane's queue until that lane is asked for something. Each lane is a stream:
-// nothing orders it with the others.
+// Calls wait in their lane's queue until the lane is needed. Each lane is a stream, which nothing
+// orders with the others.
 class LateExecutor {
  public:
   using Reader = PlainReader;
   static constexpr bool kOnGpu = true;
 
-  // Growing frees the old memory, for which a device waits until all its work is done.
+  // Growing frees the old memory. A device waits for all its work before that.
   template <class T>
   class Buffer {
    public:
@@ -49,7 +49,7 @@ class LateExecutor {
   template <class Body>
   void for_each(int lane, std::uint64_t count, const Body& body) {
     later(lane, [=] {
-      for (std::uint64_t n = count; n-- > 0;) body(n);  // any order will do
+      for (std::uint64_t n = count; n-- > 0;) body(n);  // in any order
     });
   }
   template <class Body>
@@ -133,7 +133,7 @@ TEST(TupleLanes, NeedNoOtherOrderThanTheirOwn) {
         LateExecutor executor(options);
         TupleComputer<LateExecutor> computer(balls, options, executor);
         const auto expected = make_tuple_engine(balls, {1});
-        for (const double a : {alpha, alpha / 2, alpha}) {  // buffers are used again
+        for (const double a : {alpha, alpha / 2, alpha}) {  // reuses buffers
           const AlphaComplex found = computer.compute({a}, {}), same = expected->compute({a}, {});
           EXPECT_EQ(found.hash, same.hash);
           EXPECT_EQ(found.tetrahedra.alpha_values, same.tetrahedra.alpha_values);
@@ -147,7 +147,7 @@ TEST(TupleLanes, NeedNoOtherOrderThanTheirOwn) {
   }
 }
 
-// Several streams are of no use if each batch is waited for before the next starts.
+// Several streams are useless if each batch is awaited before the next starts.
 TEST(TupleLanes, WorkSideBySide) {
   testing::Random random(52);
   const auto balls =
@@ -158,7 +158,7 @@ TEST(TupleLanes, WorkSideBySide) {
   options.alpha_optimisation = false;
   LateExecutor executor(options);
   TupleComputer<LateExecutor> computer(balls, options, executor);
-  computer.compute({1e6}, {});  // buffers grow, for which everything is waited for
+  computer.compute({1e6}, {});  // buffers grow, and all lanes are awaited
   executor.most_busy_lanes = 0;
   EXPECT_GT(computer.compute({1e6}, {}).tetrahedra.size(), 10u);
   EXPECT_GE(executor.most_busy_lanes, 3u);

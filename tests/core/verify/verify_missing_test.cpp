@@ -1,5 +1,5 @@
-// The verifier notices whatever a complex lacks, however sound the rest is, and how ties are
-// broken.
+// Tests that the verifier notices missing simplices in otherwise sound complexes, and wrongly
+// broken ties.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ AlphaComplex complex_at(const BallSet& balls, double alpha, bool tetrahedra_only
       ->compute({alpha, tetrahedra_only}, {});
 }
 
-// By a search and by the triangulation, which must agree.
+// Verifies by a search and by the triangulation, which must agree.
 Verification verify_both(const BallSet& balls, const AlphaComplex& complex) {
   const Verification found = verify(balls, complex, {}, VerifyBy::search),
                      proven = verify(balls, complex, {}, VerifyBy::triangulation);
@@ -51,7 +51,7 @@ bool has_all(const auto& simplex, const std::vector<BallIndex>& vertices) {
   return std::includes(simplex.begin(), simplex.end(), vertices.begin(), vertices.end());
 }
 
-// What is left when a simplex goes, with all that it is a face of: closed again, with classes.
+// The complex without a simplex and its cofaces: closed again, with classes.
 AlphaComplex without(const AlphaComplex& complex, const std::vector<BallIndex>& vertices) {
   AlphaComplex rest = complex;
   const auto stays = [&](const auto& s) { return !has_all(s, vertices); };
@@ -63,7 +63,7 @@ AlphaComplex without(const AlphaComplex& complex, const std::vector<BallIndex>& 
   return rest;
 }
 
-// What the verifier says of a complex that lacks something: nothing wrong but what is missing?
+// The verifier's report on an incomplete complex, and whether it reports only missing simplices.
 struct Said {
   bool noticed = false;
   bool missing_only = true;
@@ -77,7 +77,7 @@ Said said_of(const BallSet& balls, const AlphaComplex& damaged) {
   return said;
 }
 
-// Of each dimension, in how many complexes with one simplex less nothing else was wrong.
+// For each dimension, the number of complexes where the only report is about missing simplices.
 using Counts = std::array<int, 4>;
 
 template <int N>
@@ -92,7 +92,7 @@ void expect_each_is_missed(const NamedBalls& set, const AlphaComplex& complex,
   }
 }
 
-// In at least so many complexes, for each dimension, nothing but what is missing tells.
+// In at least so many complexes of each dimension, only missing simplices are reported.
 void expect_removals_are_noticed(const std::vector<NamedBalls>& sets, Random& random,
                                  int at_least = 20) {
   Counts found{};
@@ -124,7 +124,7 @@ TEST(Missing, OneSimplexOfLargeHardSetsIsNoticed) {
                               random);
 }
 
-// A complex of a smaller alpha is sound throughout: only what is not there tells.
+// The complex of a smaller alpha is sound. Only missing simplices show the fault.
 TEST(Missing, TheComplexOfASmallerAlphaIsNoticed) {
   Random random(53);
   int noticed = 0;
@@ -151,7 +151,7 @@ TEST(Missing, TheComplexOfASmallerAlphaIsNoticed) {
   EXPECT_GT(noticed, 300);
 }
 
-// Two sets far from each other: all that is known of one says nothing of the other.
+// Two sets far apart. One gives no information on the other.
 TEST(Missing, AWholeComponentIsNoticed) {
   Random random(54);
   BallSet balls = testing::random_balls(random, 40, 30, 5, 12);
@@ -184,7 +184,7 @@ TEST(Missing, ALoneTetrahedronIsNoticed) {
   EXPECT_TRUE(said_of(balls, complex).noticed);
 }
 
-// Found from each of its four triangles, as these are from their edges.
+// A missing tetrahedron is found from each of its four triangles, and these from their edges.
 TEST(Missing, IsListedOnce) {
   BallSet balls;
   balls.lattice.digits = 0;
@@ -222,7 +222,7 @@ TEST(Missing, NothingAtAllIsNoticed) {
   EXPECT_TRUE(verify_both({}, nothing).ok());
 }
 
-// A huge ball and two small ones that only just reach it, at six digits.
+// A huge ball and two small ones that barely reach it, at six digits.
 TEST(Missing, ATriangleOfVeryUnequalBallsIsNoticed) {
   BallSet balls;
   balls.lattice.digits = 6;
@@ -237,7 +237,7 @@ TEST(Missing, ATriangleOfVeryUnequalBallsIsNoticed) {
   EXPECT_TRUE(said.noticed);
 }
 
-// Balls at the limits of coordinates and radii, in sight of each other.
+// Balls at the limits of coordinates and radii, which still meet.
 TEST(Missing, SimplicesAtTheLimitsOfTheLatticeAreNoticed) {
   Random random(56);
   std::vector<NamedBalls> sets;
@@ -255,7 +255,7 @@ TEST(Missing, SimplicesAtTheLimitsOfTheLatticeAreNoticed) {
   expect_removals_are_noticed(sets, random, 3);
 }
 
-// The mirror image of a set breaks its ties otherwise.
+// The mirror image of a set breaks its ties differently.
 TEST(Missing, TiesBrokenOtherwiseAreNoticed) {
   Random random(57);
   int different = 0;
@@ -291,7 +291,7 @@ TEST(Missing, RightComplexesOfMoleculesPass) {
   }
 }
 
-// Where no ball is left, there is nothing to search among.
+// Without any ball there is nothing to search.
 TEST(Missing, NothingIsMissingWhereAllBallsAreEmpty) {
   Random random(41);
   const BallSet balls = testing::random_balls(random, 9, 10, 2, 5);

@@ -1,4 +1,4 @@
-// The verifier and the comparison notice every kind of damage.
+// Tests that verifier and comparison notice every kind of damage.
 #include "core/verify/verify.hpp"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,7 @@ TEST_F(Damage, IsNoticed) {
   });
 }
 
-// What would be read beyond a list's end is told before it is read, of each dimension.
+// An index beyond the end of a list is reported before it is used, in each dimension.
 TEST_F(Damage, InAnyListIsNoticed) {
   const auto each = [&](const char* of, auto list) {
     SCOPED_TRACE(of);
@@ -104,7 +104,7 @@ TEST_F(Damage, InAnyListIsNoticed) {
   each("tetrahedra", &AlphaComplex::tetrahedra);
 }
 
-// Of each dimension, each class for each other one: nothing else is wrong.
+// In each dimension, replaces each class by each other one. Nothing else is wrong.
 TEST_F(Damage, EveryWrongClassIsNoticed) {
   std::size_t tried = 0;
   const auto each = [&](const char* of, auto list) {
@@ -128,7 +128,7 @@ TEST_F(Damage, EveryWrongClassIsNoticed) {
   EXPECT_GE(tried, 18u);
 }
 
-// A tetrahedron with a ball inside its orthosphere, complete with its faces and right values.
+// A tetrahedron with a ball inside its orthosphere, with all its faces and right values.
 TEST_F(Damage, ConflictIsNoticed) {
   const auto some = std::make_shared<BallSet>(balls_);
   some->centres.resize(150);

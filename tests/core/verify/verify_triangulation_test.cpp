@@ -1,4 +1,4 @@
-// The proof of a triangulation notices every kind of damage.
+// Tests that the proof of a triangulation notices every kind of damage.
 #include "core/verify/verify_triangulation.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ BallSet unit_balls(const std::vector<LatticePoint>& centres) {
   return balls;
 }
 
-// Any tetrahedra, with the neighbours and the hull that follow from them: only they can be wrong.
+// Any tetrahedra, with the neighbours and hull that follow from them. So only the tetrahedra can be
+// wrong.
 Triangulation made_of(const BallSet& balls, Simplices<4> tetrahedra) {
   UnorderedTetrahedra all{std::move(tetrahedra), {}};
   all.neighbours.assign(all.tetrahedra.size(), {});
@@ -130,10 +131,10 @@ TEST_F(DamagedTriangulation, AHoleIsNoticed) {
   EXPECT_TRUE(says(verify_triangulation(balls_, made_of(balls_, fewer)), "not convex"));
 }
 
-// A triangulation of all balls but one that is a vertex.
+// A triangulation of all balls but one that should be a vertex.
 TEST_F(DamagedTriangulation, ABallThatIsNotHiddenIsNoticed) {
   BallSet fewer = balls_;
-  BallIndex last = triangulation_.vertices.back();  // by index: some place inside
+  BallIndex last = triangulation_.vertices.back();  // by index, so somewhere inside
   fewer.centres.resize(last);
   fewer.radii.resize(last);
   const Simplices<4> without = make_triangulation(fewer, 1).tetrahedra;
@@ -168,7 +169,7 @@ TEST(VerifyTriangulation, NoticesAFold) {
   EXPECT_TRUE(says(verify_triangulation(flat, with_flat), "flat"));
 }
 
-// Five balls have two triangulations, of two and of three tetrahedra.
+// Five balls have two triangulations: one of two tetrahedra and one of three.
 TEST(VerifyTriangulation, NoticesTheOtherOfTwoTriangulations) {
   const BallSet balls = unit_balls({{9, 0, 0}, {-5, 8, 0}, {-5, -8, 0}, {0, 0, 3}, {0, 0, -3}});
   const Triangulation two = made_of(balls, {{0, 1, 2, 3}, {0, 1, 2, 4}});
@@ -177,8 +178,8 @@ TEST(VerifyTriangulation, NoticesTheOtherOfTwoTriangulations) {
   EXPECT_TRUE(verify_triangulation(balls, three).ok());
 }
 
-// The corners of a cube are on one sphere: every triangulation is regular until the perturbation
-// decides. A mirrored one is as good without it.
+// The corners of a cube are on one sphere, so without the perturbation every triangulation is
+// regular, the mirrored one too.
 TEST(VerifyTriangulation, NoticesTiesBrokenOtherwise) {
   BallSet balls;
   balls.lattice.digits = 0;

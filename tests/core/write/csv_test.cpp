@@ -1,4 +1,4 @@
-// Tables that pandas, R and spreadsheets read back as they were.
+// Tests that pandas, R and spreadsheets read tables back unchanged.
 #include "core/write/csv.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(Csv, TextsThatSpreadsheetsWouldComputeGetAnApostrophe) {
     EXPECT_EQ(plain_cell(text), text);
   }
   EXPECT_EQ(csv_text({{{"=name", "=value"}, {"n", "-1"}}}), "'=name,n\n'=value,-1\n");
-  // Some spreadsheets part cells at semicolons, and all do in comments.
+  // Some spreadsheets split cells at semicolons, and all of them do in comments.
   EXPECT_EQ(csv_values({{"", "a;=b"}}), "\"a;=b\"\n");
   EXPECT_EQ(csv_comments({"file: a,=b; -c, d=e"}), "# file: a,'=b; '-c, d=e\n");
 }

@@ -1,4 +1,4 @@
-// Movies: whole or not at all, whatever ffmpeg does.
+// Tests movies: whole or not at all, whatever ffmpeg does.
 #include "core/write/movie_file.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class Movie : public ::testing::Test {
     std::ifstream file(movie_, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
-  // Files beside the movie and the folder of the stand-in.
+  // Counts files beside the movie and the stand-in's folder.
   int left_behind() const {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -35,7 +35,7 @@ class Movie : public ::testing::Test {
     }
     return count;
   }
-  // Of what is thrown while a movie is made.
+  // The message of the exception thrown while a movie is made.
   std::string failure() {
     try {
       MovieFile movie(movie_, options_);
@@ -77,7 +77,7 @@ TEST_F(Movie, ThatFfmpegCannotMakeSaysCodecAndReason) {
   for (const char* script :
        {"echo 'Unknown encoder' >&2; exit 1",
         "cat > \"$file\"; echo warning >&2; echo 'No space left on device' >&2; exit 1",
-        // As ffmpeg 5.1 does.
+        // ffmpeg 5.1 does this.
         "cat > \"$file\"; echo 'Error closing file: No space left on device' >&2; exit 0"}) {
     const FakeFfmpeg ffmpeg(folder_, script);
     const std::string said = failure();

@@ -1,4 +1,4 @@
-// Names, colours and comments in other programs' languages: hostile names stay names.
+// Tests names, colours and comments in other programs' languages. Hostile names stay names.
 #include "core/write/script_words.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ TEST(ScriptWords, CommentsStayInTheirLines) {
   EXPECT_EQ(script_comments({{"file", "a.pdb"}, {"title", "one\ntwo"}}).find("\ntwo"),
             std::string::npos);
   EXPECT_EQ(script_comments({{"file", "a.pdb"}}), "# file a.pdb\n");
-  // A backslash at the end of a line would make the next one a comment as well.
+  // A backslash at the end of a line would turn the next one into a comment.
   EXPECT_EQ(script_comments({{"file", "a\\"}, {"b", "c"}}), "# file a\\ \n# b c\n");
 }
 

@@ -1,4 +1,4 @@
-// Text in pieces: as it was put together, in memory only a part, and cancelled on the way.
+// Tests text written in pieces: content, limited memory, and cancelling.
 #include "core/write/text_writer.hpp"
 
 #include <gtest/gtest.h>

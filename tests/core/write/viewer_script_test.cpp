@@ -1,4 +1,4 @@
-// Scripts for ChimeraX and PyMOL: names of a file are never commands of these languages.
+// Tests scripts for ChimeraX and PyMOL. Names in a file never become commands.
 #include "core/write/viewer_script.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(ViewerScript, OnlyPlainNamesAreNamed) {
       EXPECT_FALSE(line.ends_with("\\")) << line;
     }
   }
-  // What stands behind a semicolon is a command of PyMOL's own, but not of Python's comments.
+  // PyMOL runs the text behind a semicolon as a command, except in Python's comments.
   EXPECT_TRUE(pymol_script(script).starts_with("python\n# title x; close all"));
 }
 

@@ -1,4 +1,4 @@
-// The alpha slider's map and playing: there and back, monotone, and never stuck.
+// Tests the map of the alpha slider and its playback: inverse, monotone, and never stuck.
 #include "core/document/alpha/alpha_slider.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(AlphaSlider, AlphaIsRoundedToWhatAPixelCanTell) {
   EXPECT_FALSE(std::signbit(alpha_at_place(usual, place_of_alpha(usual, -1e-9), 1.0 / 230)));
 }
 
-// One extreme value: a linear slider to it leaves nothing for what matters, the others do.
+// One extreme value. A linear slider up to it leaves no room for small alphas; the other maps do.
 TEST(AlphaSlider, AnExtremeEndLeavesRoomForSmallAlphas) {
   const auto room = [](AlphaScaling scaling) {
     const AlphaSlider s{scaling, -3, 1e6};

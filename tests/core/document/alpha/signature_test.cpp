@@ -1,4 +1,4 @@
-// The signature's counts are those of the complexes themselves.
+// Tests that counts in the signature are those of the complexes themselves.
 #include "core/document/alpha/signature.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Lives of cavities as bars: which are the longest, what is said of each, and their table.
+// Tests lives of cavities as bars: the longest ones, their descriptions, and their table.
 #include "core/document/cavities/cavity_bars.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kEver = -std::numeric_limits<float>::infinity();
 
-const Lattice kUnits{0};  // of 1 Å
+const Lattice kUnits{0};  // the unit is 1 Å
 
 std::vector<std::uint32_t> sinks_of(const CavityBars& bars) {
   std::vector<std::uint32_t> sinks;
@@ -61,7 +61,7 @@ TEST(CavityBars, TheSentenceSaysWhatItIsAndWhen) {
             "a pocket at every smaller alpha, a void from 1.00 Å², filled at 3.00 Å²");
 }
 
-// The cavities of an alpha are those whose bar is there, and the table tells all of them.
+// The cavities at an alpha are those whose bar is there, and the table lists all of them.
 TEST(CavityBars, OfAProteinAreItsCavities) {
   const auto molecule = std::make_shared<const Molecule>(
       read_molecule(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb"));

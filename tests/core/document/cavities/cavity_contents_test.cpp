@@ -1,4 +1,4 @@
-// What cavities hold, of molecules with known sites, and of a cage with atoms put where they are.
+// Tests contents of cavities: molecules with known sites, and a cage with atoms at chosen places.
 #include "core/document/cavities/cavity_contents.hpp"
 
 #include <gtest/gtest.h>
@@ -118,7 +118,7 @@ TEST(CavityContents, ProteinKinaseHoldsItsAtpAndIons) {
             "E:ATP 355, 2 more, 11 waters");
 }
 
-// Six carbon atoms, of the radius 1.88 Å. Grown by 3.02 to 4.12 Å they close a void.
+// Six carbon atoms of radius 1.88 Å. Grown by 3.02 to 4.12 Å they close a void.
 std::string cage(double x, int first) {
   std::string text;
   const double at[6][3] = {{-6, 0, 0}, {6, 0, 0}, {0, -6, 0}, {0, 6, 0}, {0, 0, -6}, {0, 0, 6}};
@@ -197,7 +197,7 @@ TEST_F(CavityContentsResult, FollowsTheTableAndNumbersGoOn) {
   }
   EXPECT_GT(interfaces, 0u);
   EXPECT_EQ(lines->of[3].bodies, 1u);
-  // Of a line: itself, and 100 bytes for its number; besides, a megabyte.
+  // Memory of a line: itself and 100 bytes for its number. A megabyte is added.
   EXPECT_EQ(store.held_bytes() - held_before,
             1'000'000 + body.table->size() * (sizeof(CavityLine) + 100));
   const auto first = lines->numbers;

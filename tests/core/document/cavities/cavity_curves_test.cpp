@@ -1,4 +1,4 @@
-// Curves of cavities: each sample is the table of its setting, and lines follow cavities.
+// Tests curves of cavities: each sample is the table of its setting, and lines follow cavities.
 #include "core/document/cavities/cavity_curve_results.hpp"
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ std::shared_ptr<const CavityGround> ground_of(const BallSet& balls) {
                          std::make_shared<const Triangulation>(make_triangulation(balls, 1))));
 }
 
-// A box with a wall inside, which has a hole: two chambers that are one where the hole is open,
-// which the radius 4 closes.
+// A box with an inner wall that has a hole: two chambers, which are one while the hole is open.
+// Radius 4 closes the hole.
 BallSet two_chambers() {
   BallSet balls;
   balls.lattice.digits = 0;
@@ -68,7 +68,7 @@ TEST(CavityCurves, ARadiusThatSplitsAVoidEndsTheSmallerOnesLine) {
   for (std::size_t n = 1; n < 5; ++n) splits += parts_at(curves.samples[n], large[n - 1]) == 2;
   EXPECT_EQ(splits, 1u);
   EXPECT_EQ(sources_at(curves.samples[1], large[1]), 1u);
-  // With another row of radii, its own radius is not a sample.
+  // In another series of radii the set's own radius is no sample.
   EXPECT_EQ(curves.nearest(1.9), 4u);
   EXPECT_EQ(curves.nearest(-3), 0u);
 }
@@ -209,7 +209,7 @@ TEST_F(CavityCurveResults, SamplesOfCrambinAreItsTables) {
   EXPECT_EQ(alpha->samples.front().at, -3);
   expect_sample_of(alpha->samples[half], *s.table);
   EXPECT_TRUE(alpha->samples.back().cavities.empty()) << "the last cavity is filled";
-  // Each cavity on screen is itself at its own place of both.
+  // In both curves each cavity on screen is itself at its own place.
   for (const auto& curves : {solvent, alpha}) {
     const auto key = Key{1, curves == alpha ? 1u : 2u, 0};
     const auto links = made_by_store(curve_links(curves, key), s.inputs);
@@ -224,7 +224,7 @@ TEST_F(CavityCurveResults, SamplesOfCrambinAreItsTables) {
   EXPECT_EQ(why_no_model_curve(s.inputs), "This file has one model only.");
 }
 
-// Two models of crambin: the second shifted, or with another atom's name.
+// Two models of crambin. The second is shifted, or has another atom name.
 std::shared_ptr<const Molecule> two_models(bool renamed) {
   std::ifstream file(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb");
   std::string atoms, moved, line;
@@ -251,7 +251,7 @@ TEST_F(CavityCurveResults, ExactVolumesHaveFewerSamplesUpToTheSameEnd) {
   ASSERT_TRUE(sums && exact);
   ASSERT_GT(exact->samples.size(), 2u);
   EXPECT_LT(exact->samples.size(), sums->samples.size());
-  // Both go on to the first sample at which the last cavity is filled.
+  // Both continue to the first sample at which the last cavity is filled.
   EXPECT_GE(exact->samples.back().at, sums->samples.end()[-2].at);
   EXPECT_LT(exact->samples.end()[-2].at, sums->samples.back().at);
 }

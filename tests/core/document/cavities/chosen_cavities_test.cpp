@@ -1,4 +1,5 @@
-// Which rows a choice of cavities is while they merge and part, and what is said of their lining.
+// Tests which rows belong to a choice of cavities while they merge and part, and texts on their
+// lining.
 #include "core/document/cavities/chosen_cavities.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,8 @@
 namespace alphascope {
 namespace {
 
-// A box with a wall inside, which has a hole that the solvent radius 2 closes. Its left half is of
-// a chain whose name is ":".
+// A box with an inner wall whose hole the solvent radius 2 closes. Its left half is a chain with
+// the name ":".
 std::shared_ptr<const Molecule> two_chambers() {
   std::string text;
   int serial = 0;
@@ -86,7 +87,7 @@ TEST_F(ChosenCavitiesTest, AChoiceFollowsToWhatItsCavityMergesInto) {
   const CavityNumbers again = next_numbers(one, closed);
   EXPECT_EQ(rows_of_cavities(lines_of(again), small).rows, Rows{1});
   EXPECT_TRUE(rows_of_cavities(lines_of(again), small).merged_into.empty());
-  // What is chosen where they are one stays with the larger part.
+  // A cavity chosen while both are one stays with the larger part.
   const CavityNumbers whole = first_numbers(open), parted = next_numbers(whole, closed);
   const RefSet all({cavity_sink(*atoms, *open, 0)});
   EXPECT_EQ(rows_of_cavities(lines_of(parted), all).rows, Rows{0});

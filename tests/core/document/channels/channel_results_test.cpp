@@ -1,5 +1,5 @@
-// Channels as derived results: each answer is of its own question, and a question without an answer
-// says why.
+// Tests channels as derived results. Each answer belongs to its own question, and a question
+// without an answer gives a reason.
 #include "core/document/channels/channel_results.hpp"
 
 #include "tests/core/cavity/rings.hpp"
@@ -35,7 +35,7 @@ TEST_F(ChannelResultsTest, EachIsOfItsQuestion) {
   ASSERT_TRUE(outside.ready() && outside.value->channel);
   EXPECT_GT(outside.value->channel->widest_angstrom, 3);
   EXPECT_NE(inside.have, outside.have);
-  // What was asked before is still there.
+  // Earlier answers are still held.
   EXPECT_EQ(settle(found_channel(ChannelEnds::out({0, 0, 0})), plain).value, inside.value);
 }
 
@@ -51,7 +51,7 @@ TEST_F(ChannelResultsTest, APointInABallIsAnAnswer) {
   EXPECT_FALSE(nowhere.value->why.empty());
 }
 
-// The balls become as they were, on the finer lattice that a solvent radius may need, too.
+// The solvent radius is subtracted again, also on the finer lattice that it may need.
 TEST_F(ChannelResultsTest, TheSolventIsTakenAway) {
   EXPECT_EQ(without_solvent(*grown.balls, 1.4).radii, plain.balls->radii);
   const BallSet finer = with_solvent(*plain.balls, 1.40005);
@@ -70,7 +70,7 @@ TEST_F(ChannelResultsTest, EndsAndBottlenecksAreOfTheTableOnScreen) {
   const auto narrow = settle(cavity_bottlenecks(), grown).value;
   ASSERT_TRUE(narrow);
   ASSERT_EQ(narrow->rows.size(), table->size());
-  // Without the solvent: it is the same number at any solvent radius.
+  // Without the solvent radius the number is the same for each of its values.
   EXPECT_NEAR(narrow->rows[0].radius_angstrom, 2.5, 0.0015);
   const auto none = settle(cavity_ends({0, 1, 2, 3}), grown).value;
   ASSERT_TRUE(none);

@@ -1,4 +1,4 @@
-// The choice to split networks, and where one falls apart, as results that the store makes.
+// Tests the choice to split networks, and where a network falls apart, as results of the store.
 #include "core/document/channels/network_results.hpp"
 
 #include <gtest/gtest.h>

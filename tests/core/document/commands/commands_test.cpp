@@ -1,4 +1,4 @@
-// The list of commands: what it refuses to hold, how lines are read, and how it is searched.
+// Tests the list of commands: which entries it refuses, how lines are read, and how it is searched.
 #include "core/document/commands/commands.hpp"
 
 #include <gtest/gtest.h>

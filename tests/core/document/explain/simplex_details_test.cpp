@@ -1,5 +1,5 @@
-// What is around an atom or a simplex, against the plain definition, for every simplex of random
-// complexes and for some that are not there.
+// Tests the neighbourhood of atoms and simplices against the plain definition. Every simplex of
+// random complexes is compared, and some that are not in them.
 #include "core/document/explain/simplex_details.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Numbers that stand in the lessons' texts and are no facts of the complex on screen: they are what
-// the program computes. And the lengths of the texts: they fit into their column.
+// Tests numbers in the lessons' texts that are not facts of the complex on screen: the program
+// computes the same ones. Also tests that texts fit into their column.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::string text_of(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// "0.000000133", of the size of a number.
+// A decimal text for values such as 0.000000133.
 std::string decimals(double value, int count) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", count, std::fabs(value));
@@ -71,7 +71,7 @@ TEST(LessonNumbers, ExactArithmetic) {
   EXPECT_LT(twice.error_angstrom2, 1e-13);
 }
 
-// The corners of the cell of the middle ball: 3.637 Å from it.
+// The corners of the middle ball's cell are 3.637 Å from it.
 TEST(LessonNumbers, CornersOfACell) {
   const std::vector<BallIndex> middle{0};
   const Explanation cell = explain(*balls_of("five_balls.xyzr"), middle, std::nullopt);
@@ -83,8 +83,8 @@ TEST(LessonNumbers, CornersOfACell) {
   }
 }
 
-// The middle of an edge that does not come by itself has the power 2² − 1² = 3 Å² for both its
-// balls. For the third, 0.8 Å away, it has 0.8² − 1² = −0.36 Å².
+// The middle of an edge that does not appear by itself has the power 2² − 1² = 3 Å² for both its
+// balls. For the third ball, 0.8 Å away, it has 0.8² − 1² = −0.36 Å².
 TEST(LessonNumbers, AnAttachedEdge) {
   const std::vector<BallIndex> edge{0, 1};
   const Explanation e = explain(*balls_of("obtuse.xyzr"), edge, std::nullopt);
@@ -97,15 +97,15 @@ TEST(LessonNumbers, AnAttachedEdge) {
   EXPECT_TRUE(e.attached);
 }
 
-// Every set of balls but the empty one is a term.
+// Every nonempty set of balls gives a term.
 TEST(LessonNumbers, TermsOfCrambin) {
   const std::size_t balls = balls_of("../molecules/1crn.pdb")->centres.size();
   EXPECT_EQ(balls, 327u);
   expect_said(text_of("01_union_of_balls.md"), "all 2³²⁷ − 1 terms");
 }
 
-// The tetrahedra of crambin at a large alpha: what the lessons set is the whole triangulation where
-// they say so.
+// Tetrahedra of crambin at a large alpha. Where a lesson says that it shows the whole
+// triangulation, its alpha gives all of them.
 TEST(LessonNumbers, TheWholeOfCrambin) {
   const auto balls = balls_of("../molecules/1crn.pdb");
   const auto engine = testing::keeping(make_cgal_engine(balls));
@@ -119,7 +119,7 @@ TEST(LessonNumbers, TheWholeOfCrambin) {
   expect_said(text_of("03_power_diagram.md"), "alpha.set 1000000000\n");
 }
 
-// What follows alpha, in a text between { and }.
+// The part of a text between { and } that follows alpha.
 std::string live_fact(const LessonPart& part) {
   constexpr std::string_view kSame[] = {"value", "balls", "hidden", "all", "n all"};
   for (const LessonParagraph& paragraph : part.text) {
@@ -135,7 +135,7 @@ std::string live_fact(const LessonPart& part) {
   return {};
 }
 
-// An answer that sets alpha stands below its question: what that says must stay true.
+// An answer that sets alpha is below its question, whose text must stay true.
 TEST(LessonTexts, AnswersLeaveTheNumbersOfTheirQuestions) {
   std::size_t answers = 0;
   for (const auto& entry : fs::directory_iterator(lessons())) {
@@ -154,7 +154,7 @@ TEST(LessonTexts, AnswersLeaveTheNumbersOfTheirQuestions) {
   EXPECT_GE(answers, 4u);
 }
 
-// Characters as they are read, with a fact as long as its name.
+// Visible characters; a fact counts as long as its name.
 std::size_t characters(const LessonPart& part) {
   std::size_t sum = 0;
   for (const LessonParagraph& paragraph : part.text) {

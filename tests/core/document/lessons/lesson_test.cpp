@@ -1,4 +1,4 @@
-// The texts of lessons: what they mean, and what is said of wrong ones.
+// Tests how texts of lessons are read, and the messages for wrong ones.
 #include "core/document/lessons/lesson.hpp"
 
 #include <gtest/gtest.h>
@@ -108,7 +108,7 @@ TEST(Lesson, BoldWordsAreSpans) {
   EXPECT_EQ(spans[2].text, " d");
 }
 
-// The text with one part of it changed.
+// The text with one part replaced.
 std::string with(const std::string& from, const std::string& to) {
   std::string text = kLesson;
   const std::size_t at = text.find(from);
@@ -199,7 +199,7 @@ TEST(LessonFacts, NamesAreChecked) {
   }
 }
 
-// Balls of radius 2 Å, all facts but those of cavities.
+// Balls of radius 2 Å, with all facts but those of cavities.
 LessonFacts facts_of(const std::vector<LatticePoint>& centres, double alpha) {
   auto balls = std::make_shared<BallSet>();
   balls->centres = centres;
@@ -232,7 +232,7 @@ TEST(LessonFacts, AreThoseOfTheComplex) {
             "−4 Å² −1.75 Å² 1.5 Å 0");
   EXPECT_EQ(with_facts("{value #3} {grown #3} {voids} {components}", facts), "none … … 1");
   const LessonFacts at_0 = facts_of({{0, 0, 0}, {3000, 0, 0}}, 0);
-  // Two balls less the lens of both: two caps of height 0.5 Å.
+  // Two balls less their common lens, which is two caps of height 0.5 Å.
   EXPECT_EQ(with_facts("{volume}", at_0), "64.141 Å³");
 }
 

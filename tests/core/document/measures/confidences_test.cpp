@@ -1,5 +1,5 @@
-// Confidences (pLDDT) of predicted models stand where B factors do, and are called what they are:
-// in the legend of colours, in labels and in JSON.
+// Tests confidences (pLDDT) of predicted models, which files store as B factors. Legends, labels
+// and JSON call them confidences.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -67,7 +67,7 @@ TEST(ConfidenceNames, HaveTheirNameInTheLegend) {
     ASSERT_EQ(painted.key->categories.size(), 1u);
     EXPECT_EQ(painted.key->categories[0].name,
               file.predicted ? "no pLDDT in the file" : "no B factor in the file");
-    // Colours are of the values, whatever they are called.
+    // Colours follow the values, whatever their name.
     EXPECT_NE(painted.colours[0], painted.colours[1]);
     EXPECT_EQ(painted.colours[2], kNoValueColour);
     const PaintedBalls elements = paint_balls(of, {.by = ColourBy::element});
@@ -97,7 +97,7 @@ TEST(ConfidenceNames, HaveTheirNameInJson) {
   }
 }
 
-// Displacements beyond 100 Å² are no confidences, whatever the title says.
+// Displacements beyond 100 Å² are no confidences, whatever the title.
 TEST(ConfidenceNames, AreFromZeroToAHundred) {
   std::string text = "TITLE     ALPHAFOLD MONOMER V2.0 PREDICTION FOR X\n" + std::string(kAtoms);
   EXPECT_TRUE(read_text("a.pdb", text).has_confidences);

@@ -1,4 +1,4 @@
-// Areas and volumes as derived results, and as rows of a table.
+// Tests areas and volumes as derived results, and as rows of a table.
 #include "core/document/measures/measure_rows.hpp"
 
 #include "core/document/measures/measure_records.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Two residues of one chain whose balls overlap, and a chain far away.
+// Two residues of one chain with overlapping balls, and a distant chain.
 constexpr const char* kFile =
     "ATOM      1  CA  HIS A  87       0.000   0.000   0.000  1.00  9.67           C  \n"
     "ATOM      2  CA  GLY A  88       2.000   0.000   0.000  1.00 10.38           C  \n"

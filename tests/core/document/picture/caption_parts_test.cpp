@@ -1,4 +1,4 @@
-// Which parts a caption has, as they are typed.
+// Tests the parts of a caption as they are typed.
 #include "core/document/picture/caption_parts.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What recordings consist of, and how they and their files are named.
+// Tests the frames of recordings, and the names of recordings and files.
 #include "core/document/picture/recording.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Recording, ASweepTakesEqualStepsFromOneEndToTheOther) {
   EXPECT_EQ(alpha_of_frame(sweep("alpha=2:3:1"), 0), 2) << "one frame is the first";
 }
 
-// The whole number is what engine, caption and file say.
+// Engine, caption and file all give the whole number.
 TEST(Recording, AlphasOfFramesAreDecimalNumbersNearTheirPlaces) {
   const Recording r = sweep("alpha=-1:10:120");
   std::set<double> seen;

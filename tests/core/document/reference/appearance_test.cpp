@@ -1,4 +1,5 @@
-// Sets of atoms against the plain definition, and what hidden atoms and own colours mean to balls.
+// Tests sets of atoms against the plain definition, and hidden atoms and own colours as values of
+// balls.
 #include "core/document/reference/appearance.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ TEST(AtomSet, AgreesWithPlainSets) {
         ASSERT_EQ(a.contains({atom, copy}), pa.contains({copy, atom}));
       }
     }
-    for (std::size_t i = 1; i < a.runs().size(); ++i) {  // as few runs as there can be
+    for (std::size_t i = 1; i < a.runs().size(); ++i) {  // as few runs as possible
       const AtomSet::Run &p = a.runs()[i - 1], &q = a.runs()[i];
       ASSERT_TRUE(p.copy < q.copy || p.last + 1 < q.first);
     }

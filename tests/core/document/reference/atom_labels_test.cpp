@@ -1,4 +1,4 @@
-// Labels of atoms: what they say and where, one for each residue, and of atoms that are drawn only.
+// Tests labels of atoms: text and place, one for each residue, and only on drawn atoms.
 #include "core/document/reference/atom_labels.hpp"
 
 #include <gtest/gtest.h>

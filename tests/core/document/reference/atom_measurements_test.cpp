@@ -1,4 +1,4 @@
-// Measured distances and angles: in the order of selection, through other options, in words.
+// Tests measured distances and angles: in the order of selection, under other options, in words.
 #include "core/document/reference/atom_measurements.hpp"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(AtomMeasurements, FollowTheOrderOfSelection) {
   add(kN);
   add(kCb);
   EXPECT_EQ(asked_measurement(selection).measurement->atoms, (std::vector<AtomRef>{kO, kN, kCb}));
-  add(kO);  // taken out
+  add(kO);  // removes it
   add(kO);
   EXPECT_EQ(asked_measurement(selection).measurement->atoms, (std::vector<AtomRef>{kN, kCb, kO}));
   selection.items = RefSet({kCa, kN});

@@ -1,5 +1,5 @@
-// References through every change of options: an atom keeps its name, comes back when the options
-// bring it back, and never turns into another atom.
+// Tests references under changes of all options. An atom keeps its name, comes back when the
+// options include it again, and never turns into another atom.
 #include "core/document/reference/reference.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace alphascope {
 namespace {
 
-// Two assemblies: two copies of chain A and B, or one of A and, by another generator, two of A.
+// Two assemblies: two copies of chains A and B, or one of A and two more of A by another generator.
 constexpr const char* kFile =
     "REMARK 350 BIOMOLECULE: 1\n"
     "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A, B\n"
@@ -112,7 +112,7 @@ TEST(Reference, CopiesOfAnAssembly) {
   EXPECT_EQ(copied, (AtomRef{0, 1}));
   EXPECT_EQ(name(first, *first.ball(nitrogen)), "A:SER 1:N");
   EXPECT_FALSE(deposited.ball(copied)) << "there is one copy only";
-  // Of another generator: counted on.
+  // Copies are numbered on through the second generator.
   EXPECT_EQ(ref(second, "A-3:SER 1:N"), (AtomRef{0, 2}));
   EXPECT_EQ(name(second, *second.ball({0, 1})), "A-2:SER 1:N");
   EXPECT_FALSE(second.ball({0, 3}));

@@ -1,4 +1,4 @@
-// The history of settings: one entry a gesture, and undo restores every part.
+// Tests the history of settings: one entry per gesture, and undo restores every part.
 #include "core/document/session/editor.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(Editor, AGestureThatEndsWhereItBeganIsNone) {
   editor.set(with_alpha(5), 2);
   editor.set(with_alpha(1), 2);
   EXPECT_EQ(editor.now(), with_alpha(1));
-  editor.set(with_alpha(6), 2);  // still the same hand, further on
+  editor.set(with_alpha(6), 2);  // the same gesture, further on
   editor.undo();
   EXPECT_EQ(editor.now(), with_alpha(1));
 }
@@ -53,7 +53,7 @@ TEST(Editor, AnUndoneGestureIsNotGoneOnWith) {
   editor.set(with_alpha(1), 1);
   editor.set(with_alpha(2), 3);
   editor.undo();
-  editor.set(with_alpha(3), 3);  // the same hand, but an entry of its own
+  editor.set(with_alpha(3), 3);  // the same gesture, but a separate entry
   editor.undo();
   EXPECT_EQ(editor.now(), with_alpha(1));
   editor.redo();
@@ -86,7 +86,7 @@ TEST(Editor, ARefusedChangeTakesItsEntryAlong) {
   Editor editor;
   editor.set(with_alpha(1), 1);
   editor.set(with_alpha(2), 2);
-  editor.amend(with_alpha(1));  // could not be had
+  editor.amend(with_alpha(1));  // the change failed
   editor.undo();
   EXPECT_EQ(editor.now(), with_alpha(0));
 }

@@ -1,4 +1,4 @@
-// Preferences: kept between windows, shared by two at once, and never a reason not to start.
+// Tests preferences: kept between windows, shared by two windows, and never a reason not to start.
 #include "core/document/session/preferences.hpp"
 
 #include <gtest/gtest.h>
@@ -123,7 +123,7 @@ TEST_F(PreferencesTest, ADamagedFileIsToldAndStays) {
 TEST_F(PreferencesTest, AFolderThatCannotBeIsAnErrorThatNamesIt) {
   write("");
   const fs::path inside_a_file = folder_ / "preferences.json" / "alphascope";
-  EXPECT_NE(read_preferences(inside_a_file).problem.size() + 1, 0u);  // whatever it says, no throw
+  EXPECT_NE(read_preferences(inside_a_file).problem.size() + 1, 0u);  // no exception
   try {
     save_preferences(inside_a_file, {}, unusual());
     FAIL() << "no error";

@@ -1,5 +1,5 @@
-// Session files: every setting comes back, what cannot be is told with its line, and no text makes
-// the reader crash.
+// Tests session files. Every setting comes back, invalid values are reported with their line, and
+// no text crashes the reader.
 #include "core/document/session/session_file.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const std::string kHash(64, 'a');
 
-// Counts the fields that the list of an aggregate names.
+// Counts the fields in the list of an aggregate.
 struct Counter {
   std::size_t count = 0;
   template <class... Anything>
@@ -46,7 +46,7 @@ std::size_t named_fields() {
   return counter.count;
 }
 
-// How many members an aggregate has: with how many values it can be made.
+// The number of an aggregate's members: the number of values with which it can be made.
 struct Any {
   template <class T>
   operator T() const;  // NOLINT: in unevaluated contexts only
@@ -144,13 +144,13 @@ void expect_same(const SessionDocument& a, const SessionDocument& b) {
   EXPECT_EQ(a.view, b.view);
 }
 
-// Of a session that has a molecule and besides it this text.
+// A session with a molecule and this additional text.
 std::string with(const std::string& more) {
   return "{ \"alphascope_session\": 1,\n \"molecule\": { \"path\": \"a.pdb\", \"sha256\": \"" +
          kHash + "\" }" + more + "\n}\n";
 }
 
-// What is told of such a text; empty: nothing.
+// The message for such a text; empty: none.
 std::string fault(const std::string& text) {
   try {
     parse_session("S.json", text);
@@ -177,8 +177,9 @@ TEST(SessionFile, EveryMemberOfEverySettingIsNamed) {
   EXPECT_EQ(named_fields<PictureOptions>(), members<PictureOptions>());
   EXPECT_EQ(named_fields<Recording>(), members<Recording>());
   EXPECT_EQ(named_fields<RecordChoices>(), members<RecordChoices>());
-  // The balls' options but for a table in memory; the reader's format; assembly; sandbox. Its limit
-  // and descriptor are the program's, and the table of radii is a FileReference of the session.
+  // Sessions store the options of balls but for a table in memory, the reader's format, the
+  // assembly and the sandbox. Limit and descriptor belong to the program. The table of radii is a
+  // FileReference of the session.
   EXPECT_EQ(members<ReadOptions>(), 3u);
   EXPECT_EQ(members<OpenOptions>(), 5u);
   EXPECT_EQ(named_fields<OpenOptions>(), members<BallOptions>() - 1 + 3);
@@ -193,7 +194,7 @@ TEST(SessionFile, EverySettingComesBack) {
   EXPECT_EQ(session_text(read.session), text);
 }
 
-// A field that is written to or read from another's place would pass by two defaults.
+// With default values, a field read from another's place would go unnoticed.
 TEST(SessionFile, DefaultsComeBackAndUnusualValuesAreNone) {
   SessionDocument s;
   s.molecule = {"a", "/a", kHash};
@@ -215,8 +216,8 @@ TEST(SessionFile, IsWrittenAndReadThroughTheDisk) {
   EXPECT_THROW(write_session(unusual(), "/no folder/S.json"), std::runtime_error);
 }
 
-// A number where a double says it, as before; else text, since JSON's readers make doubles of
-// numbers.
+// A number where a double has the same value, as before. Otherwise a text, because JSON readers
+// turn numbers into doubles.
 TEST(SessionFile, AlphaKeepsItsDigits) {
   SessionDocument document = unusual();
   for (const char* text :
@@ -321,7 +322,8 @@ TEST(SessionFile, AHugeFileIsRefusedUnread) {
   EXPECT_THROW(read_session(file.path()), ReadError);
 }
 
-// Cut, changed and spliced: a message or a session with values within bounds.
+// Texts are cut, changed and spliced. The result is a message, or a session with values within
+// bounds.
 TEST(SessionFile, NoMutationCrashesTheReader) {
   const std::string text = session_text(unusual());
   const char* const kPieces[] = {"{",       "}",   "[",     "]",    "\"",
@@ -359,10 +361,10 @@ TEST(SessionFile, NoMutationCrashesTheReader) {
       ASSERT_NE(std::string(error.what()).find("S.json"), std::string::npos);
     }
   }
-  EXPECT_GT(sessions, 100u);  // changes of single digits are sessions
+  EXPECT_GT(sessions, 100u);  // changed digits still give sessions
 }
 
-// --- the files that it names
+// --- files that a session names
 
 class FileReferenceTest : public ::testing::Test {
  protected:
@@ -387,14 +389,14 @@ TEST_F(FileReferenceTest, FoundByContentWhereverBothWent) {
   const fs::path file = write("below/m.pdb", "one");
   const FileReference wanted = refer_to(file, hash_of_file(file), folder_);
   EXPECT_EQ(find_file(wanted, folder_).state, FoundFile::State::same);
-  // The folder has moved with both in it: the relative path finds it.
+  // The folder with both files has moved, so the relative path finds the molecule.
   const fs::path elsewhere = folder_ / "elsewhere";
   fs::create_directories(elsewhere / "below");
   fs::rename(file, elsewhere / "below/m.pdb");
   const FoundFile moved = find_file(wanted, elsewhere);
   EXPECT_EQ(moved.state, FoundFile::State::same);
   EXPECT_EQ(moved.path, elsewhere / "below/m.pdb");
-  // The session alone has moved: the absolute path does, also past another file of that name.
+  // Only the session has moved, so the absolute path finds it, even if another file has that name.
   write("below/m.pdb", "one");
   write("elsewhere/below/m.pdb", "two");
   EXPECT_EQ(find_file(wanted, elsewhere).path, file);

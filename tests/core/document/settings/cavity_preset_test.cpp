@@ -1,3 +1,4 @@
+// Tests the preset of CASTp's choices, and when settings still match it.
 #include "core/document/settings/cavity_preset.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ TEST(CavityPreset, IsComparable) {
   use_cavity_preset(open, request, false);
   EXPECT_EQ(open.assembly, "2");  // chosen by the user, as on CASTp's page
   EXPECT_EQ(open.balls.radii, RadiiSet::castp);
-  EXPECT_TRUE(request.tetrahedra_only);  // how it is computed is not the preset's business
+  EXPECT_TRUE(request.tetrahedra_only);  // the preset does not decide how it is computed
   EXPECT_EQ(differences(open, request, RadiiSet::castp), std::vector<std::string>());
 }
 
@@ -39,7 +40,7 @@ TEST(CavityPreset, ARadiusOfTheFileStays) {
             std::vector<std::string>{"radii from the file"});
 }
 
-// Each single choice is named: none of them may be taken for CASTp's.
+// Each differing choice is named, since no other setting may pass for CASTp's.
 TEST(CavityPreset, EveryOtherChoiceIsNamed) {
   OpenOptions preset;
   Request request;

@@ -1,4 +1,4 @@
-// The clip as text, what it keeps, and how it turns.
+// Tests the clip: its text, the half it keeps, and its rotation.
 #include "core/document/settings/clip.hpp"
 
 #include <gtest/gtest.h>

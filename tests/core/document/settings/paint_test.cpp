@@ -1,4 +1,4 @@
-// What a paint says of each ball, which colour that is, and how paints are written as text.
+// Tests values of paints for balls, their colours, and paints as text.
 #include "core/document/settings/paint.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> all_indices(const Molecule& molecule) {
   return atoms;
 }
 
-// Two chains; a ligand and a water that carry a chain's name.
+// Two chains, and a ligand and a water with a chain's name.
 Molecule small_molecule() {
   return read_text(
       "a.pdb", atom_line("ATOM      1  N   GLY A   1       1.000   2.000   3.000", "-2.50") +
@@ -131,7 +131,7 @@ TEST(PaintBalls, PlacesAreCountedAlongEachChainWithoutLigandsAndWater) {
   EXPECT_EQ(std::vector<float>(values.numbers.begin(), values.numbers.begin() + 5),
             (std::vector<float>{0, 0, 50, 100, 0}));
   EXPECT_TRUE(std::isnan(values.numbers[5]) && std::isnan(values.numbers[6]));
-  // As many as there are in the file, whatever of it are balls.
+  // The number depends on the residues in the file, whichever atoms are balls.
   const std::vector<std::uint32_t> middle{2};
   EXPECT_EQ(ball_values({balls.molecule, middle}, ColourBy::residue_index).numbers[0], 50);
 }
@@ -174,7 +174,7 @@ TEST(PaintBalls, CopiesOfAnAssemblyAreChainsOfTheirOwnWithTheSamePlaces) {
   }
 }
 
-// Balls 0 to 6: two pairs, two alone, and one that is not in the complex.
+// Balls 0 to 6: two pairs, two single ones, and one outside the complex.
 TEST(PaintBalls, ComponentsComeByTheirSizeAndTiesByTheirLowestBall) {
   const Balls balls;
   AlphaComplex complex;
@@ -206,7 +206,7 @@ TEST(PaintBalls, OneColourIsTheUsualOrOnesOwn) {
   EXPECT_EQ(balls.painted({ColourBy::single, {}, {}, own}).colours, std::vector<Rgb8>(7, own));
 }
 
-// At least 3 : 1 on white and on the window's dark background, as WCAG 2.1 wants of graphics.
+// WCAG 2.1 requires 3 : 1 for graphics, here on white and on the window's dark background.
 TEST(PaintBalls, CarbonReadsOnWhiteAndOnDark) {
   const auto luminance = [](const Rgb8& c) {
     const auto linear = [](double v) {
@@ -220,7 +220,7 @@ TEST(PaintBalls, CarbonReadsOnWhiteAndOnDark) {
   EXPECT_GT(carbon / (luminance({0x11, 0x15, 0x1b}) + 0.05), 3);
 }
 
-// Lesk's classes in colours of M. Okabe and K. Ito, what is no residue in muted ones.
+// Lesk's classes have colours of M. Okabe and K. Ito; atoms of no residue have muted ones.
 TEST(PaintBalls, KindsOfResiduesHaveTheirColours) {
   const struct {
     ResidueKind kind;
@@ -244,7 +244,7 @@ TEST(PaintBalls, KindsOfResiduesHaveTheirColours) {
   }
 }
 
-// A. Lesk, Introduction to Bioinformatics: the classes of the twenty amino acids.
+// The classes of the twenty amino acids are from A. Lesk, Introduction to Bioinformatics.
 TEST(PaintBalls, EveryAminoAcidHasItsClass) {
   const std::pair<ResidueKind, const char*> classes[] = {
       {ResidueKind::small_nonpolar, "GLY ALA SER THR"},
@@ -266,8 +266,7 @@ TEST(PaintBalls, EveryAminoAcidHasItsClass) {
   }
 }
 
-// Orange, sky blue and blue of M. Okabe and K. Ito, which readers with any colour vision tell
-// apart.
+// Orange, sky blue and blue of M. Okabe and K. Ito can be told apart with any colour vision.
 TEST(PaintBalls, ClassesHaveTheirColoursAndTheLegendHasTheSame) {
   const std::pair<SimplexClass, Rgb8> kColours[] = {{SimplexClass::singular, {230, 159, 0}},
                                                     {SimplexClass::regular, {86, 180, 233}},

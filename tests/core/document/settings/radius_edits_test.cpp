@@ -1,3 +1,4 @@
+// Tests edits of radii by hand.
 #include "core/document/settings/radius_edits.hpp"
 
 #include <gtest/gtest.h>

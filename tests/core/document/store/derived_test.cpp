@@ -1,4 +1,4 @@
-// The derived results themselves, made by a store.
+// Tests triangulation and filtration as results of a store.
 #include "core/document/store/derived.hpp"
 
 #include "core/engine/engine.hpp"
@@ -23,7 +23,7 @@ TEST_F(DerivedTest, TheFiltrationFollowsFromTheTriangulation) {
   EXPECT_EQ(filtration->top().tetrahedra.size(), triangulation->tetrahedra.size());
 }
 
-// What an engine has made goes to the store, and from there to the next request.
+// Results that an engine made go to the store, and from there to the next request.
 TEST_F(DerivedTest, TheStoreOwnsWhatAnEngineMadeOfAllBalls) {
   budget = 1'000'000'000;
   Inputs in;

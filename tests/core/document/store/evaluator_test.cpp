@@ -1,4 +1,4 @@
-// Results made at once: in order, each once, within the memory that there is.
+// Tests results made at once: in order, each once, within the available memory.
 #include "core/document/store/evaluator.hpp"
 
 #include "core/document/cavities/cavity_results.hpp"
@@ -69,7 +69,7 @@ TEST_F(EvaluatorTest, SaysWhenTheInputsDoNotSuffice) {
   EXPECT_THROW(evaluator.evaluate(number("source"), Inputs{}), InternalError);
 }
 
-// The window never asks with other rules, the command line does.
+// The window always asks with the same rules, but the command line may use others.
 TEST_F(EvaluatorTest, CavitiesOfOtherRulesAreOtherResults) {
   budget = 1'000'000'000;
   Inputs in;

@@ -1,5 +1,5 @@
-// Results of which each is made of the one before it: one job makes them, in the lane of those who
-// wait; and results that somebody else has made.
+// Tests chains of results, each made from the one before. One job makes them, in the lane of the
+// waiting result. Also tests results that other code has made.
 #include <stdexcept>
 
 #include "tests/core/document/store/store_fixture.hpp"
@@ -10,7 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 
 struct StoreChainsTest : testing::StoreTest {
-  // One more than what it is made of.
+  // A result that is one more than its source.
   template <class T>
   Definition<double> after(std::string_view id, const Definition<T>& source,
                            std::uint64_t bytes = 10) {
@@ -31,7 +31,7 @@ struct StoreChainsTest : testing::StoreTest {
   }
   void until_made(int count) {
     for (int i = 0; i < 60000 && made < count; ++i) std::this_thread::sleep_for(kShort);
-    std::this_thread::sleep_for(20ms);  // one more would be begun by now
+    std::this_thread::sleep_for(20ms);  // another job would have begun by now
   }
 };
 
@@ -62,7 +62,7 @@ TEST_F(StoreChainsTest, WhatIsAwaitedFollowsTheSliderToo) {
   until_made(1);
   EXPECT_FALSE(store.busy(Lane::background));
   EXPECT_TRUE(store.busy(Lane::interactive));
-  // Nobody looks at it any more, and the other balls' goes to the background.
+  // Nobody asks for it any more, and the result for the other balls goes to the background.
   store.next_frame();
   store.next_frame();
   store.want(slow, inputs(2), Priority::background);
@@ -78,7 +78,7 @@ TEST_F(StoreChainsTest, WhatIsAwaitedFollowsTheSliderToo) {
 
 TEST_F(StoreChainsTest, WhatTakesMuchRoomIsMadeByItself) {
   const auto first = table("first", 100);
-  const auto second = after("second", first, 800);  // more than half of what is left
+  const auto second = after("second", first, 800);  // more than half of the rest
   store.want(second, inputs(1, 5));
   store.poll();
   until_made(1);

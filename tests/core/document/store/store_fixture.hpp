@@ -1,4 +1,4 @@
-// A store, and results that take as long as a test wants.
+// A store, with results that take as long as a test needs.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ struct StoreTest : ::testing::Test {
   static constexpr std::chrono::milliseconds kShort{1};
 
   std::atomic<int> made{0};
-  std::atomic<bool> hold{false};  // results are not finished as long as it is set
+  std::atomic<bool> hold{false};  // no result is finished while this is set
   std::uint64_t budget = 1000;
   Store store{{}, [this] { return budget; }};
 
@@ -35,7 +35,7 @@ struct StoreTest : ::testing::Test {
               return std::make_shared<const int>(static_cast<int>(in.balls_key));
             }};
   }
-  // What follows the slider: alpha, as a number.
+  // A result that follows the slider: alpha as a number.
   Definition<double> table(std::string_view id, std::uint64_t bytes = 10) {
     return {{.id = id,
              .title = id,
@@ -69,7 +69,7 @@ struct StoreTest : ::testing::Test {
     store.poll();
   }
   template <class T>
-  void begin(const Definition<T>& definition, const Inputs& in) {  // hold must be set
+  void begin(const Definition<T>& definition, const Inputs& in) {  // requires hold
     const int before = made;
     while (made == before) {
       store.want(definition, in);

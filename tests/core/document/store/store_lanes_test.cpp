@@ -1,4 +1,4 @@
-// Results that follow a slider, beside those of the background; results that are made of others.
+// Tests results that follow a slider, beside those of the background, and results with sources.
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 
 struct StoreLanesTest : testing::StoreTest {
-  // Of a slider that moves in each frame, each result taking some frames: what was shown.
+  // Values shown while a slider moves in each frame and each result takes some frames.
   std::vector<double> drag(Definition<double> definition, int steps) {
     std::atomic<int> step{0};
     constexpr int kFramesEach = 3;
@@ -33,7 +33,7 @@ struct StoreLanesTest : testing::StoreTest {
       frame();
       std::this_thread::sleep_for(kShort);
     }
-    step = 1 << 20;  // the last is finished
+    step = 1 << 20;  // now the last one is finished
     for (int i = 0; i < 60000 && store.busy(); ++i) {
       frame();
       std::this_thread::sleep_for(kShort);
@@ -145,7 +145,7 @@ TEST_F(StoreLanesTest, OtherBallsEndWhatRuns) {
   settle(t, inputs(1, 1));
   hold = true;
   begin(t, inputs(1, 2));
-  begin(t, inputs(2, 2));  // the one before gives way although it is held
+  begin(t, inputs(2, 2));  // the running one is cancelled although it is held
   EXPECT_EQ(made, 3);
   hold = false;
   EXPECT_EQ(*settle(t, inputs(2, 2)).value, 2);
@@ -226,12 +226,12 @@ TEST_F(StoreLanesTest, TheSlidersThreadsAreShared) {
   EXPECT_GE(most, 1);
 }
 
-// --- results that are made of others
+// --- results with sources
 
 struct StoreChainTest : testing::StoreTest {
   const Definition<int> ground = number("ground");
   const Definition<double> moving = table("moving");
-  // Knows of alpha only through `moving`.
+  // Depends on alpha only through `moving`.
   const Definition<double> sum{
       {.id = "sum",
        .title = "Sum",

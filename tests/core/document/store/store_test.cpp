@@ -1,4 +1,4 @@
-// The store of derived results: made once a key, in the background, under a budget.
+// Tests the store of derived results: made once a key, in the background, under a budget.
 #include "tests/core/document/store/store_fixture.hpp"
 
 #include <mutex>
@@ -46,7 +46,7 @@ TEST_F(StoreTest, AnotherKeyEndsWhatIsMadeOfTheLast) {
   begin(n, inputs(1));
   EXPECT_EQ(store.want(n, inputs(1)).state, DerivedState::running);
   store.want(n, inputs(2));
-  for (int i = 0; i < 60000 && made < 2; ++i) {  // the first one gives way although it is held
+  for (int i = 0; i < 60000 && made < 2; ++i) {  // the first one is cancelled although it is held
     store.want(n, inputs(2));
     frame();
     std::this_thread::sleep_for(1ms);
@@ -146,7 +146,7 @@ TEST_F(StoreTest, WhereMemoryRanOutItIsTriedAgainWithMuchMore) {
     return std::make_shared<const int>(7);
   };
   EXPECT_EQ(settle(greedy, inputs(1)).state, DerivedState::no_room);
-  budget = 1200;  // 1000 did not suffice
+  budget = 1200;  // 1000 was not enough
   for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(settle(greedy, inputs(1)).state, DerivedState::no_room);
     frame();

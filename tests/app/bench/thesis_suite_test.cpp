@@ -1,4 +1,4 @@
-// The thesis' suite with engines of known speed, and once with the real ones.
+// Tests the thesis' suite with engines of known speed, and once with the real ones.
 #include "app/bench/thesis_suite.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ namespace {
 
 using Kind = ThesisRow::Kind;
 
-// Sleeps for as long as it is told, looking at its token; its stages and hash are known. Counts in
-// `started`, where there is one, how often it was asked.
+// An engine that sleeps for the given time while it watches its token. Its stages and hash are
+// known. Adds each request to `started`, if there is one.
 class SleepingEngine : public Engine {
  public:
   SleepingEngine(double milliseconds, std::uint64_t hash, std::size_t tetrahedra,
@@ -180,7 +180,7 @@ TEST(ThesisSuite, AblationRowsSwitchOneOptimisationOffEach) {
 }
 
 TEST(ThesisSuite, BisectionNarrowsTheAlphaUpToWhichCgalIsBeaten) {
-  // Ours takes 10 ms up to alpha 1 and 90 ms from there; CGAL 40 ms.
+  // Our engine takes 10 ms up to alpha 1 and 90 ms from there on. CGAL takes 40 ms.
   class Growing : public Engine {
    public:
     AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
@@ -218,14 +218,14 @@ TEST(ThesisSuite, CancellingEndsItSoonAndProgressIsTold) {
   std::atomic<int> started = 0;
   speeds.cpu_started = &started;
   std::thread killer([cancel = context.cancel, &started] {
-    started.wait(0);  // in the middle of a computation of a minute
+    started.wait(0);  // in the middle of a computation that takes a minute
     cancel.cancel();
   });
   const auto start = std::chrono::steady_clock::now();
   EXPECT_THROW(run_thesis_suite(one_molecule(), options, sleeping_factory(speeds), context),
                Cancelled);
   EXPECT_GT(started.exchange(1), 0);
-  started.notify_all();  // the killer waits for it in any case
+  started.notify_all();  // the killer always waits for it
   killer.join();
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   ASSERT_FALSE(told.empty());

@@ -1,4 +1,4 @@
-// The suite's table and figures from rows with known numbers.
+// Tests the suite's table and figures with rows of known numbers.
 #include "app/bench/thesis_table.hpp"
 
 #include <gtest/gtest.h>

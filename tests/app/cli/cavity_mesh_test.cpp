@@ -1,4 +1,4 @@
-// Surfaces that alphascope-cli cavities writes, as VTK's readers see them.
+// Tests surfaces that alphascope-cli cavities writes, with VTK's readers.
 #include <vtkCompositeDataIterator.h>
 #include <vtkFeatureEdges.h>
 #include <vtkGLTFReader.h>

@@ -1,5 +1,5 @@
-// alphascope-cli cavities. The numbers of each cavity are compared with tables in
-// tests/core/cavity; here, that a file leads to them and that the choices are told.
+// Tests alphascope-cli cavities: files give the numbers, and the output states the choices.
+// tests/core/cavity compares the numbers of each cavity with tables.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +21,7 @@ class CliCavities : public Cli {
   }
 };
 
-// Counts and sums of an independent program for the same radii.
+// Counts and sums by an independent program with the same radii.
 TEST_F(CliCavities, OfAPdbFileAreThoseOfTheReference) {
   const json found = cavities(std::string(kHaemoglobin) + " --radii bondi");
   EXPECT_EQ(found["counts"]["voids"], 63);
@@ -43,7 +43,7 @@ TEST_F(CliCavities, OfAPdbFileAreThoseOfTheReference) {
   EXPECT_EQ(found["differences_from_castp"], json::array({"radii Bondi"}));
 }
 
-// A haem pocket is called by the atoms around its deepest point, and a haem in it fills it.
+// A haem pocket is named by the atoms around its deepest point, and a haem in it fills it.
 TEST_F(CliCavities, ThePresetLeavesLigandsOutOfTheBody) {
   const json empty = cavities(kHaemoglobin);
   EXPECT_EQ(empty["comparable_with_castp"], true);
@@ -90,7 +90,7 @@ TEST_F(CliCavities, OfFewBallsThereAreNone) {
   EXPECT_TRUE(contains(wrong.err, "castp")) << wrong.err;
 }
 
-// One of the 11 tetrahedra of this pocket flows both outside and into the depth.
+// One of the 11 tetrahedra of this pocket flows both outside and deeper into it.
 TEST_F(CliCavities, TheRuleSaysWhatIsOutside) {
   const std::string file = write("rule.xyzr",
                                  "-2 -3 0 1\n"
@@ -114,8 +114,8 @@ TEST_F(CliCavities, TheRuleSaysWhatIsOutside) {
   EXPECT_EQ(pocket["cavities"][0]["tetrahedra"], 10);
 }
 
-// A grid of balls in which every edge of the cubes is covered and no square is: each square of the
-// boundary is a mouth. Two cubes each way have 6 · 4 of them, one by two by two 2 · 4 + 4 · 2.
+// A grid of balls that covers every edge of the cubes but no square, so each square of the boundary
+// is a mouth. Two cubes each way have 6 · 4 of them. One by two by two cubes have 2 · 4 + 4 · 2.
 TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
   const auto grid = [&](int layers) {
     return "'" + write("grid.xyzr", grid_of_balls(layers)).string() + "' --solvent 1";
@@ -134,7 +134,7 @@ TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].at("network"), "1");
   EXPECT_EQ(rows[0].at("kind"), "pocket");
-  // The squares close at alpha 3.125 - 1.69, or with a solvent radius of 1.4678; eight cubes are
+  // The squares close at alpha 3.125 - 1.69, or with a solvent radius of 1.4678. Eight cubes are
   // left.
   const json& apart = many["cavities"][0]["falls_apart"];
   EXPECT_EQ(apart["alpha_angstrom2"], 1.44);
@@ -187,8 +187,8 @@ TEST_F(CliCavities, ANetworkIsListedAsItsParts) {
   EXPECT_TRUE(contains(text.out, "part")) << text.out;
 }
 
-// Balls of radius 2 in rings of radius 5 around the z axis; the middle ring is of radius 4, so that
-// a ball of radius 2 passes.
+// Balls of radius 2 in rings of radius 5 around the z axis. The middle ring has radius 4, so a ball
+// of radius 2 can pass.
 TEST_F(CliCavities, AChannelIsAsWideAsItsNarrowestRing) {
   std::string tube;
   for (int ring = -8; ring <= 8; ++ring) {
@@ -218,7 +218,7 @@ TEST_F(CliCavities, AChannelIsAsWideAsItsNarrowestRing) {
   const Outcome rows = run("channel '" + file + "' --point 0,0,1.5 --along 0,0,1 -q --csv -");
   EXPECT_EQ(csv_rows(rows.out).size(), channel["samples"].size());
 
-  // The same without a place to begin at.
+  // The same without a start point.
   const Outcome through = run("channel '" + file + "' -q --json -");
   ASSERT_EQ(through.code, 0) << through.err;
   const json way = json::parse(through.out);
@@ -238,7 +238,7 @@ TEST_F(CliCavities, AChannelIsAsWideAsItsNarrowestRing) {
   EXPECT_TRUE(contains(second.err, "There is no way 2")) << second.err;
 }
 
-// Where a channel ends inside, nothing is said about the whole.
+// A channel that ends inside is only a part, so there is no verdict on the whole.
 TEST_F(CliCavities, OfAPartThereIsNoVerdict) {
   std::string cup;
   for (int ring = -8; ring <= 8; ++ring) {
@@ -267,8 +267,8 @@ TEST_F(CliCavities, OfAPartThereIsNoVerdict) {
   EXPECT_FALSE(contains(part.out, "waters pass")) << part.out;
 }
 
-// Opened with nothing given. References: HOLE's radius of gramicidin with its radii, CHAP's of
-// TRPV3, the filter of KcsA as found from a point in it.
+// Files are opened without options. References are HOLE's radius of gramicidin with its radii,
+// CHAP's radius of TRPV3, and KcsA's filter from a point inside it.
 TEST_F(CliCavities, TheWaysThroughKnownPoresAreFound) {
   ALPHASCOPE_NEED_TEST_DATA();
   const std::string data = test_data_folder().string() + "/";
@@ -295,7 +295,7 @@ TEST_F(CliCavities, TheWaysThroughKnownPoresAreFound) {
   EXPECT_NEAR(kcsa["widest_angstrom"], 0.847, 0.05);
   expect_place(kcsa, 155.33, 155.33, -38.6);
   EXPECT_EQ(kcsa["way"]["lining_chains"].size(), 4u);
-  // Each on the axis, and so in all four copies.
+  // Each way is on the axis, and so in all four copies.
   const json with_ions = ways("thesis/1k4c.pdb.gz --assembly 1 --ions");
   EXPECT_EQ(with_ions["way"]["not_counted"]["ions"], 7);
 
@@ -321,7 +321,7 @@ TEST_F(CliCavities, TheWaysThroughKnownPoresAreFound) {
   EXPECT_EQ(through, (std::vector<std::string>{"chain A", "chain B", "chain C"}));
 }
 
-// Out through one gap of a cube and back through it: the line ends where it began.
+// The way leads out through a gap of a cube and back through it, so the line ends where it began.
 TEST_F(CliCavities, OfAChannelThatComesBackTheWholeIsKnown) {
   const Outcome found =
       run("channel '" + cube_.string() + "' --point 1,1,1 --along 0,0,1 -q --json -");
@@ -331,7 +331,7 @@ TEST_F(CliCavities, OfAChannelThatComesBackTheWholeIsKnown) {
   EXPECT_LE(channel["covered_angstrom"], channel["whole_angstrom"]);
 }
 
-// Other programs do not open lists of balls, and that is known before anything is computed.
+// Other programs do not open lists of balls. This is known before anything is computed.
 TEST_F(CliCavities, AScriptOfWhatOthersDoNotOpenIsRefusedAtOnce) {
   for (const char* command : {"channel --point 1,1,1", "cavities"}) {
     const Outcome refused = run(std::string(command) + " '" + cube_.string() + "' --script '" +
@@ -353,7 +353,7 @@ TEST_F(CliCavities, APointWithinAnAtomIsNamed) {
   EXPECT_TRUE(contains(two.err, "three numbers")) << two.err;
 }
 
-// From the widest place of a cavity out, to a mouth, and what cannot be.
+// Ways from a cavity's widest place to the outside and to a mouth, and impossible requests.
 TEST_F(CliCavities, AChannelBeginsInACavity) {
   const std::string file = std::string(kHaemoglobin);
   const auto channel = [&](const std::string& more) {
@@ -364,7 +364,7 @@ TEST_F(CliCavities, AChannelBeginsInACavity) {
   const json out = channel("--cavity 4");
   EXPECT_EQ(out["request"]["cavity"], 4);
   EXPECT_GE(out["widest_angstrom"].get<double>(), 1.4) << "a pocket opens for a solvent of 1.4 Å";
-  // The same from the point itself.
+  // The same way from the point itself.
   const json& at = out["request"]["point_angstrom"];
   const json same = channel("--point=" + at[0].dump() + "," + at[1].dump() + "," + at[2].dump());
   EXPECT_EQ(same["widest_angstrom"], out["widest_angstrom"]);
@@ -372,7 +372,7 @@ TEST_F(CliCavities, AChannelBeginsInACavity) {
   const json mouth = channel("--cavity 4 --mouth 1");
   EXPECT_TRUE(mouth["request"].contains("to_angstrom"));
   EXPECT_EQ(mouth["request"]["mouths"], json::array({1.0}));
-  // Where the mouth opens there is no middle; the line must not go to and fro.
+  // The opening of the mouth has no middle. The line must not go to and fro there.
   EXPECT_LT(mouth["length_angstrom"].get<double>(), 18);
 
   std::size_t a_void = 0;
@@ -393,7 +393,7 @@ TEST_F(CliCavities, AChannelBeginsInACavity) {
   refused("--cavity 4 --mouth 1 --along 0,0,1", "exclude each other");
 }
 
-// What is left out is null or empty, and said; all else stays.
+// Left-out values are null or empty, and a note says so. All other values stay.
 TEST_F(CliCavities, WithoutClippedVolumesNothingElseChanges) {
   const std::string file = kHaemoglobin;
   const auto found = [&](const std::string& more) {
@@ -423,7 +423,7 @@ TEST_F(CliCavities, WithoutClippedVolumesNothingElseChanges) {
   EXPECT_TRUE(contains(text.out, "left out, as --no-clipped asks")) << text.out;
 }
 
-// Two balls, their closed forms: in all and by atom.
+// Two balls have closed forms, for the total and for each atom.
 TEST_F(CliCavities, MeasuresAreExactAndAddUp) {
   const std::string file = write("two.xyzr", "0 0 0 1\n1 0 0 1\n").string();
   const Outcome found = run("measure '" + file + "' --per atom -q --json -");
@@ -438,7 +438,7 @@ TEST_F(CliCavities, MeasuresAreExactAndAddUp) {
   EXPECT_NEAR(measures["atoms"][0]["area_angstrom2"], 3 * pi, 1e-12);
   EXPECT_NEAR(measures["atoms"][0]["exposed_share"], 0.75, 1e-12);
   EXPECT_FALSE(measures["atoms"][0].contains("area_by_x_angstrom"));
-  // Alpha 1 makes both radii the root of 2, of which half a diameter and 1/2 Å are free.
+  // With alpha 1 both radii are the square root of 2. Half a diameter and 1/2 Å are free.
   const Outcome grown = run("measure '" + file + "' --per atom --alpha 1 -q --json -");
   const json larger = json::parse(grown.out);
   for (const json& atom : larger["atoms"]) {
@@ -469,7 +469,7 @@ TEST_F(CliCavities, ComponentsShareAreaAndVolume) {
   EXPECT_TRUE(contains(run("measure '" + file + "'").out, "the largest has 82.58 %"));
 }
 
-// The overlap shrinks when the balls part: both move the total by the disc between them.
+// The overlap shrinks when the balls move apart. Both change the total by the disc between them.
 TEST_F(CliCavities, DerivativesAreOfEachAtom) {
   const std::string file = write("two.xyzr", "0 0 0 1\n1 0 0 1\n").string();
   const auto rows = csv_rows(run("measure '" + file + "' --per atom --derivatives -q --csv -").out);
@@ -485,7 +485,7 @@ TEST_F(CliCavities, DerivativesAreOfEachAtom) {
   EXPECT_TRUE(contains(without.err, "add --per atom")) << without.err;
 }
 
-// Two bodies far apart: the space between them is a pocket by the definition, which must be said.
+// The space between two distant bodies is a pocket by definition, and a note must say so.
 TEST_F(CliCavities, SeparateBodiesAreNamed) {
   const std::string apart = write("apart.xyzr",
                                   "0 0 0 2\n2 0 0 2\n0 2 0 2\n0 0 2 2\n"

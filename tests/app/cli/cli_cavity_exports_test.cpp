@@ -1,5 +1,5 @@
-// What alphascope-cli cavities writes for other programs, read back as those would; and cavities
-// with several radii, side by side.
+// Tests files of alphascope-cli cavities for other programs, read back as those would. Also tests
+// cavities with several radii side by side.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -60,7 +60,7 @@ TEST_F(CliCavityExports, SpheresAreReadBackAndTouchNoAtom) {
   EXPECT_TRUE(contains(text, "REMARK   3 choices not comparable with CASTp"));
 }
 
-// Every cavity of any alpha has its line, also where there is none at the alpha asked for.
+// Each cavity at any alpha has a line, even if none exists at the requested alpha.
 TEST_F(CliCavityExports, LivesAreOfAllAlphasAndThoseOfTheTable) {
   const auto lines_of = [&](const std::string& alpha) {
     const Outcome found = run("cavities -q '" + std::string(kCrambin) + "' --solvent 0.6 --alpha " +
@@ -96,7 +96,7 @@ TEST_F(CliCavityExports, LivesAreOfAllAlphasAndThoseOfTheTable) {
   EXPECT_FALSE(fs::exists(folder_ / "two.csv"));
 }
 
-// The two chunks of a GLB file.
+// Reads the two chunks of a GLB file.
 struct Glb {
   json head;
   std::string data;
@@ -160,7 +160,7 @@ TEST_F(CliCavityExports, OfNoCavityAFileIsStillRead) {
   EXPECT_TRUE(contains(contents(folder_ / "s.pqr"), "END\n"));
 }
 
-// "A:87" of each line of a PDB file, by its serial number.
+// Residues such as "A:87" of the lines of a PDB file, by serial number.
 std::map<int, std::string> residues_by_serial(const std::string& pdb) {
   std::map<int, std::string> residues;
   std::istringstream lines(pdb);
@@ -172,7 +172,7 @@ std::map<int, std::string> residues_by_serial(const std::string& pdb) {
   return residues;
 }
 
-// The residues of the JSON's cavity, "A:87".
+// Residues of a cavity in JSON, such as "A:87".
 std::set<std::string> residues_of(const json& cavity) {
   std::set<std::string> residues;
   for (const json& of : cavity["residues"]) {
@@ -222,9 +222,8 @@ TEST_F(CliCavityExports, ScriptsNameTheLiningOfEachCavity) {
   }
 }
 
-// Each command with its options as the users' guides of both programs have them. ChimeraX has no
-// format "pqr": its PDB reader reads those files (user/commands/open.html). PyMOL 2.5 was seen to
-// run such a script.
+// Each command with its options, as in both programs' user guides. ChimeraX has no format "pqr":
+// its PDB reader reads such files (user/commands/open.html). PyMOL 2.5 ran such a script.
 TEST_F(CliCavityExports, ScriptsHaveOnlyCommandsThatTheProgramsKnow) {
   const std::string file(kHaemoglobin);
   for (const char* script : {"show.cxc", "show.pml"}) {
@@ -263,7 +262,7 @@ TEST_F(CliCavityExports, ScriptsHaveOnlyCommandsThatTheProgramsKnow) {
   }
 }
 
-// A name that would be a command, were it not quoted.
+// The file name would be a command if it were not quoted.
 TEST_F(CliCavityExports, HostileFileNamesStayNames) {
   const std::string names[] = {"two words.pdb", "it's.pdb", "line\nopen evil.pdb", "a\"b'c.pdb"};
   for (const std::string& name : names) {
@@ -303,7 +302,7 @@ TEST_F(CliCavityExports, HostileFileNamesStayNames) {
   }
 }
 
-// The way out of a cavity of crambin, as the samples of its JSON file have it.
+// The way out of a cavity of crambin, as in the samples of its JSON file.
 TEST_F(CliCavityExports, AChannelIsWrittenForOtherProgramsToo) {
   const Outcome found =
       run("channel -q '" + std::string(kCrambin) + "' --cavity 1 --json - --spheres '" +
@@ -374,11 +373,11 @@ TEST_F(CliCavityExports, SideBySideCavitiesAreMatched) {
     const json& in = cavity["in"];
     EXPECT_EQ(in[0]["same"], true);
     EXPECT_EQ(in[0]["id"], cavity["id"]);
-    EXPECT_EQ(in[1], in[0]);  // the same radii again
+    EXPECT_EQ(in[1], in[0]);  // the same radii
     same += in[2]["same"] == true;
     other_volume +=
         in[3]["same"] == true && in[3]["volume_sa_angstrom3"] != in[0]["volume_sa_angstrom3"];
-    // Of the volumes of what is the same cavity: of the largest, by how much the least is below.
+    // How far the least volume of the largest common cavity is below the greatest.
     double least = in[0]["volume_sa_angstrom3"], most = least;
     for (const json& one : in) {
       if (one["same"] != true) continue;
@@ -394,7 +393,7 @@ TEST_F(CliCavityExports, SideBySideCavitiesAreMatched) {
   }
   EXPECT_GT(same, 40u);
   EXPECT_GT(other_volume, 20u);
-  // The large one grows as the probe shrinks.
+  // The large cavity grows as the probe shrinks.
   EXPECT_GT(found["side_by_side"][0]["in"][2]["volume_sa_angstrom3"],
             found["side_by_side"][0]["in"][0]["volume_sa_angstrom3"]);
   const Outcome rows = run("cavities -q --csv - " + file + " --solvent 1.4,1.2");
@@ -405,7 +404,7 @@ TEST_F(CliCavityExports, SideBySideCavitiesAreMatched) {
   EXPECT_TRUE(contains(text.out, "spread")) << text.out;
 }
 
-// A radius of four decimals refines the lattice, which changes no cavity's identity.
+// A radius of four decimals refines the lattice, but cavities keep their identities.
 TEST_F(CliCavityExports, CavitiesAreMatchedAcrossLattices) {
   const json found = cavities(std::string(kHaemoglobin) + " --solvent 1.4,1.2005");
   std::size_t same = 0, gone = 0;
@@ -426,7 +425,7 @@ TEST_F(CliCavityExports, SmallCavitiesAreCountedButNotListed) {
   EXPECT_EQ(run("cavities " + std::string(kHaemoglobin) + " --min-volume much").code, 2);
 }
 
-// The haems are no part of the body, and each sits in a pocket of its own.
+// The haems are not part of the body. Each lies in its own pocket.
 TEST_F(CliCavityExports, HaemPocketsHoldTheHaems) {
   std::set<std::string> haems;
   const json all = cavities(kHaemoglobin);
@@ -435,7 +434,7 @@ TEST_F(CliCavityExports, HaemPocketsHoldTheHaems) {
       if (held["kind"] == "ligand") haems.insert(held["residue"]);
     }
     EXPECT_GE(cavity["depth_angstrom"], 0);
-    // A pocket whose lining atoms are all corners of its mouths has no depth either.
+    // A pocket whose lining atoms are all corners of mouths has no depth either.
     if (cavity["kind"] == "void") {
       EXPECT_EQ(cavity["depth_angstrom"], 0.0);
     }

@@ -1,4 +1,4 @@
-// alphascope-cli as other programs of the command line are: help, typing errors, manual,
+// Tests that alphascope-cli follows conventions of command lines: help, typing errors, manual,
 // completion.
 #include <pty.h>
 
@@ -18,7 +18,7 @@ constexpr const char* kCommands[] = {"info", "compute", "verify", "bench", "scre
 
 class CliConventions : public Cli {
  protected:
-  // "--alpha", "-o"… as the help lists them; of the program itself for "".
+  // Options in the help, such as "--alpha" and "-o". Those of the program itself for "".
   std::set<std::string> options(const std::string& command) const {
     std::set<std::string> names;
     const std::string help = run(command + " --help").out;
@@ -31,7 +31,7 @@ class CliConventions : public Cli {
     return names;
   }
 
-  // What bash proposes for the last of the words.
+  // Proposals of bash for the last word.
   std::string completed(const std::string& words, int count) const {
     const fs::path script = folder_ / "completion", out = folder_ / "proposed";
     if (!fs::exists(script)) write("completion", run("--completion bash").out);
@@ -149,8 +149,8 @@ TEST_F(CliConventions, QuietIsResultsOnlyAndVerboseSaysMore) {
   EXPECT_TRUE(contains(failed.err, "there is no such file")) << "errors stay";
 }
 
-// What a terminal of unlimited width has on its lines when the program has ended, with standard
-// output and standard error on it.
+// The lines on a terminal of unlimited width after the program has ended. Standard output and
+// standard error are both on it.
 std::vector<std::string> lines_on_a_terminal(const std::string& command, bool& progress) {
   int terminal = -1;
   const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
@@ -184,11 +184,11 @@ std::vector<std::string> lines_on_a_terminal(const std::string& command, bool& p
   return lines;
 }
 
-// Results begin where the line of progress was, and nothing of that one is left.
+// Results replace the line of progress, of which nothing is left.
 TEST_F(CliConventions, ResultsStandOnAClearLine) {
   if (::access("/dev/ptmx", R_OK | W_OK) != 0) GTEST_SKIP() << "there are no terminals here";
   const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz'";
-  std::string many;  // takes any machine longer than the first line of progress waits
+  std::string many;  // takes longer than the delay of the first line of progress, on any machine
   for (int n = 0; n < 30; ++n) many += file + " ";
   for (const std::string command :
        {"cavities " + many, "compute " + many + "--alpha 1 --engine cpu", "measure " + many}) {
@@ -275,7 +275,7 @@ TEST_F(CliConventions, ThePictureProgramIsFoundWhereItIsInstalled) {
   const std::string arguments =
       " screenshot '" + cube_.string() + "' --alpha 1 --size 64x64 -o x.png >log 2>&1";
   const std::string command = "cd '" + folder_.string() + "' && ";
-  // By another name, through a link.
+  // The program has another name, through a link.
   fs::create_symlink(program, folder_ / "link");
   EXPECT_EQ(WEXITSTATUS(std::system((command + "./link" + arguments).c_str())), 4);
   EXPECT_TRUE(contains(contents(folder_ / "log"),

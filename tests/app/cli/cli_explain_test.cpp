@@ -1,4 +1,4 @@
-// alphascope-cli explain on small files: sentences, JSON, and messages for wrong simplices.
+// Tests alphascope-cli explain on small files: sentences, JSON, and messages for wrong simplices.
 #include "tests/app/cli/cli_fixture.hpp"
 
 namespace alphascope::testing {
@@ -15,7 +15,8 @@ class CliExplain : public Cli {
   }
 };
 
-// An edge of the cube of balls 1.5: its middle is 1 from both centres, so rho = 1 - 2.25.
+// An edge of the cube of balls with radius 1.5. Its middle is 1 from both centres, so rho = 1 -
+// 2.25.
 TEST_F(CliExplain, SaysWhatAnEdgeIs) {
   const std::string edge = "'" + cube_.string() + "' --simplex 1,0 --alpha -1";
   const json e = explained(edge);
@@ -27,7 +28,7 @@ TEST_F(CliExplain, SaysWhatAnEdgeIs) {
   EXPECT_FALSE(e["attached"]);
   EXPECT_EQ(e["appears"]["alpha_angstrom2"], -1.25);
   EXPECT_EQ(e["appears"]["from"], e["simplex"]);
-  EXPECT_EQ(e["regular"]["alpha_angstrom2"], -0.25);  // triangles of the faces, tied
+  EXPECT_EQ(e["regular"]["alpha_angstrom2"], -0.25);  // triangles of the faces, with ties
   EXPECT_TRUE(e["interior"].is_null());               // an edge of the hull
   EXPECT_EQ(e["at_alpha"]["in_complex"], true);
   EXPECT_EQ(e["at_alpha"]["class"], "singular");
@@ -48,12 +49,13 @@ TEST_F(CliExplain, SaysHowLongItTookUnlessTimesAreNotWanted) {
   EXPECT_FALSE(contains(run("explain --no-times " + edge).out, "\nTime "));
 }
 
-// rho of the edge is 1.25000150000025 Å², a little more than alpha: both with their digits.
+// rho of the edge is 1.25000150000025 Å², slightly more than alpha. Both are printed with all
+// digits.
 TEST_F(CliExplain, DoesNotRoundWhatDecides) {
   const std::string file = "'" + write("two.xyzr", "0 0 0 1\n3.000001 0 0 1\n").string() + "'";
   const std::string text =
       run("explain " + file + " --simplex 0,1 --alpha 1.250001500000249999").out;
-  std::string words;  // without the breaks of lines
+  std::string words;  // without line breaks
   for (const char c : text) {
     if (c != ' ' && c != '\n') words += c;
   }
@@ -65,7 +67,7 @@ TEST_F(CliExplain, DoesNotRoundWhatDecides) {
 
 TEST_F(CliExplain, SaysWhatIsNotThere) {
   const std::string cube = "'" + cube_.string() + "'";
-  // Four corners of one side; the diagonal of the cube or of a side, by ties.
+  // Four corners of one side. Diagonals of the cube or of a side are there by ties.
   EXPECT_EQ(explained(cube + " --simplex 0,1,2,3")["absence"]["reason"], "dependent");
   const json one = explained(cube + " --simplex 0,3"), other = explained(cube + " --simplex 1,2");
   EXPECT_NE(one["in_triangulation"], other["in_triangulation"]);

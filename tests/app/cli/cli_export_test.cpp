@@ -1,5 +1,5 @@
-// alphascope-cli export: every format read back, without other programs' libraries where they are
-// not needed. What VTK, CGAL and gemmi read is tested in files of their own.
+// Tests alphascope-cli export: every format is read back, mostly without other programs' libraries.
+// Tests with VTK, CGAL and gemmi are in separate files.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ const char* const kHaemoglobin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hh
 class CliExport : public Cli {
  protected:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  // Of crambin at alpha 1.4, unless said otherwise.
+  // Crambin at alpha 1.4 by default.
   std::string exported(const std::string& name, const std::string& arguments = "--alpha 1.4",
                        const std::string& molecule = kCrambin) const {
     const Outcome made =
@@ -33,7 +33,7 @@ class CliExport : public Cli {
   }
 };
 
-// Words of a text, one after another.
+// Reads the words of a text one by one.
 class Words {
  public:
   explicit Words(const std::string& text) : text_(text) {}
@@ -58,7 +58,7 @@ TEST_F(CliExport, OneThingIsNotSaidToBeMany) {
       << written.out;
 }
 
-// Two tetrahedra far from each other. All balls of one meet: its circumradius is 1.5 √3 = 2.6 Å.
+// Two distant tetrahedra. All balls of one meet: its circumradius is 1.5 √3 = 2.6 Å.
 TEST_F(CliExport, AnStlFileSaysItsPiecesAndItsUnit) {
   std::string tetrahedra;
   for (const char* x : {"0", "50"}) {
@@ -94,7 +94,7 @@ TEST_F(CliExport, BallsAreTheSameBallsAgain) {
   EXPECT_EQ(pqr.atoms.back().residue_number, 148);
 }
 
-// What does not fit into PDB's columns.
+// Values that do not fit into the columns of the PDB format.
 TEST_F(CliExport, PqrHoldsLargeNumbersAndLongNames) {
   const std::string far =
       write("far.xyzr", "-1234.5678 2000.25 -999.125 1.5\n12345.5 -0.0001 7 2.0625\n").string();
@@ -131,7 +131,7 @@ TEST_F(CliExport, PqrNumbersNeverTouch) {
       int fields = 0;
       for (std::string word; words >> word;) ++fields;
       EXPECT_EQ(fields, 10) << line;  // without a chain
-      // PDB's columns of x: 31 to 38.
+      // The columns of x in the PDB format: 31 to 38.
       if (c.columns) {
         EXPECT_EQ(line.substr(27, 3), "   ") << line;
       }
@@ -145,7 +145,7 @@ TEST_F(CliExport, PqrNumbersNeverTouch) {
   }
 }
 
-// Facets are seen from outside against the clock, and their normals say the same.
+// Facets are counterclockwise seen from outside, and normals agree.
 TEST_F(CliExport, StlNormalsAgreeWithTheOrderOfVertices) {
   Words words(exported("n.stl", "--alpha 0 --solvent 1.4"));
   std::size_t facets = 0, agree = 0;
@@ -163,7 +163,7 @@ TEST_F(CliExport, StlNormalsAgreeWithTheOrderOfVertices) {
       corner = point();
     }
     const RealPoint by_order = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    EXPECT_NEAR(dot(normal, normal), 1, 1e-4);  // as many digits as are written
+    EXPECT_NEAR(dot(normal, normal), 1, 1e-4);  // to the number of written digits
     agree += dot(normal, by_order) > 0.999 * length(by_order);
     ++facets;
   }
@@ -210,7 +210,7 @@ TEST_F(CliExport, ParallelAcsLayoutHasAllSimplices) {
       << "a line for each";
 }
 
-// What VTK reads is tested where VTK is; these are the numbers that its files begin with.
+// Another test reads the files with VTK. These are the numbers at their beginning.
 TEST_F(CliExport, VtkFilesSayHowManyCellsTheyHave) {
   const json counts = compute_json(std::string(kCrambin) + " --alpha 1.4")["counts"];
   const auto said = [&](const char* name, std::size_t number) {
@@ -248,7 +248,7 @@ TEST_F(CliExport, CountsAreRowsOfACsv) {
   EXPECT_NEAR(std::stod(values["volume of tetrahedra"]), 503.428784097, 1e-9);
 }
 
-// --- GLB: what its specification says of the chunks, accessors and views.
+// --- GLB: the specification's rules for chunks, accessors and views.
 
 std::uint32_t word(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -320,7 +320,7 @@ TEST_F(CliExport, GlbIsAsItsSpecificationSays) {
   EXPECT_EQ(triangles, 850u);
 }
 
-// sRGB becomes linear light: carbon's (122, 130, 142) of 255 are ((s + 0.055) / 1.055)^2.4 of
+// sRGB becomes linear light. Carbon's (122, 130, 142) of 255 become ((s + 0.055) / 1.055)^2.4 of
 // 65,535.
 TEST_F(CliExport, ColoursOfGlbAreLinear) {
   const std::string bytes = exported("l.glb", "--alpha 1.4 --colours element");
@@ -358,7 +358,7 @@ TEST_F(CliExport, ColoursAreThoseOfElementsChainsOrSolids) {
   EXPECT_EQ(colours("solid").size(), 3u);
 }
 
-// More objects than viewers can draw.
+// There are more objects than viewers can draw.
 TEST_F(CliExport, SmallSolidsBeyondTheFirstAreOneObject) {
   const std::string text = exported("h.obj", "--alpha 0", kHaemoglobin);
   std::size_t objects = 0, triangles = 0;
@@ -374,7 +374,7 @@ TEST_F(CliExport, SmallSolidsBeyondTheFirstAreOneObject) {
   EXPECT_TRUE(contains(text, "o smaller_solids\n"));
 }
 
-// --- Scripts. Their commands are those of the programs' manuals.
+// --- Scripts. Their commands are those in the programs' manuals.
 
 std::string without_comments(const std::string& script) {
   std::istringstream lines(script);
@@ -402,7 +402,7 @@ TEST_F(CliExport, ScriptsComeWithTheFilesThatTheyOpen) {
 TEST_F(CliExport, ThePyMolScriptIsPythonThatReadsTheBoundary) {
   if (std::system("python3 -c '' 2>/dev/null") != 0) GTEST_SKIP() << "needs python3";
   exported("c.pml");
-  // PyMOL's part of it: what its commands are called with is told.
+  // PyMOL's part of the script, with its commands replaced by ones that print their arguments.
   const std::string stub = write("stub.py", R"(
 import sys, types
 calls = []
@@ -430,7 +430,7 @@ print(mesh.count(4.5), [c for c in calls if c[0] == 'load'][0][1])
 
 TEST_F(CliExport, TheVmdScriptIsTclThatDrawsTheBoundary) {
   if (std::system("echo exit | tclsh 2>/dev/null") != 0) GTEST_SKIP() << "needs tclsh";
-  const std::string name = "v[exit]\\ $x";  // commands, were they not quoted
+  const std::string name = "v[exit]\\ $x";  // commands if they were not quoted
   exported(name + ".tcl");
   const std::string stub = write("stub.tcl", R"(
 set drawn 0
@@ -490,7 +490,7 @@ TEST_F(CliExport, WithoutTetrahedraFilesAreStillRead) {
   }
 }
 
-// A file that cannot be finished leaves nothing, and the one before stays.
+// An unfinished file is removed, and the earlier one stays.
 TEST_F(CliExport, AFullDiskLeavesNoHalfFile) {
   const std::string before = exported("c.stl");
   const Outcome made = run("export -q /dev/null --alpha 1 -o '" + path("c.stl") + "'");
@@ -499,7 +499,7 @@ TEST_F(CliExport, AFullDiskLeavesNoHalfFile) {
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
   small = limit;
   small.rlim_cur = 20000;
-  ::signal(SIGXFSZ, SIG_IGN);  // as for children
+  ::signal(SIGXFSZ, SIG_IGN);  // children inherit this
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   const Outcome full =
       run("export -q " + std::string(kCrambin) + " --alpha 3 -o '" + path("c.stl") + "'");

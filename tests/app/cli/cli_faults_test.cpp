@@ -1,6 +1,7 @@
-// What alphascope-cli leaves behind when the system fails it, or a signal comes, at any of its
-// calls: every output whole or as it was, all of one command alike, the input as it was, and no
-// temporary file. ALPHASCOPE_ALL_FAULTS=1 tries every call and command; otherwise a sample.
+// Tests files of alphascope-cli when the system fails at one of its calls, or a signal arrives.
+// Every output is whole or unchanged, and all outputs of one command alike. The input is unchanged,
+// and no temporary file is left. ALPHASCOPE_ALL_FAULTS=1 tries every call and command, otherwise a
+// sample.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -22,11 +23,11 @@ bool all_faults() {
 
 struct Command {
   std::vector<std::string> arguments;
-  std::vector<std::string> outputs;  // names in the folder
+  std::vector<std::string> outputs;  // names of files in the folder
   bool draws = false;
 };
 
-// The quickest of each kind of output; all that write files.
+// The quickest command for each kind of output, or all that write files.
 std::vector<Command> commands() {
   std::vector<Command> all{{{"compute", "cube.xyzr", "--alpha", "1", "--out", "o.alpha", "--csv",
                              "o.csv", "--json", "o.json"},
@@ -134,8 +135,8 @@ class CliFaults : public Cli {
     EXPECT_NE(code, 1000 + SIGSEGV) << what;
   }
 
-  // Each `stride`-th call of this kind from the first on, until there are no more. Returns how many
-  // faults there were.
+  // Fails every `stride`-th call of this kind, from the first on, until there are no more. Returns
+  // the number of faults.
   int sweep(const Command& command, const std::string& kind, int action, double stride = 1) const {
     int tried = 0;
     set_out(command, false);
@@ -185,7 +186,7 @@ TEST_F(CliFaults, ACallThatFails) {
   sweep_all("fsync", EIO);
 }
 
-// The first file of a set that has replaced an older one gives it back.
+// A file that has replaced an older one is restored when a later file of the set fails.
 TEST_F(CliFaults, ARenameThatFailsWhereNamesCannotBeExchanged) {
   ::setenv("ALPHASCOPE_NO_EXCHANGE", "1", 1);
   for (const int action : {EIO, 1000 + SIGTERM}) sweep_all("rename", action);
@@ -202,7 +203,8 @@ TEST_F(CliFaults, ASignalAtACall) {
   }
 }
 
-// Once, or from then on. Most of a program's start is not ours, and alike for all commands.
+// Memory fails once, or from a call on. Most of a program's start is not our code, and the same for
+// all commands.
 TEST_F(CliFaults, NoMemory) {
   const double stride = all_faults() ? 1.01 : 1.9;
   for (const int action : {ENOMEM, 0}) sweep_all("malloc", action, stride);

@@ -1,4 +1,4 @@
-// Runs the real alphascope-cli in a folder of its own, and reads back what it wrote.
+// Runs the real alphascope-cli in a folder of its own, and reads its output.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace alphascope::testing {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// The program under test; scripts/mutate names another.
+// The program under test. scripts/mutate sets another one.
 inline std::string tested_cli() {
   const char* const other = std::getenv("ALPHASCOPE_TESTED_CLI");
   return other != nullptr ? other : ALPHASCOPE_CLI;
@@ -39,7 +39,7 @@ inline std::string contents(const fs::path& path) {
   return text.str();
 }
 
-// What pandas or R would read: names and rows of fields.
+// Names and rows of fields, as pandas or R would read them.
 inline std::vector<std::map<std::string, std::string>> csv_rows(const std::string& text) {
   std::vector<std::vector<std::string>> lines(1);
   std::string field;
@@ -68,7 +68,7 @@ inline std::vector<std::map<std::string, std::string>> csv_rows(const std::strin
   return rows;
 }
 
-// Whether the program was built with its renderer. It needs neither display nor GPU.
+// True when the program was built with its renderer. Drawing needs neither display nor GPU.
 inline constexpr bool kDrawsPictures = ALPHASCOPE_DRAWS_PICTURES != 0;
 
 class Cli : public ::testing::Test {
@@ -76,7 +76,7 @@ class Cli : public ::testing::Test {
   void SetUp() override {
     std::string pattern = (fs::path(::testing::TempDir()) / "alphascope_cli_XXXXXX").string();
     folder_ = ::mkdtemp(pattern.data());
-    // A cube of eight equal balls: every tie that there can be, and counts known by hand.
+    // A cube of eight equal balls. It has every kind of tie, and counts known by hand.
     std::string cube;
     for (int i = 0; i < 8; ++i) {
       cube += std::to_string(2 * (i & 1)) + " " + std::to_string(i & 2) + " " +
@@ -91,7 +91,7 @@ class Cli : public ::testing::Test {
     return folder_ / name;
   }
 
-  // `input`: what standard input is.
+  // `input`: the file for standard input.
   Outcome run(const std::string& arguments, const fs::path& input = "/dev/null") const {
     const fs::path out = folder_ / "stdout", err = folder_ / "stderr";
     const std::string command = "'" + tested_cli() + "' " + arguments + " >'" + out.string() +

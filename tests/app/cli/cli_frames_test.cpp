@@ -1,4 +1,4 @@
-// alphascope-cli frames: what it writes, and what it says instead.
+// Tests alphascope-cli frames: its files and its messages.
 #include <set>
 
 #include "core/run/child_program.hpp"

@@ -1,4 +1,4 @@
-// What is read is never written, and the name of an output ends as its format does.
+// Tests that inputs are never overwritten, and that an output's name must have its format's ending.
 #include <unistd.h>
 
 #include "tests/app/cli/cli_fixture.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 class CliInputsKept : public Cli {
  protected:
-  // In the folder, by the shell: 2> err.
+  // Runs a script in the folder by the shell. Standard error goes to the file err.
   int shell(const std::string& script) const {
     const std::string command = "cd '" + folder_.string() +
                                 "'; cli() { '" ALPHASCOPE_CLI "' \"$@\"; }; { " + script +
@@ -24,7 +24,7 @@ class CliInputsKept : public Cli {
     }
     return count;
   }
-  // A session of a molecule of this name.
+  // Writes a session for a molecule of this name.
   void write_session(const std::string& name, const std::string& molecule) const {
     const std::string path = (folder_ / molecule).string();
     ASSERT_EQ(shell("sha256sum " + molecule + " | cut -c1-64 >sum"), 0);
@@ -38,7 +38,7 @@ class CliInputsKept : public Cli {
 
 TEST_F(CliInputsKept, WhateverTheInputIsAndWhateverItIsCalled) {
   const std::string cube = text("cube.xyzr");
-  fs::copy(cube_, folder_ / "cube.json");  // read for what is in it, not for its name
+  fs::copy(cube_, folder_ / "cube.json");  // recognised by content, not by name
   fs::copy(cube_, folder_ / "cube.txt");
   fs::create_symlink("cube.txt", folder_ / "link.csv");
   fs::create_hard_link(folder_ / "cube.txt", folder_ / "hard.csv");
@@ -128,7 +128,7 @@ TEST_F(CliInputsKept, AnEndingThatIsNotTheFormatsIsRefused) {
     EXPECT_TRUE(contains(text("err"), "must end in .png, not .jpg")) << text("err");
     EXPECT_FALSE(fs::exists(folder_ / "a.jpg"));
   }
-  // No ending says nothing wrong; nor do a number, another case, a device.
+  // A name without an ending is accepted. So are a number, another case and a device.
   for (const char* name : {"a", "areas_1.4", "A.CSV", "/dev/null"}) {
     EXPECT_EQ(shell(std::string("cli compute cube.xyzr --alpha 1 --csv ") + name), 0)
         << text("err");
@@ -145,13 +145,13 @@ TEST_F(CliInputsKept, ANameThatIsTooLongShowsBeforeComputing) {
 }
 
 TEST_F(CliInputsKept, ListsOfFilesHaveLimits) {
-  // A sparse file is as large as it says, and nothing of it need be read.
+  // A sparse file has its full size, and none of it needs to be read.
   std::ofstream(folder_ / "sparse").close();
   fs::resize_file(folder_ / "sparse", std::uintmax_t{8} << 30);
 #ifdef ALPHASCOPE_FAULTY_CALLS
   const std::string limit = "ulimit -v 4000000; ";
 #else
-  const std::string limit;  // a sanitizer takes more addresses than any limit leaves
+  const std::string limit;  // none: a sanitizer needs more address space than any limit leaves
 #endif
   EXPECT_EQ(shell(limit + "cli info --files-from sparse"), 3);
   EXPECT_TRUE(contains(text("err"), "the list of files is larger than 64 MiB")) << text("err");

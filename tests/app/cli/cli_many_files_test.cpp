@@ -1,4 +1,4 @@
-// alphascope-cli on many files, on lists of them, and on standard input.
+// Tests alphascope-cli on many files, on lists of them, and on standard input.
 #include <sys/resource.h>
 
 #include <set>
@@ -13,7 +13,7 @@ const std::string kCrambin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pd
 
 class CliManyFiles : public Cli {
  protected:
-  // The lines of a table, from the one that begins with `heading` on.
+  // The lines of a table, from the line that begins with `heading`.
   static std::vector<std::string> table(const std::string& text, const std::string& heading) {
     std::vector<std::string> lines;
     std::istringstream stream(text);
@@ -77,7 +77,7 @@ TEST_F(CliManyFiles, InfoGivesOneTableToo) {
   const json all = json::parse(run("info " + files + " --json -").out);
   EXPECT_EQ(all["results"][1]["input"]["balls"], 327);
   EXPECT_EQ(all["failed"][0]["file"], "/nonexistent");
-  // Of a single file, too.
+  // A single file has a table as well.
   EXPECT_EQ(csv_rows(run("info '" + cube_.string() + "' --csv -").out).at(0).at("balls"), "8");
 }
 
@@ -179,7 +179,7 @@ TEST_F(CliManyFiles, StandardInputIsAFile) {
   EXPECT_TRUE(contains(run("compute - --alpha 1").err, "stdin: the file is empty"));
 }
 
-// A pipe gives its data in pieces.
+// A pipe delivers its data in pieces.
 TEST_F(CliManyFiles, StandardInputMayBeAPipe) {
   const fs::path out = folder_ / "piped";
   const std::string file = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";

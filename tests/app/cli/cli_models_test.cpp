@@ -1,4 +1,4 @@
-// alphascope-cli on files of several models, and the provenance in every kind of output.
+// Tests alphascope-cli on files of several models, and the provenance in every kind of output.
 #include "tests/app/cli/cli_fixture.hpp"
 
 namespace alphascope::testing {
@@ -18,7 +18,7 @@ constexpr const char* kProvenance[] = {"file",
                                        "radius_rounding_angstrom",
                                        "program"};
 
-// Two models: an edge, and three balls of which the third is a water's.
+// Two models: an edge, and three balls, the third of a water.
 constexpr const char* kTwoModels =
     "MODEL        4\n"
     "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  9.67           C  \n"
@@ -33,7 +33,7 @@ TEST_F(Cli, ASolventRadiusIsExactOrSaidToBeRounded) {
   const std::string small = "0 0 0 1.5\n3 0 0 1.5\n";
   const std::string near = write("near.xyzr", small).string();
   const std::string far = write("far.xyzr", small + "500000000 0 0 2\n").string();
-  // The balls touch at a solvent radius of 0; 0.0004 is not 0.
+  // The balls touch at a solvent radius of 0. A radius of 0.0004 is different.
   const json fine = compute_json("'" + near + "' --alpha 0 --solvent 0.0004");
   EXPECT_EQ(fine["request"]["solvent_radius_used_angstrom"], 0.0004);
   EXPECT_EQ(fine["request"]["lattice_unit_angstrom"], 0.0001);
@@ -57,7 +57,7 @@ TEST_F(Cli, EachModelGivesAResultOfItsOwn) {
   const auto rows = csv_rows(contents(csv));
   ASSERT_EQ(rows.size(), 2u);
   for (int k = 0; k < 2; ++k) {
-    // The very result that the model gives alone.
+    // Exactly the result of the model alone.
     const json alone = compute_json(file + "--model " + std::to_string(k + 1));
     EXPECT_EQ(models[k]["hash"], alone["hash"]);
     EXPECT_EQ(models[k]["counts"], alone["counts"]);
@@ -71,7 +71,7 @@ TEST_F(Cli, EachModelGivesAResultOfItsOwn) {
   EXPECT_EQ(models[0]["counts"]["edges"], 1);
   EXPECT_EQ(models[1]["counts"]["edges"], 0);
   EXPECT_EQ(models[0]["input"]["model_number_in_file"], 4);
-  // One document after another.
+  // The documents follow one another.
   const std::string text = contents(out);
   std::size_t documents = 0;
   for (std::size_t at = text.find("alphascope-complex 1\n"); at != text.npos;

@@ -1,4 +1,4 @@
-// What alphascope-cli leaves behind: files, standard output, exit codes, signals.
+// Tests files, standard output, exit codes and signals of alphascope-cli.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 class CliOutputs : public Cli {
  protected:
-  // A command line as the shell takes it; `cli` stands for the program.
+  // Runs a command line by the shell. `cli` stands for the program.
   int shell(const std::string& script) const {
     const std::string command =
         "cd '" + folder_.string() + "'; cli() { '" + tested_cli() + "' \"$@\"; }; " + script;
@@ -21,7 +21,7 @@ class CliOutputs : public Cli {
   }
   std::string text(const std::string& name) const { return contents(folder_ / name); }
 
-  // Names in the folder, hidden ones too.
+  // Names of the files in the folder, hidden ones included.
   std::string files() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -33,18 +33,18 @@ class CliOutputs : public Cli {
     return all;
   }
 
-  // Starts the program with its standard output into `pipe` and one signal ignored, 0 for none.
+  // Starts the program with its standard output in `pipe`. One signal is ignored; 0: none.
   pid_t start(std::vector<std::string> arguments, int pipe, int ignored) const {
     const pid_t child = ::fork();
     if (child != 0) return child;
-    // The tests' own parent may ignore signals, as a shell does in the background.
+    // The tests' own parent may ignore signals, as a shell does for background jobs.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) {
       std::signal(signal, signal == ignored ? SIG_IGN : SIG_DFL);
     }
     ::dup2(pipe, STDOUT_FILENO);
     ::dup2(::open((folder_ / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
     if (::chdir(folder_.c_str()) != 0) ::_exit(98);
-    ::alarm(300);  // a program that heeds no signal ends all the same
+    ::alarm(300);  // ends a program that obeys no signal
     std::vector<char*> argv{const_cast<char*>(ALPHASCOPE_CLI)};
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -57,8 +57,8 @@ class CliOutputs : public Cli {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
   }
 
-  // Reads standard output until `wait_for` is there, then sends the signals. The exit code, or
-  // 1000 + the signal that killed the program.
+  // Reads standard output up to `wait_for`, then sends the signals. Returns the exit code, or 1000
+  // + the signal that killed the program.
   int code_after(const std::vector<std::string>& arguments, const std::string& wait_for,
                  const std::vector<int>& signals, int ignored = 0) const {
     int ends[2];
@@ -74,7 +74,7 @@ class CliOutputs : public Cli {
     ::close(ends[0]);
     return code;
   }
-  // Nobody reads the program's standard output.
+  // Standard output has no reader.
   int code_without_reader(const std::vector<std::string>& arguments, int ignored = 0) const {
     int ends[2];
     EXPECT_EQ(::pipe2(ends, O_CLOEXEC), 0);
@@ -85,14 +85,14 @@ class CliOutputs : public Cli {
   }
 };
 
-// Enough work to be still running whenever the signal comes.
+// Work that still runs whenever the signal arrives.
 std::vector<std::string> endless_bench() {
   const char* const haemoglobin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
   return {"bench", haemoglobin, "--alpha", "10", "--runs", "1000", "--csv", "times.csv"};
 }
 
 TEST_F(CliOutputs, NoOutputSaysInfAtTheLargestAlpha) {
-  // Four nearly coplanar centres on the finest lattice: one sphere through them of some 10^7 Å.
+  // Four nearly coplanar centres on the finest lattice. Their sphere has a radius of about 10^7 Å.
   const fs::path flat =
       write("flat.xyzr", "0 0 0 1\n500 0 0 1.000001\n0 500 0 1\n400 400 0.000001 1\n9 -9 0 0.5\n");
   const fs::path out = folder_ / "flat.alpha", table = folder_ / "flat.csv";
@@ -129,7 +129,7 @@ TEST_F(CliOutputs, ACancellingSignalIsTheExitCodeAndNothingIsWritten) {
 
 TEST_F(CliOutputs, ASecondSignalKillsAndNothingIsLeftBehind) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
-    // The first may have been answered before the second comes.
+    // The program may have reacted to the first signal before the second arrives.
     const int code = code_after(endless_bench(), "engine\n", {signal, signal});
     EXPECT_TRUE(code == 1000 + signal || code == 128 + signal) << code;
     EXPECT_EQ(files(), "cube.xyzr err");
@@ -137,7 +137,7 @@ TEST_F(CliOutputs, ASecondSignalKillsAndNothingIsLeftBehind) {
 }
 
 TEST_F(CliOutputs, ACancelledProgramEndsSoonWhateverItIsDoing) {
-  // Opening a pipe waits for its reader and asks nobody.
+  // Opening a pipe waits for its reader and cannot be cancelled.
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0666), 0);
   const pid_t child = start(
       {"compute", "cube.xyzr", "--alpha", "1", "--csv", "t", "--json", "pipe"}, STDOUT_FILENO, 0);
@@ -159,11 +159,11 @@ TEST_F(CliOutputs, AClosedPipeIsQuietNotZeroAndLeavesNothingBehind) {
   EXPECT_EQ(code_without_reader(bench), 1000 + SIGPIPE) << "a shell shows 141";
   EXPECT_EQ(text("err"), "");
   EXPECT_EQ(files(), "cube.xyzr err");
-  // Where the signal is ignored, what was computed is not lost.
+  // Where the signal is ignored, computed results are not lost.
   EXPECT_EQ(code_without_reader(bench, SIGPIPE), 128 + SIGPIPE);
   EXPECT_EQ(text("err"), "");
   EXPECT_EQ(files(), "cube.xyzr err t.csv");
-  // The summary comes last, so that `| head` costs no result.
+  // The summary comes last, so `| head` loses no result.
   const std::vector<std::string> compute{"compute", "cube.xyzr", "--alpha", "0", "--out", "whole"};
   EXPECT_EQ(code_without_reader(compute), 1000 + SIGPIPE);
   EXPECT_EQ(files(), "cube.xyzr err t.csv whole");
@@ -264,7 +264,7 @@ TEST_F(CliOutputs, ADashIsStandardOutputAndTheSummaryGoesToStandardError) {
 }
 
 TEST_F(CliOutputs, NotesAreNeverLost) {
-  // Numbers beyond the lattice's digits are rounded, and a note says so.
+  // Numbers with more digits than the lattice are rounded, and a note says so.
   write("fine.xyzr", "0 0 0 1.5\n1.23456789 0 0 1.5\n");
   for (const char* option : {"--out", "--json", "--csv"}) {
     ASSERT_EQ(
@@ -305,8 +305,8 @@ TEST_F(CliOutputs, EverythingIsCheckedBeforeAnythingIsMeasured) {
   }
 }
 
-// The first code block of docs/output-files.md, its remarks left out; "..." stands for lines that
-// are not shown.
+// The first code block of docs/output-files.md without its remarks. "..." stands for lines that are
+// not shown.
 TEST_F(CliOutputs, TheExampleOfTheDocumentationIsWhatTheProgramWrites) {
   fs::copy(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb", folder_ / "1crn.pdb");
   ASSERT_EQ(shell("cli compute 1crn.pdb --alpha 1.4 --out 1crn.alpha >out"), 0);
@@ -326,7 +326,7 @@ TEST_F(CliOutputs, TheExampleOfTheDocumentationIsWhatTheProgramWrites) {
       skip = true;
       continue;
     }
-    // Version and commit are this build's.
+    // Version and commit are those of this build.
     const bool program = expected.starts_with("program ");
     if (program) expected = "program alphascope-cli ";
     bool same = false;
@@ -382,7 +382,7 @@ TEST_F(CliOutputs, APictureIsAnOutputLikeAnyOther) {
 
 TEST_F(CliOutputs, AFullDiskLeavesTheOldFile) {
   write("old", "the old one");
-  // The limit of the shell stands for the disk: writing fails beyond it, and a signal says so.
+  // The shell's limit imitates a full disk. Writing beyond it fails, with a signal.
   const std::string big = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb'";
   EXPECT_EQ(shell("ulimit -f 8; cli compute " + big +
                   " --alpha 1 --out old 2>&1 >/dev/null | cat "

@@ -1,4 +1,4 @@
-// Pictures of alphascope-cli: what is written over and into them.
+// Tests pictures of alphascope-cli: their overlays and their metadata.
 #include "tests/app/cli/cli_fixture.hpp"
 #include "tests/support/png_chunks.hpp"
 
@@ -51,21 +51,21 @@ TEST_F(CliPictures, SayHowTheyAreMadeAgain) {
   EXPECT_EQ(contents(folder_ / "it's one.png"), first);
 }
 
-// A ball that has grown by nothing is drawn whole, and not at the share of the display.
+// Balls that have grown by 0 are drawn whole, not at the display's share of their radius.
 TEST_F(CliPictures, GrownBallsAreWhole) {
   EXPECT_NE(pixels(picture("--no-shadows --grown", "0")), pixels(picture("--no-shadows", "0")));
   EXPECT_NE(pixels(picture("--no-shadows --grown", "0.5")),
             pixels(picture("--no-shadows --grown", "0")));
 }
 
-// The boundary is drawn in place of the tetrahedra, which alone have gaps.
+// The boundary replaces the tetrahedra, which alone are drawn with gaps.
 TEST_F(CliPictures, OfTheBoundaryHaveNoTetrahedra) {
   EXPECT_NE(pixels(picture("--no-balls --shrink 0.5")), pixels(picture("--no-balls")));
   EXPECT_EQ(pixels(picture("--no-balls --clip z --boundary --shrink 0.5")),
             pixels(picture("--no-balls --clip z --boundary")));
 }
 
-// Of a session the file says which atoms the session had chosen.
+// A picture of a session says which atoms the session has chosen.
 TEST_F(CliPictures, OfASessionSayWhatItsBallsAre) {
   const fs::path molecule = folder_ / "1crn.pdb";
   fs::copy_file(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb", molecule);

@@ -1,11 +1,11 @@
-// alphascope-cli: what residues are, why, and what a user says they are.
+// Tests residues in alphascope-cli: what they are, why, and a user's treatments.
 #include "tests/app/cli/cli_fixture.hpp"
 
 namespace alphascope::testing {
 namespace {
 
-// Two bound amino acids; then a ligand of two atoms, an ion, a water and a dummy by their records
-// and names; last an atom of a residue that is nothing known, whose kind is guessed.
+// Two bound amino acids. Then a ligand of two atoms, an ion, a water and a dummy, by their records
+// and names. The last atom is of an unknown residue, whose kind is guessed.
 constexpr const char* kOfEachKind =
     "ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00 10.00           N\n"
     "ATOM      2  CA  GLY A   1       1.200   0.800   0.000  1.00 10.00           C\n"
@@ -34,7 +34,7 @@ class CliResidues : public Cli {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return json::parse(outcome.out);
   }
-  // "LQ9 301 ligand hetatm 1 2".
+  // Lines such as "LQ9 301 ligand hetatm 1 2".
   static std::vector<std::string> lines(const json& residues) {
     std::vector<std::string> list;
     for (const json& r : residues) {
@@ -89,7 +89,7 @@ TEST_F(CliResidues, AreWhatAUserSays) {
   ASSERT_EQ(list.size(), 6u);
   EXPECT_EQ(list[1], "LQ9 301 water by_hand 1 2");
   EXPECT_EQ(list[5], "QIG 305 ion by_hand 1 1");
-  // Of 14 atoms three of waters and the dummy are left out.
+  // Of 14 atoms, three of waters and the dummy are left out.
   EXPECT_EQ(report["input"]["balls"], 10);
   EXPECT_EQ(report["input"]["options"], "--treat 'A:LQ9 301=water' --treat 'QIG=ion'");
   const auto rows = csv_rows(run("info " + file_ + "--treat 'resn LQ9=polymer' --csv -").out);
@@ -102,7 +102,7 @@ TEST_F(CliResidues, AreWhatAUserSays) {
   EXPECT_TRUE(contains(cavities.out, "what residues are is set by hand"));
 }
 
-// An address and a name that another file of many may have.
+// An address and a name that only some of many files may have.
 TEST_F(CliResidues, WhatIsNotInTheFileIsSaidAndDoesNoHarm) {
   for (const std::string residues : {"B:XYZ 7", "PU8", "005", "resi 77"}) {
     const json report = info("--treat '" + residues + "=ion'");
@@ -133,7 +133,7 @@ TEST_F(CliResidues, AWrongKindOrPlaceIsRefusedBeforeAnyFileIsRead) {
   refused("", "the value is empty");
 }
 
-// Of reasons for as many atoms the first that is named has its remedy told.
+// Among reasons for equally many atoms, the first one gets its remedy.
 TEST_F(CliResidues, OfEqualReasonsTheFirstHasItsRemedyTold) {
   const std::string atom =
       "HETATM    1  O   HOH A   1      27.340  24.430   2.614  1.00  9.67           O  \n";

@@ -1,5 +1,5 @@
-// alphascope-cli: the same question gives the same bytes, whatever time and threads it takes; and
-// what files of results hold of names that are no ordinary text.
+// Tests that one question always gives the same bytes, at any speed and with any threads. Also
+// tests files of results with unusual names.
 #include "core/read/read_molecule.hpp"
 #include "core/write/csv.hpp"
 #include "tests/app/cli/cli_fixture.hpp"
@@ -11,8 +11,8 @@ const std::string kCrambin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pd
 
 class CliSameBytes : public Cli {
  protected:
-  // All that the command writes, by file, with standard output and error. NAME in the arguments is
-  // a file of its own.
+  // All files that the command writes, with standard output and error. NAME in the arguments stands
+  // for a file of its own.
   std::map<std::string, std::string> written(std::string arguments) const {
     const fs::path into = folder_ / "into";
     fs::remove_all(into);
@@ -67,9 +67,9 @@ TEST_F(CliSameBytes, NoTimesLeavesOutAllThatDependsOnTimeAndThreads) {
     const std::string draw = "screenshot --alpha 1 --size 64x64 -o INTO/p.png" + file;
     EXPECT_EQ(written(draw + "--threads 1").at("p.png"), written(draw + "--threads=2").at("p.png"));
   }
-  // Times are bench's result.
+  // Times are the result of bench.
   EXPECT_EQ(run("bench --alpha 1 --no-times" + file).code, 2);
-  // Without the option they are there.
+  // Without the option times are written.
   EXPECT_TRUE(contains(run("compute --alpha 1 --json - '" + kCrambin + "'").out, "\"timings_ms\""));
 }
 
@@ -91,7 +91,7 @@ TEST_F(CliSameBytes, QuietPrintsNoTimes) {
 }
 
 TEST_F(CliSameBytes, TheLatticeIsThatOfTheBallsThatWereUsed) {
-  // Crambin has three digits, a solvent radius of 1.2005 Å four.
+  // Crambin needs three digits, a solvent radius of 1.2005 Å four.
   const std::string file = " '" + kCrambin + "' --solvent 1.2005 ";
   for (const std::string command : {"compute --alpha 0", "measure", "cavities"}) {
     const json result = json::parse(run(command + file + "--json -").out);
@@ -109,12 +109,12 @@ TEST_F(CliSameBytes, TheLatticeIsThatOfTheBallsThatWereUsed) {
   EXPECT_EQ(models["results"][0]["input"]["lattice_unit_angstrom"], 0.0001);
   const std::string lives = run("cavities" + file + "--lives -").out;
   EXPECT_TRUE(contains(lives, "# lattice_unit_angstrom: 0.0001\n")) << lives.substr(0, 2000);
-  // Without it the file's own.
+  // Without the option it is the file's own.
   const json plain = json::parse(run("info '" + kCrambin + "' --json -").out);
   EXPECT_EQ(plain["input"]["lattice_unit_angstrom"], 0.001);
 }
 
-// Chains and residues with blanks, quotes, semicolons and what spreadsheets compute.
+// Chains and residues with blanks, quotes, semicolons and formulas of spreadsheets.
 constexpr const char* kEvil =
     "data_x\n_struct.title '=HYPERLINK(\"http://x\",\"y\")'\nloop_\n"
     "_atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
@@ -156,7 +156,7 @@ TEST_F(CliSameBytes, NoNameIsACommandInAScript) {
       EXPECT_FALSE(contains(line, "close all") || contains(line, "delete")) << line;
     }
   }
-  // PyMOL would begin a command behind a semicolon; in Python a comment ends with its line.
+  // In PyMOL a command begins behind a semicolon. In Python a comment ends with its line.
   EXPECT_TRUE(contents(folder_ / "e.pml").starts_with("python\n# "));
 }
 

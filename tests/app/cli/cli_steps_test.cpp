@@ -1,4 +1,5 @@
-// alphascope-cli steps on small files: sentences, JSON, switches, and messages for wrong balls.
+// Tests alphascope-cli steps on small files: sentences, JSON, switches, and messages for wrong
+// balls.
 #include <set>
 
 #include "tests/app/cli/cli_fixture.hpp"
@@ -24,8 +25,8 @@ class CliSteps : public Cli {
   }
 };
 
-// Balls 1.5 at the corners of a cube of side 2: a corner meets all but the opposite one, which is
-// 3.46 away.
+// Balls of radius 1.5 at the corners of a cube of side 2. A corner meets all others but the
+// opposite one, which is 3.46 away.
 TEST_F(CliSteps, ShowsOneCornerOfACube) {
   const std::string corner = "'" + cube_.string() + "' --ball 0 --alpha 0";
   const json all = steps(corner);
@@ -35,7 +36,7 @@ TEST_F(CliSteps, ShowsOneCornerOfACube) {
   EXPECT_EQ(step(all, "grid")["counts"]["balls_in_grid"], 8);
   EXPECT_EQ(step(all, "cube")["counts"]["neighbours"], 7);
   EXPECT_EQ(step(all, "pairs")["counts"], json({{"made", 7}, {"dropped", 1}, {"kept", 6}}));
-  // Three edges and, of the three sides, diagonals; no orthocentre of four is within.
+  // Three edges, and the diagonals of three sides. No orthocentre of four balls is within.
   EXPECT_EQ(all["star"]["vertices"], json({{0}}));
   EXPECT_EQ(all["star"]["tetrahedra"], json::array());
   const auto edges = all["star"]["edges"].get<std::vector<std::vector<int>>>();
@@ -52,7 +53,7 @@ TEST_F(CliSteps, ShowsOneCornerOfACube) {
   }
 }
 
-// The same corner: of its six neighbours' edges, those along faces are attached by ties.
+// The same corner. Among the edges to its six neighbours, those across faces are attached by ties.
 TEST_F(CliSteps, ShowsTheDualEdgeEngine) {
   const std::string corner = "'" + cube_.string() + "' --ball 0 --alpha 0";
   const json all = steps(corner + " --engine dual_edges"), tuples = steps(corner);
@@ -98,7 +99,7 @@ TEST_F(CliSteps, SwitchesAddWork) {
     return step(all, id)["counts"][what].get<int>();
   };
   EXPECT_LT(count(both, "tuples", "kept"), count(no_edges, "tuples", "kept"));
-  // Four balls with rho <= alpha meet, so the alpha optimisation alone drops as much.
+  // Four balls with rho <= alpha meet, so the alpha optimisation alone drops equally many.
   EXPECT_EQ(count(both, "filter", "tested"), count(no_edges, "filter", "tested"));
   EXPECT_LT(count(no_edges, "filter", "tested"), count(none, "filter", "tested"));
   EXPECT_EQ(both["star"], none["star"]);

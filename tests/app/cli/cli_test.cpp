@@ -1,4 +1,4 @@
-// The real alphascope-cli on small files: results, exit codes, and messages for bad input.
+// Tests the real alphascope-cli on small files: results, exit codes, and messages for bad input.
 #include "tests/app/cli/cli_fixture.hpp"
 #include "tests/support/molecules.hpp"
 
@@ -74,7 +74,7 @@ TEST_F(Cli, ASelectionOfNothingIsAnError) {
       EXPECT_TRUE(contains(outcome.err, c.said)) << command << ' ' << outcome.err;
     }
   }
-  // One model of two may lack it.
+  // One of two models may lack it.
   const std::string atom =
       "HETATM    1  O   HOH %   1      27.340  24.430   2.614  1.00  9.67           O  \n";
   std::string a = atom, b = atom;
@@ -87,7 +87,7 @@ TEST_F(Cli, ASelectionOfNothingIsAnError) {
   EXPECT_TRUE(contains(run("info '" + two.string() + "'").err, "dropped 1 water. Add --waters."));
 }
 
-// Nothing in it moves a cursor, rings, or turns the direction of writing round.
+// No text moves the cursor, rings, or reverses the direction of writing.
 void expect_shown_safely(const std::string& text, const std::string& what) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -160,7 +160,7 @@ TEST_F(Cli, UnwritableOutputIsCode5) {
 
 TEST_F(Cli, JsonCarriesCountsHashTimesAndProvenance) {
   const json result = compute_json("'" + cube_.string() + "' --alpha 1 --engine cpu");
-  // At alpha 1 the corners' spheres (1.5² + 1 >= 3) reach the middle: the cube is filled.
+  // At alpha 1 the corners' spheres (1.5² + 1 >= 3) reach the middle, so the cube is filled.
   EXPECT_EQ(result["counts"]["vertices"], 8);
   const int edges = result["counts"]["edges"], triangles = result["counts"]["triangles"],
             tetrahedra = result["counts"]["tetrahedra"];
@@ -204,7 +204,7 @@ TEST_F(Cli, TheThreadsThatAreSaidAreThoseThatAreUsed) {
   for (const char* engine : {"cpu", "cgal", "tuples-cpu"}) {
     const std::string chosen = file + "--engine " + engine + " --threads ";
     EXPECT_EQ(compute_json(chosen + "1")["engine"]["device"], "CPU, 1 thread");
-    // More than there are is the same as all.
+    // More threads than there are mean all.
     const json all = compute_json(chosen + "0"), more = compute_json(chosen + "1024");
     EXPECT_EQ(more["engine"]["device"], all["engine"]["device"]);
     EXPECT_EQ(more["request"]["threads"], 1024);
@@ -232,7 +232,7 @@ TEST_F(Cli, TheTupleEngineHasSwitchesAndCountsItsTuples) {
   EXPECT_FALSE(bare["request"]["tuples"]["edge_optimisation"]);
 }
 
-// Where there is no device, it says so and what to choose; the CPU does not stand in for it.
+// Without a device it says so, and which engine to choose. The CPU does not replace it.
 TEST_F(Cli, TheTupleEngineOnTheGpuWorksOrSaysWhyNot) {
   const std::string request = "compute '" + cube_.string() + "' --alpha 1 --engine tuples-gpu";
   const Outcome outcome = run(request + " --pageable --streams 1 --no-texture");
@@ -297,7 +297,7 @@ TEST_F(Cli, OutputsReplaceWholeFilesAndLeaveNothingBehind) {
   }
 }
 
-// Two balls of 1 Å, 3.000001 Å apart: rho of their edge is 1.25000150000025 Å².
+// Two balls of 1 Å, 3.000001 Å apart. rho of their edge is 1.25000150000025 Å².
 TEST_F(Cli, AlphaIsTheDecimalThatIsTyped) {
   const std::string file = "'" + write("two.xyzr", "0 0 0 1\n3.000001 0 0 1\n").string() + "'";
   const auto edges = [&](const std::string& more) {
@@ -308,7 +308,7 @@ TEST_F(Cli, AlphaIsTheDecimalThatIsTyped) {
   for (const char* engine : {"cpu", "cgal", "tuples-cpu"}) {
     const std::string by = std::string(" --engine ") + engine;
     EXPECT_EQ(edges("--alpha 1.25000150000025" + by), 1);
-    EXPECT_EQ(edges("--alpha 1.250001500000249999" + by), 0);  // no double: it rounds to the other
+    EXPECT_EQ(edges("--alpha 1.250001500000249999" + by), 0);  // rounds to the other double
   }
   const json request =
       json::parse(run("compute " + file + " --alpha 1.250001500000249999 --json -").out)["request"];
@@ -342,7 +342,7 @@ TEST_F(Cli, VerifyProvesTheDefinitionOfTetrahedraAlone) {
   EXPECT_TRUE(contains(outcome.out, ", 0 false"));
 }
 
-// Beyond the range of the engine's own route.
+// Alpha is beyond the range of the engine's own route.
 TEST_F(Cli, VerifyDoesNotCompareCgalWithItself) {
   const std::string large = "verify '" + cube_.string() + "' --alpha 1e12";
   for (const std::string& only : {std::string(), std::string(" --tetrahedra-only")}) {
@@ -374,8 +374,8 @@ TEST_F(Cli, BenchWritesTableAndCsv) {
   for (const auto& row : rows) EXPECT_EQ(row.at("identical"), "1") << "to CGAL";
 }
 
-// Four balls of radius 1 at the corners of a tetrahedron, whose edges are 2.5: with a solvent of 1
-// its orthosphere is negative.
+// Four balls of radius 1 at the corners of a tetrahedron with edges of 2.5. With a solvent of 1 the
+// radius² of its orthosphere is negative.
 TEST_F(Cli, BenchGrowsTheBallsByTheSolvent) {
   const fs::path file =
       write("four.xyzr", "0 0 0 1\n2.5 0 0 1\n1.25 2.165 0 1\n1.25 0.722 2.041 1\n");
@@ -404,13 +404,13 @@ TEST_F(Cli, SelectionAndAssemblyComeFromTheCommandLine) {
   EXPECT_EQ(compute_json(file + "--assembly 1")["input"]["assembly"], "1");
   EXPECT_EQ(run("compute " + file + "--select 'chain and'").code, 2);
   EXPECT_EQ(run("compute " + file + "--assembly nosuch").code, 2);
-  // Sizes are those of expanding what was deposited.
+  // The sizes are those of the deposited structure, expanded.
   const std::string info = "info '" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb'";
   EXPECT_TRUE(contains(run(info).out, "--assembly 1: 1 operator, 327 atoms"));
   EXPECT_TRUE(contains(run(info + " --assembly 1").out, "1 operator, expanded here"));
 }
 
-// The counts that the reference molecule of the thesis must give.
+// Counts that the thesis gives for its reference molecule.
 TEST_F(Cli, GramicidinHasItsKnownCounts) {
   ALPHASCOPE_NEED_TEST_DATA();
   const fs::path file = test_data_folder() / "ladder" / "1grm.crd";

@@ -1,4 +1,4 @@
-// The thesis' suite on the command line.
+// Tests the thesis' suite on the command line.
 #include <gtest/gtest.h>
 
 #include "tests/app/cli/cli_fixture.hpp"

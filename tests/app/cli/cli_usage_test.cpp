@@ -1,4 +1,4 @@
-// alphascope-cli: what is typed wrongly is refused with its remedy, and the guide shows what works.
+// Tests that wrong input is refused with a remedy, and that the guide's command lines work.
 #include <algorithm>
 #include <regex>
 #include <set>
@@ -27,7 +27,8 @@ class CliUsage : public Cli {
     EXPECT_GE(names.size(), 13u) << help;
     return names;
   }
-  // "--alpha" and "-o" of a command, or of the program for ""; those that take a value, or all.
+  // Options such as "--alpha" and "-o" of a command, or of the program for "". Those that take a
+  // value, or all.
   std::set<std::string> options(const std::string& command, bool with_value) const {
     std::set<std::string> names;
     const std::string help = run(command + " --help").out;
@@ -148,7 +149,7 @@ TEST_F(CliUsage, SentencesAreWholeAndRemediesExist) {
   EXPECT_TRUE(contains(run("info --no-ligands " + file).err, "Leave out --no-ligands."));
 }
 
-// Progress is written over with blanks, and not at all where a terminal cannot.
+// Progress is erased with blanks, and not shown on a terminal that cannot.
 TEST_F(CliUsage, NoTerminalGetsEscapeSequences) {
   if (std::system("script --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs script";
   const auto shown = [&](const std::string& environment) {
@@ -169,7 +170,7 @@ TEST_F(CliUsage, NoTerminalGetsEscapeSequences) {
   }
 }
 
-// Every word that looks like an option in the sources is one of a program.
+// Every word in the sources that looks like an option is an option of a program.
 TEST_F(CliUsage, MessagesNameOptionsThatExist) {
   std::set<std::string> known{"--script", "--shot",     "--session",       "--lesson",
                               "--record", "--light",    "--script-help",   "--no-compare",
@@ -199,10 +200,10 @@ TEST_F(CliUsage, MessagesNameOptionsThatExist) {
   EXPECT_GT(seen, 100);
 }
 
-// --- the guide's command lines
+// --- command lines of the guide
 
-// Command lines of alphascope-cli in a text: lines that begin with four blanks, with those that go
-// on more to the right, or the lines of the help; and what stands between backquotes.
+// Command lines of alphascope-cli in a text. They are lines that begin with four blanks and their
+// deeper continuation lines, the lines of the help, and texts between backquotes.
 std::vector<std::string> command_lines(const std::string& text) {
   std::vector<std::string> found;
   std::istringstream lines(text);
@@ -231,7 +232,8 @@ std::vector<std::string> command_lines(const std::string& text) {
   return found;
 }
 
-// As it can be typed: nothing optional, the first of what there is to choose, values for names.
+// The line as it can be typed: without optional parts, with the first of each choice, and with
+// values for names.
 std::string typed(std::string line) {
   const auto all = [&](const char* pattern, const char* with) {
     line = std::regex_replace(line, std::regex(pattern), with);
@@ -275,15 +277,15 @@ TEST_F(CliUsage, CommandLinesOfTheGuideAreUnderstood) {
     for (std::sregex_iterator m(line.begin(), line.end(), option), last; m != last; ++m) {
       EXPECT_TRUE(of_command.contains((*m)[1])) << (*m)[1] << " in: " << line;
     }
-    // Nobody writes all of a line into a sentence.
+    // A sentence never contains a complete command line.
     if (line.find("FILE") == line.npos && line.find('.') == line.npos) continue;
     if (!kDrawsPictures && (command == "screenshot" || command == "frames")) continue;
     const std::string words = typed(line);
-    // Of a list of files, and of a molecule that is none.
+    // Files for a list of names, and for text that is no molecule.
     const bool null_separated = line.find("--null") != line.npos;
     const Outcome outcome =
         run(words, write("list", null_separated ? std::string("none.pdb", 9) : "none.pdb\n"));
-    // The molecules of the examples are not here: reading fails, understanding does not.
+    // The molecules of the examples are missing here, so reading fails, but parsing must not.
     EXPECT_NE(outcome.code, 2) << words << "\n" << outcome.err;
   }
 }

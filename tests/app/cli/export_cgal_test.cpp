@@ -1,4 +1,4 @@
-// Boundaries that alphascope-cli export writes, as CGAL reads them: what it takes for a solid.
+// Tests that CGAL reads boundaries of alphascope-cli export as solids.
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -19,7 +19,7 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 
 class ExportCgal : public Cli, public ::testing::WithParamInterface<const char*> {};
 
-// A mesh that is no orientable manifold is not read at all.
+// CGAL refuses a mesh that is not an orientable manifold.
 TEST_P(ExportCgal, ReadsTheBoundaryAsAClosedSolid) {
   const std::string molecule = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
   const std::string name = (folder_ / "s.").string() + GetParam(),

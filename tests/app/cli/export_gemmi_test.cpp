@@ -1,4 +1,4 @@
-// PQR files that alphascope-cli export writes, as gemmi reads their PDB columns.
+// Tests PQR files of alphascope-cli export with gemmi, which reads their PDB columns.
 #include <gemmi/pdb.hpp>
 
 #include "core/read/read_molecule.hpp"

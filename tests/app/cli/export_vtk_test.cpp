@@ -1,4 +1,4 @@
-// What alphascope-cli export writes, as VTK's readers see it, compared with the complex.
+// Tests files of alphascope-cli export with VTK's readers, against the complex.
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
@@ -54,7 +54,7 @@ class ExportVtk : public Cli {
   }
 };
 
-// Positive when triangles are counterclockwise as seen from outside.
+// Positive when triangles are counterclockwise seen from outside.
 double volume(vtkPolyData& mesh) {
   double six = 0;
   vtkNew<vtkIdList> corners;
@@ -70,7 +70,7 @@ double volume(vtkPolyData& mesh) {
   return six / 6;
 }
 
-// Sides of one triangle only, or of more than two.
+// Counts sides of only one triangle, or also those of more than two.
 vtkIdType bad_sides(vtkPolyData& mesh, bool also_of_many) {
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(&mesh);
@@ -99,8 +99,7 @@ TEST_F(ExportVtk, ObjIsTheClosedBoundary) {
   EXPECT_NEAR(volume(*mesh), whole.volume(), 1e-5 * whole.volume());
 }
 
-// VTK makes one point of all vertices at a place, so sides where solids touch are of more
-// triangles.
+// VTK merges vertices at one place, so sides where solids touch have more triangles.
 TEST_F(ExportVtk, StlHasASolidForEachComponent) {
   const TextComplex whole = complex("3");
   vtkNew<vtkSTLReader> reader;

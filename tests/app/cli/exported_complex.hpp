@@ -1,4 +1,4 @@
-// What an exported file must agree with: the complex as `compute --out` writes it.
+// The complex as `compute --out` writes it, for comparison with exported files.
 #pragma once
 
 #include <array>

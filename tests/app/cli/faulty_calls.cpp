@@ -1,9 +1,10 @@
-// Loaded in front of the C library (LD_PRELOAD): lets the N-th call of one kind fail, or sends a
-// signal at it. ALPHASCOPE_FAULT is "KIND N ACTION", KIND one of open (for writing), write, rename,
-// fsync, malloc; ACTION an errno below 1000, "0" a failure of this and all later calls (malloc), or
-// 1000 + a signal, which comes when the call is done. Memory is counted once the program handles
-// signals: what is before main() is not its own. ALPHASCOPE_FAULT_MARK is a file that is made
-// when it happens. With ALPHASCOPE_NO_EXCHANGE, names cannot be exchanged, as on NFS.
+// A library loaded in front of the C library (LD_PRELOAD). It lets the N-th call of one kind fail,
+// or sends a signal at it. ALPHASCOPE_FAULT is "KIND N ACTION". KIND is open (for writing), write,
+// rename, fsync or malloc. ACTION is an errno below 1000, or 1000 + a signal, which is sent after
+// the call. "0" makes this and all later calls fail (malloc). Memory is counted once the program
+// handles signals, since calls before main() are not its own. ALPHASCOPE_FAULT_MARK is a file that
+// is made when the fault happens. With ALPHASCOPE_NO_EXCHANGE, names cannot be exchanged, as on
+// NFS.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/syscall.h>
@@ -58,7 +59,7 @@ void mark() {
   if (file >= 0) ::syscall(SYS_close, file);
 }
 
-// Whether this call is the one.
+// True when this call is to fail.
 bool reached(Kind kind) {
   if (kind != fault.kind) return false;
   const long call = ++calls;
@@ -143,7 +144,8 @@ int rename(const char* from, const char* to) noexcept {
   return static_cast<int>(result);
 }
 
-// A failure is that of the name, not of a system without exchange: then rename() would follow.
+// The failure concerns the name. It does not mean a system without exchange, for which rename()
+// would follow.
 int renameat2(int a, const char* from, int b, const char* to, unsigned flags) noexcept {
   if (std::getenv("ALPHASCOPE_NO_EXCHANGE") != nullptr) {
     errno = EINVAL;

@@ -1,5 +1,5 @@
-// The exit code of `verify`, with engines that are wrong on purpose: what a program that calls it
-// relies on.
+// Tests the exit code of `verify`, on which calling programs rely, with engines that are wrong on
+// purpose.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace {
 
 using Damage = std::function<void(AlphaComplex&)>;
 
-// Computes as CGAL's engine does, and damages the answer.
+// Computes like CGAL's engine, and damages the answer.
 class DamagedEngine : public Engine {
  public:
   DamagedEngine(std::shared_ptr<const BallSet> balls, Damage damage)
@@ -42,7 +42,7 @@ class VerifyCommand : public ::testing::Test {
   }
   ~VerifyCommand() override { std::filesystem::remove(file_); }
 
-  // `of_both`: CGAL's answer is damaged as well, so that both are the same.
+  // `of_both`: CGAL's answer is damaged in the same way.
   ExitCode code(const Damage& damage, bool of_both, bool definition) const {
     VerifyOptions options;
     options.input.file = file_.string();
@@ -75,13 +75,13 @@ TEST_F(VerifyCommand, DiffersWhereTheEnginesDo) {
   EXPECT_EQ(code(with_a_wrong_class, false, false), ExitCode::differs);
 }
 
-// Both engines agree: only the definition tells.
+// Both engines agree, and only the definition shows the fault.
 TEST_F(VerifyCommand, DiffersWhereOnlyTheDefinitionFails) {
   EXPECT_EQ(code(with_a_wrong_class, true, false), ExitCode::ok);
   EXPECT_EQ(code(with_a_wrong_class, true, true), ExitCode::differs);
 }
 
-// Where both rest on CGAL's triangulation, the definition is asked without being told.
+// Where both engines rest on CGAL's triangulation, the definition is checked by default.
 TEST_F(VerifyCommand, AsksTheDefinitionWhereBothRestOnCgal) {
   const auto wrong_both = [](AlphaComplex& complex) {
     with_a_wrong_class(complex);

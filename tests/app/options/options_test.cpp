@@ -1,4 +1,4 @@
-// The table of options: values, proposals, and that parsing does what the table says.
+// Tests the table of options: values, proposals, and parsing according to the table.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -176,12 +176,12 @@ TEST(Options, HelpIsOfTheProgramOrOfOneCommand) {
             of_run.npos);
 }
 
-// The program writes no line longer than 100 columns, and breaks none within a default value.
+// No line is longer than 100 columns, and none breaks within a default value.
 TEST(Options, LongExplanationsAreWrapped) {
   std::string value;
   OptionProgram program;
   program.name = "prog";
-  std::string words;  // up to column 95, from column 32
+  std::string words;  // columns 32 to 95
   for (int n = 0; n < 8; ++n) words += words.empty() ? "a123456" : " a123456";
   program.options = {with_default(text_option({"--value", "V", words + " behind"}, value), "1 2"),
                      text_option({"--a-name-that-is-long-by-itself", "V", "Text"}, value)};
@@ -236,7 +236,7 @@ TEST(Options, TextIsEscapedForManualAndShells) {
   const OptionProgram program = table(v);
   const std::string page = man_page(program);
   EXPECT_NE(page.find("It\\(aqs a \"note\": [100 %] \\-x"), page.npos) << page;
-  // Quotes, colons and brackets would end what they stand in.
+  // Quotes, colons and brackets would end the text that contains them.
   for (const char* shell : {"zsh", "fish"}) {
     const std::string script = completion_script(program, shell);
     EXPECT_NE(script.find("It s a |note|"), script.npos) << script;

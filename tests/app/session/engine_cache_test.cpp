@@ -1,4 +1,4 @@
-// Which engines are kept, and what happens when one fails.
+// Tests which engines are kept, and what happens when one fails.
 #include "app/session/engine_cache.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(EngineCache, HandsOverWhatItsEnginesMakeOfAllBalls) {
   EXPECT_EQ(&made.filtration->balls(), balls.get());
   EXPECT_EQ(cache.kept_bytes(), 0u) << "each object has one owner";
 
-  // Before the new owner could show it.
+  // The next request comes before the new owner can show the result.
   request.alpha_angstrom2 = 2;
   EXPECT_EQ(cache.compute(balls, request, {}).complex.engine.route, kThresholdRoute);
   EXPECT_FALSE(cache.take_made()) << "it is no other one";
@@ -159,7 +159,7 @@ TEST(EngineCache, SmallerAlphasAreThresholdsOfAnAnswerThatIsShared) {
   EXPECT_EQ(first.use_count(), 1) << "of other balls";
 }
 
-// Of one ball of 1.7 Å.
+// The sphere of one ball of 1.7 Å.
 constexpr double kSphereAngstrom2 = 36.316811075498;
 
 TEST(EngineCache, MeasuresByTheDeviceOfItsEngine) {
@@ -242,7 +242,7 @@ TEST(EngineCache, LetsAllEnginesRestWhereNothingWillBeAsked) {
   EngineCache cache(fake_factory(log));
   const auto balls = few_balls(4);
   Request request;
-  cache.rest();  // of none
+  cache.rest();  // no engine
   request.engine = EngineChoice::gpu;
   cache.compute(balls, request, {});
   request.engine = EngineChoice::cpu;
@@ -257,7 +257,7 @@ TEST(EngineCache, SaysHowLongTheDeviceLookedForTheOutside) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));
   EngineAnswer answer = cache.compute(few_balls(4), {}, {});
-  cache.find_outside_on_device(answer);  // it has none
+  cache.find_outside_on_device(answer);  // there is no device
   EXPECT_FALSE(answer.complex.outside);
   EXPECT_EQ(answer.outside_milliseconds, 0);
   log.finds_outside = true;
@@ -281,19 +281,19 @@ TEST(EngineCache, SaysWhatTheLatticeRounds) {
   request.solvent_radius_angstrom = 1.4;
   const std::string note = cache.compute(std::make_shared<BallSet>(far), request, {}).note;
   EXPECT_NE(note.find("solvent radius of 1.4 Å is rounded to 1 Å"), std::string::npos) << note;
-  EXPECT_EQ(note.find("Alpha"), std::string::npos) << note;  // which is exact
+  EXPECT_EQ(note.find("Alpha"), std::string::npos) << note;  // alpha is exact
   EXPECT_EQ(solvent_rounding_angstrom(request, far.lattice), 0.4);
   request.solvent_radius_angstrom = 2;
   request.alpha_angstrom2 = 3;
   EXPECT_EQ(cache.compute(std::make_shared<BallSet>(far), request, {}).note, "");
 }
 
-// However little it is: what was asked for is not what was computed.
+// Even a small rounding is reported, because the computed radius is not the requested one.
 TEST(EngineCache, SaysASolventRadiusThatIsRoundedByLessThanAThousandth) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));
   BallSet far = *few_balls(4);
-  far.centres[0].x = kMaxLatticeCoordinate;  // so there is no finer lattice than 0.001 Å
+  far.centres[0].x = kMaxLatticeCoordinate;  // so the finest lattice is 0.001 Å
   for (const auto& [asked, used] : {std::pair{1.4004, "1.4"}, {1.400001, "1.4"}, {0.9999, "1"}}) {
     const Request request = with_solvent_radius(asked);
     const std::string note = cache.compute(std::make_shared<BallSet>(far), request, {}).note;
@@ -330,8 +330,7 @@ TEST(EngineCache, FreesTheEnginesOfAnotherMolecule) {
   EXPECT_TRUE(watch.expired());
 }
 
-// Who goes on when a device fails is decided once, in the engine
-// (core/engines/short_of_memory.hpp).
+// The engine alone decides what replaces a failing device (core/engines/short_of_memory.hpp).
 TEST(EngineCache, AFailingDeviceIsTheEnginesBusinessWhateverTheChoice) {
   struct LostDevice : Executor {
     std::optional<AlphaComplex> compute(const AlphaRequest&, const RunContext&) override {

@@ -1,4 +1,4 @@
-// What the options of the engines set.
+// Tests which engine settings the options set.
 #include <gtest/gtest.h>
 
 #include "app/cli/option_groups.hpp"
@@ -19,7 +19,7 @@ Request request_of(std::vector<const char*> words) {
   return request;
 }
 
-// Nothing but speed and memory tells from outside whether a GPU engine has heard them.
+// From outside only speed and memory show the settings of a GPU engine.
 TEST(EngineOptions, EachSetsItsOwn) {
   const TupleOptions as_built = request_of({}).tuples;
   EXPECT_TRUE(as_built.pinned);

@@ -1,5 +1,5 @@
-// A test double for the engines: answers with one vertex a ball, waits when told to, and counts
-// what it is asked. It stands in for time and failure, never for geometry.
+// A test double for engines. It answers with one vertex a ball, waits on demand, and counts
+// requests. It imitates time and failure, never geometry.
 #pragma once
 
 #include <atomic>
@@ -21,11 +21,11 @@ struct FakeEngineLog {
   std::atomic<int> made{0}, started{0}, finished{0}, cancelled{0};
   std::atomic<bool> hold{false};          // computations wait, and notice their cancel token
   std::atomic<bool> fail_next{false};     // the next computation throws
-  std::atomic<bool> set_up_again{false};  // answers after the first have set-up stages, too
+  std::atomic<bool> set_up_again{false};  // later answers have set-up stages, too
   std::atomic<int> steps{1};              // of 50 µs each
   std::atomic<int> measured{0};
-  std::atomic<bool> finds_outside{false};  // no face, in a millisecond
-  DeviceMeasuring measuring;  // what measuring is answered with; an area of 123 Å² if by a device
+  std::atomic<bool> finds_outside{false};  // finds no face, in a millisecond
+  DeviceMeasuring measuring;  // answers measure(); by a device with an area of 123 Å²
 };
 
 class FakeEngine : public Engine {

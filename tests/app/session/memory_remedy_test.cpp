@@ -1,4 +1,4 @@
-// What commands say where memory is short: options that they have.
+// Tests that messages on short memory name options of their command.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ TEST(MemoryRemedy, IsWhatHelpsTheCommand) {
       said("compute"),
       "Not enough memory. Use a smaller alpha or solvent radius, or add --tetrahedra-only, or "
       "keep fewer atoms with --select.");
-  // One command's remedy is not another's.
+  // Each command has its own remedy.
   EXPECT_EQ(out_of_memory({"none", "", {}}).message, "Not enough memory. Close other programs.");
 }
 

@@ -1,4 +1,5 @@
-// The session as a window uses it: nothing waits, the latest request wins, failure keeps the old.
+// Tests the session as a window uses it: nothing waits, the latest request wins, failure keeps the
+// old.
 #include "app/session/session.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ class SessionTest : public ::testing::Test {
   void SetUp() override {
     std::string pattern =
         (std::filesystem::path(::testing::TempDir()) / "alphascope_session_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());  // tests run side by side, each in a process of its own
+    folder_ = ::mkdtemp(pattern.data());  // tests run side by side, each in its own process
     good_ = write("good.xyzr", "0 0 0 1.7\n1.5 0 0 1.7\n0 1.5 0 1.5\n0 0 1.5 1.2\n");
     other_ = write("other.xyzr", "0 0 0 1.7\n2 0 0 1.7\n");
     bad_ = write("bad.xyzr", "0 0 0 1.7\n1 2 banana 1.7\n");
@@ -59,7 +60,7 @@ class SessionTest : public ::testing::Test {
     return all;
   }
 
-  // The same without a poll: what comes waits.
+  // The same without polling, so arrivals wait.
   template <class Condition>
   static bool wait_for(const Condition& condition) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -70,7 +71,7 @@ class SessionTest : public ::testing::Test {
     return true;
   }
 
-  // False when the condition has not come true within a time that no machine needs.
+  // False when the condition is not true within a time that suffices on any machine.
   template <class Condition>
   static bool poll_until(Session& session, const Condition& condition) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -110,8 +111,8 @@ TEST_F(SessionTest, OpensAndComputesAtThePresentRequest) {
   EXPECT_FALSE(state.our_timings.warm);
 }
 
-// Both the answer and the file have come when the window looks again: the answer is of the molecule
-// before, and the file comes first.
+// Answer and file have both arrived when the window polls. The answer is of the earlier molecule,
+// and the file is taken first.
 TEST_F(SessionTest, AnAnswerThatComesWithAnotherFileIsNotShownOnIt) {
   const auto session = make();
   session->open(good_);
@@ -132,7 +133,8 @@ TEST_F(SessionTest, AnAnswerThatComesWithAnotherFileIsNotShownOnIt) {
   EXPECT_EQ(session->state().ours->complex.vertices.size(), 2u);
 }
 
-// Even while a slider is dragged, when computations finish: this one is of the molecule before.
+// This also holds while a slider is dragged and computations finish. The running one is of the
+// earlier molecule.
 TEST_F(SessionTest, AnotherFileCancelsWhatIsComputedForTheOldOne) {
   const auto session = make();
   session->open(good_);
@@ -213,7 +215,7 @@ TEST_F(SessionTest, OnlyTheFirstAnswerIsCold) {
   session->set_request(alpha(3));
   session->open(good_);
   settle(*session);
-  log_.set_up_again = true;  // as engines do that prepare something for the next answers
+  log_.set_up_again = true;  // like engines that prepare for later answers
   session->set_request(alpha(1));
   settle(*session);
   const ColdAndWarm& ours = session->state().our_timings;
@@ -348,7 +350,7 @@ TEST_F(SessionTest, CancelKeepsTheLastAnswer) {
   EXPECT_FALSE(session->state().up_to_date());
   EXPECT_TRUE(session->state().last_error.empty());
   log_.hold = false;
-  session->set_request(alpha(5));  // the same again: not yet answered, so it counts
+  session->set_request(alpha(5));  // a repeated request without an answer still counts
   settle(*session);
   EXPECT_TRUE(session->state().up_to_date());
 }
@@ -426,7 +428,7 @@ TEST_F(SessionTest, CgalIsTimedWithAllThreadsToo) {
     settle(session);
     session.request_comparison();
     settle(session);
-    const bool parallel = available >= 3;  // from where CGAL's parallel code works
+    const bool parallel = available >= 3;  // from here on CGAL works in parallel
     ASSERT_TRUE(poll_until(session, [&] {
       return session.state().agreement &&
              session.state().parallel_timings.cold.has_value() == parallel;
@@ -467,7 +469,7 @@ TEST_F(SessionTest, ASliderMovesWhileTheComparisonRuns) {
   session.open(good_);
   settle(session);
   session.request_comparison();
-  // Polling as a window does: an answer still on its way is compared when it arrives.
+  // Polls like a window. An answer that is still on its way is compared when it arrives.
   ASSERT_TRUE(poll_until(session, [&] { return slow.started > 0; }));
   session.set_request(alpha(7));
   ASSERT_TRUE(poll_until(session, [&] { return session.state().up_to_date(); }));
@@ -513,7 +515,7 @@ TEST_F(SessionTest, AnAssemblyIsExpandedFromTheDepositedAtomsAndTakenBack) {
   const auto deposited = session->state().molecule;
   ASSERT_EQ(session->state().opened->assemblies.size(), 1u);
   EXPECT_EQ(session->state().opened->assemblies[0].atoms, 2u);
-  std::filesystem::remove(dimer);  // it must not be read again
+  std::filesystem::remove(dimer);  // so that it cannot be read again
 
   OpenOptions options = session->open_options();
   options.assembly = "1";
@@ -669,7 +671,7 @@ TEST_F(SessionTest, AnAnswerBringsWhatItsEngineMadeOfAllBalls) {
   EXPECT_LT(session.held_bytes(), with_made) << "it has another owner";
   EXPECT_EQ(of_first.filtration.use_count(), 1);
 
-  // Of the same balls there is no other.
+  // The same balls need no other one.
   request.alpha_angstrom2 = 1;
   session.set_request(request, of_first);
   settle(session);
@@ -687,7 +689,8 @@ TEST_F(SessionTest, AnAnswerBringsWhatItsEngineMadeOfAllBalls) {
   EXPECT_NE(session.state().ours->made->filtration, second->made->filtration);
 }
 
-// Where the picture of an answer never comes, that of the next one brings it to the store.
+// If the picture of an answer never comes, the next answer's picture brings its result to the
+// store.
 TEST_F(SessionTest, WhatWasMadeOfAllBallsGoesOnToTheNextAnswer) {
   Session::Services services = Session::program_services();
   Session session({}, services);

@@ -1,4 +1,4 @@
-// Cavities beside the tables of an independent program, and what each step of ours costs.
+// Compares cavities with the tables of an independent program, and times each of our steps.
 //
 //   alphascope_cavity_check FOLDER [THREADS [INPUT [REPETITIONS]]]
 //   alphascope_cavity_check FILE SOLVENT_Å [THREADS [REPETITIONS]]      any molecule
@@ -26,7 +26,7 @@ namespace {
 
 using namespace alphascope;
 
-// Times of each step; on a machine that others use as well, those of the processors say more.
+// Times of each step. On a shared machine CPU times are more reliable.
 class Steps {
  public:
   template <class Make>
@@ -69,7 +69,7 @@ struct Answer {
 
 struct Balls {
   std::shared_ptr<const BallSet> balls;
-  double solvent;  // by which they are grown, lattice units
+  double solvent;  // the growth of the balls, lattice units
   bool clip = false;
 };
 Balls grown(std::shared_ptr<const BallSet> balls, double solvent_angstrom) {

@@ -1,3 +1,4 @@
+// Runs CGAL's own parallel triangulation.
 #include "tests/bench/cgal_parallel.hpp"
 
 #include "tests/support/reference/cgal_cells.hpp"

@@ -1,5 +1,5 @@
-// Our CGAL engine beside CGAL used directly, on one file: is the reference that we compare
-// ourselves with as fast as CGAL is? Prints medians in ms.
+// Compares our CGAL engine with CGAL used directly, on one file. It shows whether our reference is
+// as fast as CGAL. Prints medians in ms.
 //
 //   alphascope_cgal_routes FILE [SOLVENT_Å [REPETITIONS]]      FILE is relative to
 //   ALPHASCOPE_TEST_DATA

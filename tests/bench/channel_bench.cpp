@@ -1,4 +1,4 @@
-// One channel: its bottleneck, its profile, and the time it took.
+// Prints one channel: its bottleneck, its profile, and the time to find it.
 //
 //   alphascope_channel_bench FILE.balls|FILE.xyzr between X Y Z X Y Z
 //   alphascope_channel_bench FILE.balls|FILE.xyzr out X Y Z

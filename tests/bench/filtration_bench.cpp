@@ -1,5 +1,5 @@
-// A whole triangulation, its filtration, and moves of alpha on it: times, and memory as it is
-// reserved. Least, quartiles and most of all moves, for a machine that others use as well.
+// Measures a whole triangulation, its filtration, and moves of alpha on it: times and reserved
+// memory. Prints least, quartiles and most of all moves, for use on a shared machine.
 //
 //   alphascope_filtration_bench FILE.balls|FILE.xyzr [THREADS [MOVES [verify]]]
 #include <malloc.h>
@@ -78,7 +78,7 @@ double megabytes(std::int64_t bytes) {
   return static_cast<double>(bytes) / 1e6;
 }
 
-// Runs it, and prints its time, what it left reserved, and the most it had on top of what was.
+// Runs `make`. Prints its time, the memory it left reserved, and its peak above the start.
 template <class Make>
 auto measured(const char* what, const Make& make) {
   const std::int64_t before = live_bytes;
@@ -101,14 +101,14 @@ void print_spread(const char* what, std::vector<double>& times) {
               at(0.25), at(0.5), at(0.75), at(1));
 }
 
-// Pages that the system had to hand out so far.
+// Pages that the system has handed out so far.
 long page_faults() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_minflt;
 }
 
-// Random alphas below `high` (Å²), each result freed before the next move.
+// Moves to random alphas below `high` (Å²). Each result is freed before the next move.
 void measure_moves(const Filtration& filtration, double high, int moves) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> alphas(0, high);

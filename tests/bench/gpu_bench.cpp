@@ -1,9 +1,9 @@
-// Checks and times the CUDA engine on a machine with a GPU: equality with the CPU engine first,
-// byte for byte, then medians. alphascope_gpu_bench DATA WORDS, WORDS any of check, time, huge,
-// cgal (beside time), only (no whole complex), drag:NAME, samples:NAME, hashes:NAME or
-// one:NAME:ALPHA[:SOLVENT]; chunks:N before it: in so many chunks. device_compare reads samples and
-// hashes. Inputs are .balls files (make_balls.py), so that the program needs nothing but the CUDA
-// driver and libtbb.
+// Checks and times the CUDA engine on a machine with a GPU. It first checks that results equal the
+// CPU engine's byte for byte, then prints medians. Usage: alphascope_gpu_bench DATA WORDS. WORDS
+// are any of check, time, huge, cgal (with time), only (no whole complex), drag:NAME, samples:NAME,
+// hashes:NAME or one:NAME:ALPHA[:SOLVENT]. chunks:N before them sets the number of chunks.
+// device_compare reads samples and hashes. Inputs are .balls files (make_balls.py), so the program
+// needs only the CUDA driver and libtbb.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -40,7 +40,7 @@ bool same(const AlphaComplex& a, const AlphaComplex& b) {
 
 int failures = 0;
 bool with_cgal = false, with_whole = true;
-int chunks = 0;  // as GpuOptions::chunks
+int chunks = 0;  // GpuOptions::chunks
 
 void check(const std::string& name, const BallSet& balls, double solvent,
            const std::vector<double>& alphas) {
@@ -93,8 +93,8 @@ void random_checks() {
   check("cubic lattice", cubic, 0, {0, 0.14, 0.39, 0.5, 1});
 }
 
-// CGAL's own route to the tetrahedra, triangulation and filter, each time from nothing (ms,
-// median).
+// CGAL's own route to the tetrahedra, triangulation and filter, each time from the start (median in
+// ms).
 double time_cgal(const std::shared_ptr<const BallSet>& balls, double alpha, int threads) {
   std::vector<double> t;
   for (int run = 0; run < (balls->size() > 200000 ? 1 : 5); ++run) {
@@ -105,8 +105,8 @@ double time_cgal(const std::shared_ptr<const BallSet>& balls, double alpha, int 
   return t[t.size() / 2];
 }
 
-// Milliseconds until the program has the result in arrays of its own, while it shows the one
-// before: median.
+// Median time in ms until the program has the result in its own arrays, while it shows the previous
+// one.
 double time_engine(const BallSet& balls, double alpha, bool only, int runs) {
   const auto engine =
       testing::make_device_engine(std::make_shared<const BallSet>(balls), nullptr, {chunks});
@@ -121,7 +121,7 @@ double time_engine(const BallSet& balls, double alpha, bool only, int runs) {
   return t[t.size() / 2];
 }
 
-// The slider: alpha from 0 to 10 Å² in a hundred moves, each to where it has not been yet.
+// The slider moves alpha from 0 to 10 Å² in a hundred steps, each to a new value.
 void time_drag(const std::string& name, const BallSet& balls) {
   for (const bool only : {true, false}) {
     const auto engine =
@@ -210,7 +210,7 @@ void print_hash(const std::string& row, std::uint64_t hash) {
   std::printf("HASH %s %016llx\n", row.c_str(), static_cast<unsigned long long>(hash));
 }
 
-// The hashes that samples() must have, from the CPU engine.
+// Prints the CPU engine's hashes for comparison with samples().
 void hashes(const std::string& name, const BallSet& balls) {
   const auto engine = make_cpu_engine(std::make_shared<const BallSet>(balls), {});
   for (const double alpha : kSampledAlphas) {
@@ -220,9 +220,9 @@ void hashes(const std::string& name, const BallSet& balls) {
   }
 }
 
-// Every single time (ms), for builds that are timed by turns: of taking the balls, of a set's first
-// run and of the same run again; then of 40 moves of the slider from 0 to 10 Å². And how often the
-// first run was tried until there was room.
+// Prints every single time (ms), for builds that are timed in turns. They are for taking the balls,
+// a set's first run, the same run again, and 40 moves of the slider from 0 to 10 Å². Also prints
+// how many attempts the first run took until there was room.
 void samples(const std::string& name, const BallSet& balls) {
   constexpr int kFirst = 5, kAgain = 6, kWarmUp = 3, kMoves = 40;
   for (const double alpha : kSampledAlphas) {
@@ -231,7 +231,7 @@ void samples(const std::string& name, const BallSet& balls) {
       const std::string row = row_of(name, alpha, only);
       std::vector<double> load, first, again;
       gpu::PipelineResult result;
-      for (int i = 0; i <= kFirst; ++i) {  // the very first is not counted
+      for (int i = 0; i <= kFirst; ++i) {  // the first one is not counted
         std::unique_ptr<gpu::DualEdgePipeline> pipeline;
         result = {};
         const double loading = milliseconds_of(
@@ -265,7 +265,7 @@ void samples(const std::string& name, const BallSet& balls) {
   std::fflush(stdout);
 }
 
-// The folder of the inputs.
+// The folder with the inputs.
 struct Data {
   std::string folder;
   BallSet balls(const std::string& name) const {
@@ -297,7 +297,7 @@ void time_huge(const Data& data) {
   for (const double alpha : {0.0, 1.4}) time_one("1m4x", balls, 0, alpha);
 }
 
-// NAME:ALPHA or NAME:ALPHA:SOLVENT
+// Times a row NAME:ALPHA or NAME:ALPHA:SOLVENT.
 void time_row(const Data& data, const std::string& row) {
   std::istringstream parts(row);
   std::string name, alpha, solvent = "0";

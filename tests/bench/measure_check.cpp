@@ -1,5 +1,5 @@
-// Areas and volumes beside the tables of an independent program, and their times. The tables are
-// not part of the repository: reference.tsv, traps.tsv, inputs/, traps/ and NAME_sSOLVENT.tsv.gz.
+// Compares areas and volumes with the tables of an independent program, and times them. The tables
+// are not in the repository: reference.tsv, traps.tsv, inputs/, traps/ and NAME_sSOLVENT.tsv.gz.
 //
 //   alphascope_measure_check tables FOLDER
 //   alphascope_measure_check clipped FOLDER [NAME]
@@ -36,7 +36,7 @@ double since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-// Of the processor, by all threads.
+// CPU time of all threads.
 double milliseconds_of(std::clock_t ticks) {
   return 1e3 * static_cast<double>(ticks) / CLOCKS_PER_SEC;
 }
@@ -56,7 +56,7 @@ std::vector<std::string> lines_of(const std::string& path) {
   return lines;
 }
 
-// Lines of x y z r, on the lattice of all their digits.
+// Reads lines of x y z r, on the lattice of all their digits.
 std::shared_ptr<BallSet> read_xyzr(const std::string& path) {
   std::vector<std::array<std::string, 4>> rows;
   auto balls = std::make_shared<BallSet>();
@@ -166,7 +166,7 @@ int tables(const std::string& folder) {
   return bad == 0 ? 0 : 1;
 }
 
-// The tetrahedra of all cavities at alpha 0, and which cavity each is of.
+// The tetrahedra of all cavities at alpha 0, with the cavity of each.
 struct InCavities {
   std::shared_ptr<const Triangulation> triangulation;
   std::size_t count = 0;
@@ -227,7 +227,7 @@ int compare_clipped(const std::string& folder, const std::string& only) {
     Worst worst;
     for (const auto& row : rows[name]) {
       const double tets = std::stod(row[whole]);
-      std::size_t best = 0;  // of equal ones, that of the nearest clipped volume
+      std::size_t best = 0;  // among equal ones that of the nearest clipped volume
       double least = HUGE_VAL;
       for (std::size_t c = 0; c < in.count; ++c) {
         const double off = std::fabs(volumes[c] - tets) +

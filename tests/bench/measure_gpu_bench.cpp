@@ -1,10 +1,11 @@
-// Areas and volumes on a device beside the CPU's: equality first, then medians.
+// Compares areas and volumes on a device with the CPU's: first equality, then medians of times.
 //
 //   alphascope_measure_gpu_bench [--solvent S] [--alpha A] [--runs N] [--no-cpu] FILES…
 //
-// FILES: .balls (make_balls.py) or .xyzr. Solvent radius in Å (1.4), alpha in Å² (0). The complex
-// is the device's. Routes: "there" measures it where the engine left it on the device; "sent"
-// uploads it from the host, as what computed it elsewhere has to. Times are milliseconds.
+// FILES are .balls (make_balls.py) or .xyzr. The solvent radius is in Å (1.4), alpha in Å² (0). The
+// device computes the complex. Route "there" measures it where the engine left it on the device.
+// Route "sent" uploads it from the host, as for complexes computed elsewhere. Times are in
+// milliseconds.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -66,7 +67,8 @@ AlphaComplex complex_of(const gpu::PipelineResult& result, const BallSet& balls,
   return complex;
 }
 
-// Greatest difference, relative: of the totals, and of balls to their spheres and whole balls.
+// Greatest relative differences of the totals, and of balls relative to their spheres and whole
+// balls.
 struct Differences {
   double area = 0, volume = 0, ball_area = 0, ball_volume = 0;
   bool are_small() const {
@@ -85,7 +87,7 @@ Differences differences(const UnionMeasures& found, const UnionMeasures& expecte
   const auto note = [](double& to, double off, double whole) {
     if (off == 0) return;
     const double share = std::fabs(off) / whole;
-    if (!(share <= to)) to = share;  // a NaN stays
+    if (!(share <= to)) to = share;  // keeps a NaN
   };
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const double radius = unit * grown_ball(balls.centres[i], balls.radii[i], alpha).grown_radius;
@@ -133,7 +135,7 @@ class Molecule {
         pipeline_(balls_),
         measurer_(make_gpu_measurer(nullptr)) {}
 
-  // Whether the device's numbers are the CPU's.
+  // True when the device's numbers equal the CPU's.
   bool check() {
     const gpu::PipelineResult result = pipeline_.run(alpha_, false, {}, nullptr);
     if (!result.fits) throw std::runtime_error("beyond the device's kernels");

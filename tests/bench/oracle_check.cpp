@@ -1,7 +1,7 @@
-// Every engine of the CPU against the oracle in rationals on small sets, and against CGAL's on
-// larger ones, for as long as is asked for: degenerate, random, lattices, grazing, at the bounds of
-// the lattice, on 3 to 6 digits (tests/support/random_balls.hpp). Prints how much was compared, and
-// the first difference with its balls. Exit status 1 if there is one.
+// Compares every CPU engine with the oracle in rationals on small sets, and with CGAL's engine on
+// larger ones. It runs for the given time. Sets are degenerate, random, lattices, grazing, and at
+// the bounds of the lattice, with 3 to 6 digits (tests/support/random_balls.hpp). Prints how much
+// was compared, and the first difference with its balls. Exit status 1 if there is one.
 //
 //   alphascope_oracle_check SECONDS SEED     e.g. 3600 1
 //   alphascope_oracle_check --round ROUND SEED     only this round
@@ -21,7 +21,7 @@ namespace {
 using namespace alphascope;
 using namespace alphascope::testing;
 
-// Of each engine.
+// Counts of each engine.
 struct Counts {
   OracleCounts oracle, cgal;
 };
@@ -30,7 +30,7 @@ class OracleCheck {
  public:
   explicit OracleCheck(std::uint64_t seed) : seed_(seed) {}
 
-  // All families once; false at the first difference.
+  // Compares all families once; false at the first difference.
   bool round(std::uint64_t number) {
     Random random(seed_ * 0x9e3779b97f4a7c15 + number);
     const int most = random_int(random, 4, 11);

@@ -1,10 +1,10 @@
-// How fast our readers are, beside gemmi's own, in one process: parse_bench [RUNS] FILE...
+// Compares the speed of our readers with gemmi's, in one process: parse_bench [RUNS] FILE...
 //
-// In memory: the unpacked text becomes a molecule; MB are 10^6 bytes of it. From disk: the whole
-// way of opening, with unpacking and, for ours, the SHA-256. Medians; the two take turns, so that a
-// machine that slows down meanwhile slows both. Times are CPU times of all threads of the process:
-// what the work costs, whoever else uses the machine. One thread, but for the hash of large
-// unpacked files.
+// In memory: the unpacked text becomes a molecule. MB are 10^6 bytes of text. From disk: opening a
+// file as a whole, with unpacking and, for ours, the SHA-256. Results are medians. Both readers
+// take turns, so a machine that slows down affects both. Times are CPU times of all threads of the
+// process, so other users of the machine matter little. All work is on one thread but the hash of
+// large unpacked files.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -44,7 +44,7 @@ double timed(Work work) {
   return cpu_milliseconds() - start;
 }
 
-// Keeps what was read from being optimised away.
+// Keeps the compiler from removing the readers' work.
 std::size_t atoms_seen = 0;
 
 void read_with_gemmi(const FileFormat* format, std::string_view text) {

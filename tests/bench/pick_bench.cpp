@@ -1,8 +1,8 @@
-// How long it takes to say what is under the mouse, and to make the boxes for that:
+// Times picking under the mouse, and making the boxes for it:
 //   alphascope_pick_bench FILE [ALPHA [ASSEMBLY [all]]]
-// Lines of sight through every part of a picture of the whole molecule; times are of those that hit
-// something. "all": every face of every
-// tetrahedron is drawn, as when they are translucent; else those outside.
+// Lines of sight go through all parts of a picture of the whole molecule. Times are of lines that
+// hit something. "all": every face of every tetrahedron is drawn, as for translucent ones; else
+// only outer faces.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -44,7 +44,7 @@ std::vector<PickLine> lines_of_sight(const BallGeometry& balls) {
   return lines;
 }
 
-// Of this thread, so that a busy machine does not disturb.
+// CPU time of this thread, so that a busy machine does not matter.
 double cpu_milliseconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

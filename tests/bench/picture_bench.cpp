@@ -1,7 +1,7 @@
-// How long pictures take:
+// Times pictures:
 //   alphascope_picture_bench FILE [ALPHA [WIDTH HEIGHT [OPACITY]]]
-// Balls of 0.3 of their radius, tetrahedra, singular triangles and edges, the view turned a little
-// before each picture. The least of several, in milliseconds.
+// Balls have 0.3 of their radius, beside tetrahedra, singular triangles and edges. The view turns
+// slightly before each picture. Prints the least of several times in milliseconds.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

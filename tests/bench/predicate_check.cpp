@@ -1,7 +1,6 @@
-// Every predicate and filter against GMP, on random, nearly degenerate and extreme balls: see
-// tests/support/reference/predicate_check.hpp. Prints how many calls there were, how often filters
-// did not know, how many ties; and the first wrong answer, with the balls. Exit status 1 if there
-// is one.
+// Compares every predicate and filter with GMP on random, nearly degenerate and extreme balls
+// (tests/support/reference/predicate_check.hpp). Prints the numbers of calls, undecided filters and
+// ties, and the first wrong answer with its balls. Exit status 1 if there is one.
 //
 //   alphascope_predicate_check CALLS SEED [THREADS]     e.g. 1e8 1
 //   alphascope_predicate_check --number NUMBER SEED     only the balls of this number
@@ -21,7 +20,8 @@ namespace {
 
 using alphascope::testing::PredicateCheck;
 
-// Each thread takes every so many numbers, and stops at its share of the calls or a wrong answer.
+// Each thread takes every `threads`-th number. It stops at its share of the calls, or at a wrong
+// answer.
 PredicateCheck run(double calls, std::uint64_t seed, unsigned threads) {
   std::vector<PredicateCheck> checks(threads, PredicateCheck(seed));
   std::vector<std::thread> workers;
@@ -30,7 +30,7 @@ PredicateCheck run(double calls, std::uint64_t seed, unsigned threads) {
       PredicateCheck& own = checks[t];
       for (std::uint64_t n = t; own.failure().empty(); n += threads) {
         own.check(n);
-        // Sixteen at once: as many as there are kinds of balls.
+        // Sixteen at once, the number of kinds of balls.
         if (n / threads % 16 == 15 && static_cast<double>(own.calls()) >= calls / threads) break;
       }
     });

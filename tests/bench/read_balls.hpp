@@ -1,5 +1,5 @@
-// Balls for programs that measure, without the readers' libraries: .balls files (make_balls.py) and
-// plain .xyzr tables.
+// Reads balls for programs that measure, without the readers' libraries: .balls files
+// (make_balls.py) and plain .xyzr tables.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@
 
 namespace alphascope::bench {
 
-// Digits, number of balls and of operations; then x y z r of each ball, and 3 x 4 matrices (Å) by
-// which the balls are repeated, if there are any.
+// Reads the digits and the numbers of balls and operations, then x y z r of each ball. 3 x 4
+// matrices (Å) follow, if any, by which the balls are repeated.
 inline BallSet read_ball_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::int32_t head[3];
@@ -45,7 +45,7 @@ inline BallSet read_ball_file(const std::string& path) {
   return balls;
 }
 
-// Lines of x y z r in Å; the lattice has four digits.
+// Reads lines of x y z r in Å. The lattice has four digits.
 inline BallSet read_xyzr(const std::string& path) {
   std::ifstream in(path);
   if (!in) throw std::runtime_error(path + ": cannot be read");

@@ -1,9 +1,9 @@
 // Checks and times the tuple engine on a machine with a GPU. Usage:
 //   alphascope_tuple_gpu_check [FILE.balls|FILE.xyzr]...
-// First random and degenerate sets, then each file: every combination of switches against the
-// dual-edge engine of the CPU, byte for byte; the counters against the tuple engine of the CPU;
-// repeated runs against each other. Then, for each file, times of the stages for every switch. Exit
-// code 1 when anything differs, 2 without a device.
+// Random and degenerate sets come first, then each file. Every combination of switches must equal
+// the CPU's dual-edge engine byte for byte. Counters must equal those of the CPU's tuple engine,
+// and repeated runs each other. For each file, times of the stages are printed for every switch.
+// Exit code 1 when anything differs, 2 without a device.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -91,7 +91,7 @@ void check(const std::string& name, const Balls& balls, const std::vector<double
     }
   }
   for (const TupleOptions& o : switches) {
-    const auto engine = gpu_engine(balls, o);  // making one takes longer than asking it
+    const auto engine = gpu_engine(balls, o);  // making an engine takes longer than asking it
     for (std::size_t r = 0; r < requests.size(); ++r) {
       const std::string what = name + ", alpha " + std::to_string(requests[r].alpha_angstrom2) +
                                (requests[r].tetrahedra_only ? ", tetrahedra only: " : ": ") +
@@ -103,7 +103,7 @@ void check(const std::string& name, const Balls& balls, const std::vector<double
   }
 }
 
-// All counters but the number of batches, which depends on the executor.
+// Compares all counters but the number of batches, which depends on the executor.
 void check_counters(const std::string& name, const Balls& balls, double alpha) {
   for (const bool edge : {true, false}) {
     TupleOptions o;
@@ -149,7 +149,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// The whole answer as its caller waits for it, medians; and the stages of the last run.
+// Medians of the whole answer as its caller waits for it, and the stages of the last run.
 void time_one(const std::string& name, const Balls& balls, double alpha, bool only,
               const TupleOptions& o) {
   const auto engine = gpu_engine(balls, o);

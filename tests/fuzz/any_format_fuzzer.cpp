@@ -1,5 +1,5 @@
-// Any bytes as a file whose name ends with one of our endings, chosen by the first byte: the format
-// must be told and its reader keep its promises, or a ReadError say what the file looks like.
+// Takes any bytes as a file. The first byte chooses one of our endings. Either the format is
+// recognised and its reader keeps its promises, or a ReadError says what the file looks like.
 #include <string>
 #include <vector>
 

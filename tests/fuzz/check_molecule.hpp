@@ -1,4 +1,4 @@
-// What every reader promises of the molecules that it makes; a broken promise ends the program.
+// Checks the promises of every reader on its molecules. A broken promise ends the program.
 #pragma once
 
 #include <cstdlib>
@@ -44,7 +44,7 @@ inline void check(const Molecule& m) {
   }
 }
 
-// Reads, checks, and expands what is small enough. A ReadError must say something and what to do.
+// Reads, checks, and expands small molecules. A ReadError must have a reason and a remedy.
 template <class Read>
 void check_reading(Read read) {
   try {
@@ -57,7 +57,7 @@ void check_reading(Read read) {
     require(!error.reason().empty() && !error.remedy().empty());
     require(error.reason().size() < 1000 && is_printable(error.what()));
   } catch (const std::invalid_argument&) {
-    // An assembly that leaves the lattice.
+    // The assembly exceeds the lattice.
   }
 }
 

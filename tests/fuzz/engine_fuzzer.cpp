@@ -1,8 +1,8 @@
-// libFuzzer target: bytes become a few balls on a small lattice and some alphas; dual edges,
-// the CPU engine and CGAL must give the same complex, which must meet the definition.
+// libFuzzer target: bytes become a few balls on a small lattice and some alphas. Dual edges, the
+// CPU engine and CGAL must give the same complex, which must meet the definition.
 //
-// First byte: bits 0-1 the scale of the coordinates, bits 2-4 how many alphas follow. Then one byte
-// per alpha, then four bytes per ball (x, y, z, radius), at most kMostBalls.
+// First byte: bits 0-1 are the scale of coordinates, bits 2-4 the number of alphas. One byte per
+// alpha follows, then four bytes per ball (x, y, z, radius), at most kMostBalls.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Any bytes as gzip data: a text within the limit, or a ReadError.
+// Takes any bytes as gzip data. The result is a text within the limit, or a ReadError.
 #include "core/files/gzip.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 
@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   try {
     const alphascope::TextBuffer text = alphascope::unpack_gzip("fuzz.gz", packed, kLimit, {});
     alphascope::fuzz::require(text.size() <= kLimit);
-    // Touches every byte.
+    // Reads every byte.
     std::size_t sum = 0;
     for (const char c : text.view()) sum += static_cast<unsigned char>(c);
     alphascope::fuzz::require(sum <= 255 * text.size());

@@ -1,4 +1,5 @@
-// Any bytes as a lesson: one with at least a step, all of whose facts are known, or a ReadError.
+// Takes any bytes as a lesson. The result has at least one step and only known facts, or is a
+// ReadError.
 #include <cstdlib>
 
 #include "core/document/lessons/lesson.hpp"

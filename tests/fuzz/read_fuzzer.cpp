@@ -1,4 +1,5 @@
-// Any bytes as a file of one format: a molecule that keeps its promises, or a ReadError.
+// Takes any bytes as a file of one format. The molecule keeps its promises, or there is a
+// ReadError.
 #include "core/read/file_format.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 

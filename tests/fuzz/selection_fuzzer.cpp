@@ -1,4 +1,4 @@
-// Any text as a selection expression, as addresses of atoms and as the operators of an assembly.
+// Takes any text as a selection expression, as addresses of atoms, and as operators of an assembly.
 #include <cstdlib>
 
 #include "core/selection/atom_address.hpp"

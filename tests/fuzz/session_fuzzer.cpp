@@ -1,4 +1,5 @@
-// Any bytes as a session file: a session that is written and read again alike, or a ReadError.
+// Takes any bytes as a session file. The session is the same after writing and reading it, or there
+// is a ReadError.
 #include <cstdlib>
 
 #include "core/document/session/session_file.hpp"

@@ -1,4 +1,5 @@
-// Any bytes as a user's table of radii: radii above 0 and at most 60 Å, or a ReadError.
+// Takes any bytes as a user's table of radii. Radii are above 0 and at most 60 Å, or there is a
+// ReadError.
 #include "core/read/user_radii.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 

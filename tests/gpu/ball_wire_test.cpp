@@ -1,3 +1,4 @@
+// Tests the packed form in which balls are sent to a device.
 #include "gpu/dual_edge/ball_wire.cuh"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ struct Box {
 };
 constexpr Box kWhole{{INT_MIN, INT_MIN, INT_MIN}, {INT_MAX, INT_MAX, INT_MAX}};
 
-// Balls anywhere between two corners.
+// Random balls between two corners.
 class RandomSet {
  public:
   BallSet set;
@@ -34,7 +35,7 @@ class RandomSet {
   std::mt19937 random_{4};
 };
 
-// Are they the same when they arrive? Returns the words on the wire.
+// Checks that the balls arrive unchanged. Returns the number of words on the wire.
 std::size_t expect_to_arrive(const BallSet& set, const std::vector<bool>& hidden = kNoneHidden) {
   const ShownBalls sent{set, hidden};
   const BallPacker packer(sent);
@@ -76,7 +77,7 @@ TEST(BallWire, GivesEveryGroupItsOwnWidths) {
     random.add(kWireGroup, {{at, -at, 0}, {at + 15, 15 - at, 15}}, 2);
   }
   const std::size_t narrow = expect_to_arrive(random.set);
-  // 3 * 4 bits and the radius': 13 words a group, with the head 17.
+  // 3 * 4 bits and those of the radius are 13 words a group, 17 with the head.
   EXPECT_EQ(narrow, groups * 17 + 3 + 2 + 2);
   random.add(10, kWhole, 2);
   random.add(kWireGroup, {{0, 0, 0}, {15, 15, 15}}, 2);
@@ -93,7 +94,7 @@ TEST(BallWire, TellsTheDeviceWhichBallsAreHidden) {
   EXPECT_EQ((ShownBalls{random.set, hidden}[41].w), random.set.radii[41]);
 }
 
-// A chain of atoms, 1.5 A apart, in a sphere of 150 A; 10^-3 A.
+// A chain of atoms 1.5 Å apart in a sphere of 150 Å. The unit is 10^-3 Å.
 BallSet folded_chain(int atoms) {
   BallSet set;
   std::mt19937 random(7);
@@ -128,7 +129,7 @@ TEST(BallWire, LeavesBallsAsTheyAreWherePackingDoesNotPay) {
   EXPECT_TRUE((BallPacker({random.set, kNoneHidden}).pays()));
 }
 
-// `radii` different ones.
+// Gives the balls `radii` different radii.
 BallSet with_radii(std::int32_t radii) {
   RandomSet random;
   random.add(30000, {{0, 0, 0}, {1000, 1000, 1000}}, 1);

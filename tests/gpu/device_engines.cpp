@@ -1,4 +1,4 @@
-// The engines of a device, for the suites that every engine must pass.
+// Engines of a device, for the suites that every engine must pass.
 #include "gpu/tuples/tuple_engine.hpp"
 #include "tests/support/device_engine.hpp"
 #include "tests/support/engines.hpp"

@@ -1,4 +1,4 @@
-// The engines of the emulated device, which is slow, for the suites that every engine must pass.
+// Engines of the emulated device, which is slow, for the suites that every engine must pass.
 #include "gpu/tuples/tuple_engine.hpp"
 #include "tests/support/device_engine.hpp"
 #include "tests/support/engines.hpp"
@@ -6,7 +6,7 @@
 namespace alphascope::testing {
 
 std::vector<EngineFactory> engines() {
-  // On several streams, in batches that small sets need, too.
+  // Several streams, and batches so small that small sets need several.
   TupleOptions batches;
   batches.streams = 3;
   batches.tuples_per_batch = 700;

@@ -1,6 +1,6 @@
-// A device that is full or lost at any moment, on the emulated one: the answer is the same, it is
-// said where it came from, and the engine is as good as new afterwards. And what is said when the
-// device finds what must not be.
+// Tests an emulated device that is full or lost at any moment. The answer is the same and says
+// where it came from, and the engine works as before afterwards. Also tests messages for impossible
+// results of the device.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -88,7 +88,7 @@ TEST_P(GpuFaults, ASmallerRequestReturnsToFewerSlabs) {
   EXPECT_EQ(found.hash, cpu->compute(smaller, {}).hash);
 }
 
-// Others may have had the device's memory.
+// Another program may have used the device's memory, so fewer slabs are tried again.
 TEST_P(GpuFaults, FewerSlabsAreTriedOnceInAWhile) {
   const auto engine = make();
   ASSERT_TRUE(engine);
@@ -125,8 +125,8 @@ TEST_P(GpuFaults, ALostDeviceIsAnsweredByTheCpu) {
   EXPECT_GT(lost, 10);
 }
 
-// Every triangle of the complex has its edges among those that the device found. Should one not,
-// which no set of balls makes happen, that is said, and no complex without it goes out.
+// Every triangle of a complex has its edges among those that the device found. No set of balls
+// violates this. If one is missing, the engine says so, and returns no complex without it.
 TEST_P(GpuFaults, AMissingEdgeIsSaid) {
   const auto engine = make();
   ASSERT_TRUE(engine);
@@ -150,7 +150,7 @@ TEST_P(GpuFaults, AMissingEdgeIsSaid) {
   EXPECT_EQ(engine->compute(request(), {}).hash, expected) << "afterwards";
 }
 
-// The search that counts them.
+// Tests the search that counts missing edges.
 TEST(GpuFindEdge, CountsWhatIsNotThere) {
   std::uint32_t end[] = {9, 9, 3, 5, 8, 9}, start[] = {0, 2, 0}, count[] = {0, 3, 0}, missing = 0;
   gpu::EdgeCandidates edges{};

@@ -1,5 +1,5 @@
-// The CUDA engine against the CPU's, byte for byte, on a machine with a device; and what is said
-// where there is none.
+// Tests that the CUDA engine equals the CPU's byte for byte on a machine with a device. Also tests
+// messages where there is none.
 #include "gpu/gpu_engine.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,8 @@ TEST(Gpu, EqualsTheCpuOnHardSets) {
   }
 }
 
-// What is still on the device is measured there; any other complex of its balls is sent to it.
+// A complex that is still on the device is measured there. Any other complex of its balls is sent
+// to it.
 TEST(GpuEngineMeasures, AreOfTheComplexAskedFor) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(14);
@@ -82,8 +83,8 @@ TEST(GpuEngineMeasures, AreOfTheComplexAskedFor) {
                std::invalid_argument);
 }
 
-// A run in several chunks tells edges and vertices of later chunks what it found, and knows from
-// the third run of an alpha on how much each chunk will find.
+// A run in several chunks passes results to edges and vertices of later chunks. From the third run
+// of an alpha on it knows how much each chunk will find.
 class GpuChunks : public ::testing::TestWithParam<int> {
  protected:
   void SetUp() override {
@@ -128,14 +129,14 @@ TEST(GpuPieces, EqualTheCpu) {
   const AlphaComplex expected = make_cpu_engine(balls)->compute(request, {});
   EXPECT_GT(expected.tetrahedra.size(), 50u);
   for (int run = 0; run < testing::unless_sanitized(6, 2);
-       ++run) {  // the first of each counts: later ones send the same
+       ++run) {  // the first run counts; later ones send the same
     const auto gpu = testing::make_device_engine(balls, nullptr, {3});
     ASSERT_TRUE(gpu);
     expect_same(gpu->compute(request, {}), expected);
   }
 }
 
-// Nearly every alpha of a slider is a new one, and a little larger than those before.
+// Nearly every alpha of a slider is new, and slightly larger than those before.
 TEST(Gpu, RunsOnceWhenAlphaRisesALittle) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(9);
@@ -170,7 +171,7 @@ TEST(Gpu, EqualsItselfFromRunToRun) {
     expect_same(engine->compute({0.5, false}, {}).tetrahedra, first.tetrahedra);
 }
 
-// A result stays in the memory that it arrived in, which later ones get when it is let go of.
+// A result keeps its memory. Later results reuse that memory once it is freed.
 TEST(GpuResults, StayAsTheyAre) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(10);
@@ -185,7 +186,7 @@ TEST(GpuResults, StayAsTheyAre) {
   std::vector<AlphaComplex> kept;
   for (int number = 0; number < 12; ++number) {
     kept.push_back(gpu->compute(request(number), {}));
-    gpu->compute(request(number + 1), {});  // let go of at once
+    gpu->compute(request(number + 1), {});  // freed at once
   }
   kept.push_back(kept.front());
   kept.front() = {};
@@ -205,7 +206,7 @@ TEST(GpuLimits, AreWhat32BitsReach) {
   EXPECT_FALSE(gpu::are_countable(more));
 }
 
-// The first run reserves memory for its result while nothing else goes on; no stage ends before it
+// The first run reserves memory for its result while nothing else runs. No stage ends before it
 // begins.
 TEST(GpuResults, SayWhatTheirMemoryTook) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
@@ -227,7 +228,8 @@ TEST(GpuResults, SayWhatTheirMemoryTook) {
   }
 }
 
-// Run by ctest with a stand-in for the driver's library that claims to be old (old_driver.c).
+// CTest runs it with a stand-in for the driver's library that reports an old version
+// (old_driver.c).
 TEST(Gpu, SaysThatADriverIsTooOld) {
   if (std::getenv("ALPHASCOPE_EXPECT_OLD_DRIVER") == nullptr)
     GTEST_SKIP() << "only with old_driver.c";

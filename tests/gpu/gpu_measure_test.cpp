@@ -1,4 +1,5 @@
-// Areas and volumes on the device: those of the CPU but for rounding, and the same bits each time.
+// Tests that areas and volumes on the device equal the CPU's up to rounding, with the same bits
+// each time.
 #include "gpu/measure/gpu_measure.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using testing::complex_of;
 using testing::NamedBalls;
 using testing::Random;
 
-constexpr double kNear = 1e-12;  // relative; of a ball, to its sphere and its whole
+constexpr double kNear = 1e-12;  // relative; for a ball to its sphere and its whole volume
 
 class GpuMeasure : public ::testing::Test {
  protected:
@@ -72,7 +73,7 @@ TEST_F(GpuMeasure, OfNoBallAreNothing) {
   EXPECT_TRUE(of.ball_volume_angstrom3.empty());
 }
 
-// One and two balls, hidden and equal ones; and a set after a larger one.
+// One and two balls, hidden and equal ones, and a set after a larger one.
 TEST_F(GpuMeasure, OfFewBallsAreThoseOfTheCpu) {
   BallSet balls;
   balls.lattice.digits = 0;

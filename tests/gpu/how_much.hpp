@@ -1,11 +1,11 @@
-// How much of everything a device is tried with. The emulated one is slow, so it gets less.
+// Sizes of tests for a device. The emulated one is slow, so it gets less.
 #pragma once
 
 #include "tests/support/sanitizer.hpp"
 
 namespace alphascope::testing {
 
-// In units of a set (NamedBalls::alpha_unit).
+// In units of NamedBalls::alpha_unit() of a set.
 #ifdef ALPHASCOPE_EMULATED_DEVICE
 inline constexpr double kSomeAlphas[] = {-1.0, 0.25, 1.0, 40.0};
 inline constexpr int kNumbersOfChunks[] = {5};

@@ -1,5 +1,5 @@
-// Areas and volumes on the emulated device: of a complex that is still there from its run, and when
-// the device is full or lost at any moment.
+// Tests areas and volumes on the emulated device: for a complex that is still there from its run,
+// and when the device is full or lost at any moment.
 #include <gtest/gtest.h>
 
 #include "core/measure/engine_measures.hpp"
@@ -56,7 +56,7 @@ class GpuMeasureFaults : public ::testing::Test {
     Random random(45);
     return random_balls(random, count, 1000, 100, 300);
   }
-  // After every fault it measures as if nothing had been. Returns how many faults were met.
+  // After every fault it must measure as without faults. Returns the number of faults.
   template <class Fault, class Expect>
   int measure_with(const Fault& fault, const Expect& is_said) {
     const BallSet small = some_balls(8), large = some_balls(40);
@@ -97,7 +97,7 @@ TEST_F(GpuMeasureFaults, ALostDeviceIsSaid) {
   EXPECT_GT(met, 30);
 }
 
-// The engine's answer has the CPU's numbers and says so; later it measures on the device again.
+// The engine's answer has the CPU's numbers and says so. Later it measures on the device again.
 class GpuEngineMeasureFaults : public GpuMeasureFaults {
  protected:
   template <class Fault>
@@ -136,7 +136,7 @@ TEST_F(GpuEngineMeasureFaults, ALostDeviceLeavesItToTheCpu) {
   EXPECT_GT(measure_by_engine(emulated::be_lost_at, "the GPU failed while"), 10);
 }
 
-// What an engine keeps for measuring must not make its next complex come in slabs.
+// Memory that an engine keeps for measuring must not force its next complex into slabs.
 TEST_F(GpuEngineMeasureFaults, MemoryForMeasuringIsGivenBackToTheComplex) {
   const auto balls = std::make_shared<const BallSet>(some_balls(200));
   WorkThreads threads(1);

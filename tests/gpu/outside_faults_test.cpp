@@ -1,5 +1,5 @@
-// The outside of tetrahedra, when the emulated device is full or lost at any moment: then it is not
-// found, and the engine goes on.
+// Tests the search for outer faces when the emulated device is full or lost at any moment. Then
+// there is no result, and the engine goes on.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -19,7 +19,7 @@ class GpuOutsideFaults : public ::testing::Test {
  protected:
   void TearDown() override { emulated::be_sound(); }
 
-  // `fault(n)`: the n-th chance of it. Returns how many were met.
+  // `fault(n)` sets the fault at its n-th chance. Returns the number of faults that occurred.
   template <class Fault>
   int find_with(const Fault& fault) {
     Random random(46);

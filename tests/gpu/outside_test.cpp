@@ -1,4 +1,4 @@
-// The outside of tetrahedra found by the device: that which the CPU finds.
+// Tests that the device finds the same outer faces of tetrahedra as the CPU.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class GpuOutside : public ::testing::Test {
     if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   }
 
-  // Returns how many faces there are in all.
+  // Returns the number of all faces.
   std::size_t expect_that_of_the_cpu(const BallSet& balls, const std::vector<double>& alphas,
                                      int chunks = 0) {
     const auto set = std::make_shared<const BallSet>(balls);
@@ -94,7 +94,7 @@ TEST_F(GpuOutside, IsOfTheLastWholeComplexOnly) {
   EXPECT_FALSE(engine->find_outside(tetrahedra));
 }
 
-// It may be drawn when the engine is gone.
+// The faces may be drawn after the engine has gone.
 TEST_F(GpuOutside, OutlivesTheEngine) {
   const auto balls = std::make_shared<const BallSet>(balls_of_file("1crn.xyzr"));
   std::string why_not;

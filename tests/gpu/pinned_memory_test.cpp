@@ -1,5 +1,5 @@
-// Pinned memory on the emulated device, which knows how much there is: of results, and of pages
-// that are the program's own.
+// Tests pinned memory on the emulated device, which counts it: for results, and for registered
+// pages of the program.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -18,8 +18,8 @@ using testing::Random;
 
 constexpr std::size_t kLittle = 4096, kMuch = 5 << 20;  // bytes
 
-// Nothing pinned is left of an engine that rests but what results are in that somebody has; and
-// those go when he lets go of them, but not on his thread.
+// A resting engine keeps no pinned memory but that of results in use. That memory is freed with
+// these results, but not on their owner's thread.
 TEST(PinnedMemory, IsGivenBackWhenTheEngineRests) {
   Random random(12);
   const auto balls =
@@ -31,7 +31,7 @@ TEST(PinnedMemory, IsGivenBackWhenTheEngineRests) {
   ASSERT_TRUE(engine);
   AlphaComplex shown = engine->compute(request, {});
   const std::uint64_t hash = shown.hash;
-  engine->compute(request, {});  // let go of at once: idle
+  engine->compute(request, {});  // freed at once, so it is idle
   const std::size_t at_work = emulated::pinned_bytes();
   engine->rest();
   const std::size_t resting = emulated::pinned_bytes();
@@ -52,7 +52,7 @@ TEST(PinnedMemory, IsGivenBackWhenTheEngineRests) {
   EXPECT_EQ(emulated::pinned_bytes(), before);
 }
 
-// The emulated device refuses to register pages every other time, as systems do that cannot.
+// The emulated device refuses every other registration of pages, as systems do that cannot.
 TEST(PinnedMemory, OfMuchIsPagesOfOurOwnWhereTheyCanBeRegistered) {
   const std::size_t before = emulated::pinned_bytes(), own_before = emulated::registered_bytes();
   int own = 0;
@@ -73,7 +73,7 @@ TEST(PinnedMemory, OfMuchIsPagesOfOurOwnWhereTheyCanBeRegistered) {
   EXPECT_EQ(emulated::pinned_bytes(), before);
 }
 
-// The same with pages of our own and with CUDA's: one is taken, kept, let go of and taken again.
+// The same with our own pages and with CUDA's. A result is taken, kept, freed and taken again.
 TEST(PinnedMemory, OfLargeResultsIsTakenAgain) {
   gpu::ResultMemory::free_unused();
   const std::size_t before = emulated::pinned_bytes();
@@ -97,7 +97,7 @@ TEST(PinnedMemory, OfLargeResultsIsTakenAgain) {
   EXPECT_EQ(emulated::pinned_bytes(), before);
 }
 
-// A third result is there in a drag only: at rest it would be as much memory as all else.
+// A third result exists only during a drag. At rest it would take as much memory as all else.
 TEST(PinnedMemory, OfTwoIdleResultsOnlyOneIsKeptWhereTheyAreLarge) {
   constexpr std::size_t kLarge = std::size_t{140} << 20;
   for (const std::size_t bytes : {kMuch, kLarge}) {

@@ -1,5 +1,5 @@
-// The tuple engine on the GPU: byte for byte the CPU's dual-edge engine, whatever the switches, and
-// what is said without a device.
+// Tests that the tuple engine on the GPU equals the CPU's dual-edge engine byte for byte, with any
+// switches. Also tests messages without a device.
 #include "gpu/tuples/tuple_engine.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::expect_same;
 using testing::NamedBalls;
 using testing::Random;
 
-// Every switch turned alone, and all of them.
+// Each switch changed alone, and all of them.
 std::vector<TupleOptions> some_switches() {
   std::vector<TupleOptions> all(8);
   all[1].grid = TupleGridKind::thesis;
@@ -48,7 +48,7 @@ TEST(GpuTuples, EqualTheCpuOnHardSetsWhateverTheSwitches) {
           const AlphaRequest request{alpha * unit, only};
           const AlphaComplex found = gpu->compute(request, {});
           expect_same(found, cpu->compute(request, {}));
-          // The same arithmetic: even the band is the CPU's.
+          // The arithmetic is the same, so even the band equals the CPU's.
           const AlphaComplex on_cpu = tuples->compute(request, {});
           for (std::size_t c = 0; c + 1 < found.engine.counters.size(); ++c) {
             EXPECT_EQ(found.engine.counters[c].value, on_cpu.engine.counters[c].value)
@@ -61,7 +61,7 @@ TEST(GpuTuples, EqualTheCpuOnHardSetsWhateverTheSwitches) {
   }
 }
 
-// Small batches that take turns on the streams, in buffers that are used again and grow.
+// Small batches take turns on the streams, in buffers that are reused and grow.
 TEST(GpuTuples, EqualTheCpuInManyBatches) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(43);
@@ -90,8 +90,8 @@ TEST(GpuTuples, EqualTheCpuInManyBatches) {
   }
 }
 
-// Far apart, so that floats hold nothing: every tuple goes to kernel III, and they are more than
-// the threads that a device of two multiprocessors, as the emulated one, has for them.
+// Balls are so far apart that floats decide nothing, so every tuple goes to kernel III. There are
+// more tuples than threads for them on a device of two multiprocessors, such as the emulated one.
 TEST(GpuTuples, EqualTheCpuWhereIntegersDecideAll) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(44);

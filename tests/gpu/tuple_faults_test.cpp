@@ -1,5 +1,5 @@
-// The tuple engine on a device that is full or lost at any moment, on the emulated one: it says so,
-// and computes again once there is room or the device is back.
+// Tests the tuple engine on an emulated device that is full or lost at any moment. It reports the
+// fault, and computes again once there is room or the device is back.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -35,7 +35,7 @@ class GpuTupleFaults : public ::testing::TestWithParam<Switches> {
     return make_gpu_tuple_engine(balls_, GetParam().options, why_not);
   }
 
-  // At the first alpha half of the balls are empty: the second asks for more of everything.
+  // At the first alpha half of the balls are empty. The second one needs more of everything.
   static inline const AlphaRequest kFirst{-40000}, kLater{100000};
   std::shared_ptr<const BallSet> balls_;
   std::uint64_t expected_ = 0;

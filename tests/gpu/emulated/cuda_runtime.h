@@ -1,11 +1,11 @@
-// A stand-in for CUDA's runtime: device code as plain C++, "device memory" as the host's, and grids
-// that run on the CPU, block after block, every thread of a block as a fiber. Streams are queues
-// whose work is put off until somebody waits for it, and then done in an awkward order: what is in
-// the newest stream goes first, as soon as events let it, or what is in the oldest, or whatever the
-// lot falls on, by turns without a pattern. So the kernels and all that starts them are tested on
-// machines without a GPU, also under AddressSanitizer; what of the device was never given back
-// fails the program. It is no substitute for a device: blocks do not run at the same time, warps
-// not in lockstep between their collective operations, and kernels can read the host's memory.
+// A stand-in for CUDA's runtime. Device code is plain C++, and "device memory" is the host's. Grids
+// run on the CPU, block after block, with every thread of a block as a fiber. Streams are queues
+// whose work is put off until something waits for it. It is then done in an awkward order: the
+// newest stream first, as soon as events allow, or the oldest first, or at random, in changing
+// turns. So kernels and their callers are tested on machines without a GPU, also under
+// AddressSanitizer. Device resources that were never freed fail the program. It cannot replace a
+// device: blocks do not run at the same time. Warps run in lockstep only at their collective
+// operations, and kernels can read the host's memory.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@
 
 #define __host__
 #define __device__
-#define __global__ inline  // headers with kernels are included by tests, too
+#define __global__ inline  // tests include headers with kernels, too
 #define __noinline__
 #define __launch_bounds__(...)
 #define __align__(bytes) __attribute__((aligned(bytes)))
-// One block at a time; its fibers share what is static.
+// Blocks run one at a time, so a block's fibers share static variables.
 #define __shared__ static
 
 struct uint2 {
@@ -66,7 +66,7 @@ struct EmulatedEvent;
 
 namespace emulated {
 
-// Queues a grid whose every thread runs the body; see cudaGetLastError().
+// Queues a grid in which every thread runs the body; see cudaGetLastError().
 void launch(unsigned blocks, unsigned threads, std::size_t shared_bytes, EmulatedStream* stream,
             std::function<void()> body);
 unsigned char* shared_memory();
@@ -74,10 +74,10 @@ unsigned char* shared_memory();
 // Queued work: see EmulatedStream.
 void enqueue(EmulatedStream* stream, std::function<void()> work);
 
-// Until all threads of the block, or of the warp, are there.
+// Waits until all threads of the block, or of the warp, have arrived.
 void wait_for_block();
 void wait_for_warp();
-// What every lane of the warp handed in; valid until the next exchange.
+// The values that all lanes of the warp passed, valid until the next exchange.
 const std::uint64_t* exchange(std::uint64_t own);
 
 template <class T>
@@ -142,7 +142,7 @@ inline bool __any_sync(unsigned mask, bool own) {
   return __ballot_sync(mask, own) != 0;
 }
 
-// Fibers of one thread: nothing happens between reading and writing.
+// Fibers share one thread, so nothing happens between reading and writing.
 template <class T>
 T atomicAdd(T* to, std::type_identity_t<T> value) {
   const T old = *to;
@@ -226,13 +226,13 @@ struct cudaDeviceProp {
 
 namespace emulated {
 
-// Of a call now: an error when a test has said that the device is lost by then (device.h). Giving
-// back never fails, and who asks what device there is gets an answer.
+// The status of this call: an error when a test has set the device as lost by now (device.h). Calls
+// that free resources never fail, and queries about the device are always answered.
 cudaError_t status();
 
 }  // namespace emulated
 
-// Of launches: all else says itself what is wrong.
+// For launches. All other calls return their own errors.
 cudaError_t cudaGetLastError();
 inline const char* cudaGetErrorString(cudaError_t) {
   return "an emulated error";
@@ -253,7 +253,7 @@ inline cudaError_t cudaGetDeviceProperties(cudaDeviceProp* p, int) {
   *p = {"emulated device", std::size_t{1} << 30, 9, 0};
   return cudaSuccess;
 }
-// As a laptop's: what little shared memory makes rare is met, too.
+// Values of a laptop's device, so that cases with little shared memory occur as well.
 inline cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr attribute, int) {
   *value = attribute == cudaDevAttrMultiProcessorCount                ? 2
            : attribute == cudaDevAttrMaxSharedMemoryPerMultiprocessor ? 100 * 1024
@@ -267,10 +267,10 @@ cudaError_t cudaFuncSetAttribute(Kernel, cudaFuncAttribute, int) {
 
 namespace emulated {
 
-// Filled with what is no sensible value of anything, as a device's memory may be.
+// Memory is filled with implausible values, as a device's may be.
 enum class MemoryKind { device, pinned, registered };
 cudaError_t allocate(void** data, std::size_t bytes, MemoryKind kind);
-// As on a device, all work is done before memory goes.
+// As on a device, all work is done before memory is freed.
 cudaError_t release(void* data, MemoryKind kind);
 
 }  // namespace emulated
@@ -283,7 +283,7 @@ template <class T>
 cudaError_t cudaMallocHost(T** data, std::size_t bytes) {
   return emulated::allocate(reinterpret_cast<void**>(data), bytes, emulated::MemoryKind::pinned);
 }
-// Refused every other time, as on systems that cannot.
+// Fails every other time, as on systems that cannot register memory.
 enum { cudaHostRegisterDefault };
 cudaError_t cudaHostRegister(void* data, std::size_t bytes, unsigned flags);
 cudaError_t cudaHostUnregister(void* data);
@@ -294,7 +294,7 @@ inline cudaError_t cudaFree(void* data) {
 inline cudaError_t cudaFreeHost(void* data) {
   return emulated::release(data, emulated::MemoryKind::pinned);
 }
-// Put off whatever memory it is: a device may hurry with pageable memory, but need not.
+// Copies of any memory are put off. A device may copy pageable memory at once, but need not.
 cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind,
                             cudaStream_t stream);
 inline cudaError_t cudaMemcpy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind) {
@@ -312,7 +312,7 @@ inline cudaError_t cudaDeviceGetStreamPriorityRange(int* least, int* greatest) {
   return emulated::status();
 }
 cudaError_t cudaStreamCreateWithPriority(cudaStream_t* stream, unsigned flags, int priority);
-// Waits for nothing: what is in the stream is done all the same.
+// Does not wait. The stream's work is still done.
 cudaError_t cudaStreamDestroy(cudaStream_t stream);
 cudaError_t cudaStreamSynchronize(cudaStream_t stream);
 cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned flags);

@@ -1,5 +1,5 @@
-// What tests do to the emulated device, and what they ask it; cuda_runtime.h is what the program
-// sees of it. Faults are on purpose, and nothing fails unless a test says so.
+// Controls of the emulated device for tests. The program sees it through cuda_runtime.h only.
+// Faults are deliberate, and nothing fails unless a test says so.
 #pragma once
 
 #include <cstddef>
@@ -7,23 +7,22 @@
 
 namespace emulated {
 
-// The memory is full when the n-th reservation of it is asked for, counted from 0: device memory or
-// pinned memory. Attempts that follow at once are refused, too; when anything else has been asked
-// of the device, there is room again.
+// Memory is full at the n-th reservation of device or pinned memory, counted from 0. Attempts that
+// follow at once fail, too. After any other call to the device there is room again.
 void be_full_at(int reservation);
-// The device is lost at the n-th call, counted from 0: that one and all later ones fail. Calls that
-// give something back do not count and always succeed.
+// The device is lost at the n-th call, counted from 0. That call and all later ones fail. Calls
+// that free resources do not count and always succeed.
 void be_lost_at(int call);
-// How many calls have met with what one of the two said.
+// The number of calls that failed by one of the two faults.
 int faults_met();
-// All is well again, and faults_met() is 0.
+// Ends all faults, and sets faults_met() to 0.
 void be_sound();
 
-// Calls change(data, bytes) for what arrives with each copy to the host, until be_sound().
+// Calls change(data, bytes) for each copy to the host, until be_sound().
 using ToHost = std::function<void(void*, std::size_t)>;
 void change_copies_to_host(ToHost change);
 
-// Pinned memory that there is now; of it, pages of the program that it registered.
+// Bytes of pinned memory at present, and those of them in registered pages of the program.
 std::size_t pinned_bytes();
 std::size_t registered_bytes();
 

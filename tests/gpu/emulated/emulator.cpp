@@ -1,4 +1,4 @@
-// The runtime of the emulated device, see cuda_runtime.h: faults, streams, memory and textures.
+// The runtime of the emulated device: faults, streams, memory and textures. See cuda_runtime.h.
 #include <cuda_runtime.h>
 
 #include <chrono>
@@ -19,12 +19,12 @@ namespace {
 
 cudaError_t last_error = cudaSuccess;
 
-// What tests have said will fail, and when: counted down, below 0 never.
+// Countdowns to the faults that tests have set. Below 0: never.
 struct Faults {
   int allocations_until_full = -1, calls_until_lost = -1, met = 0;
   bool is_full = false;
 
-  // Of an attempt to reserve memory.
+  // True when an attempt to reserve memory must fail.
   bool refuses() {
     if (is_full) return true;
     if (allocations_until_full < 0 || allocations_until_full-- != 0) return false;
@@ -85,8 +85,8 @@ void launch(unsigned blocks, unsigned threads, std::size_t shared_bytes, Emulate
 using Clock = std::chrono::steady_clock;
 
 struct EmulatedEvent {
-  // How many there were, how many of them have been reached, and when the last one was. They
-  // outlive the event where work that is put off needs them.
+  // How often the event was recorded, how many recordings were reached, and when the last one was.
+  // Work that is put off may need this after the event.
   struct Recordings {
     unsigned made = 0, reached = 0;
     Clock::time_point when;
@@ -100,7 +100,7 @@ struct EmulatedStream {
   struct Task {
     std::function<void()> work;
     std::shared_ptr<const EmulatedEvent::Recordings> after;  // or null
-    unsigned recording;                                      // of it
+    unsigned recording;                                      // of `after`
     bool is_ready() const { return after == nullptr || after->reached >= recording; }
   };
   std::deque<Task> tasks;
@@ -113,13 +113,13 @@ namespace {
 std::vector<std::unique_ptr<EmulatedStream>> streams;
 int events = 0;
 enum class Order { newest_first, oldest_first, by_lot } order = Order::newest_first;
-std::minstd_rand lots;  // for an order whenever all is done
+std::minstd_rand lots;  // for orders in which work is done
 
 std::size_t drawn(std::size_t most) {
   return (lots() >> 8) % most;
 }
 
-// Does one task. False when there is none that could be done.
+// Does one task. False when no task can be done.
 bool step() {
   const std::size_t count = streams.size();
   const std::size_t first = order == Order::by_lot && count > 0 ? drawn(count) : 0;
@@ -187,7 +187,7 @@ cudaError_t cudaStreamSynchronize(cudaStream_t stream) {
   emulated::step_until([&] { return stream->tasks.empty(); });
   return cudaSuccess;
 }
-// Of its latest recording, as it is now.
+// Waits for the event's latest recording at this moment.
 cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned) {
   if (const cudaError_t status = emulated::status()) return status;
   stream->tasks.push_back({nullptr, event->recordings, event->recordings->made});
@@ -322,7 +322,7 @@ cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes, cudaM
 
 namespace emulated {
 
-// By object; those that were destroyed, and the first one, have no elements.
+// By object. Destroyed ones and the first one have no elements.
 std::vector<Texture> textures(1);
 
 }  // namespace emulated
@@ -352,7 +352,7 @@ cudaError_t cudaDestroyTextureObject(cudaTextureObject_t object) {
 namespace emulated {
 namespace {
 
-// Ends the program with an error when something of the device was never given back.
+// Ends the program with an error when any device resource was never freed.
 const struct Leaks {
   ~Leaks() {
     const auto is_there = [](const Texture& t) { return t.count > 0; };

@@ -1,4 +1,5 @@
-// Grids of the emulated device on the CPU, every thread of a block as a fiber: see cuda_runtime.h.
+// Runs grids of the emulated device on the CPU, every thread of a block as a fiber. See
+// cuda_runtime.h.
 #include "tests/gpu/emulated/grids.h"
 
 #include <cuda_runtime.h>
@@ -18,7 +19,7 @@ namespace {
 
 namespace context = boost::context;
 
-// Where threads meet: the last one lets all go.
+// A meeting point of threads. The last one to arrive releases all.
 struct Barrier {
   unsigned expected = 0, arrived = 0, generation = 0;
 };
@@ -83,7 +84,7 @@ class Block {
  private:
   context::pooled_fixedsize_stack stacks_{256 * 1024};
   std::vector<context::fiber> fibers_;
-  context::fiber main_;  // what runs the fibers; theirs to resume
+  context::fiber main_;  // runs the fibers, and is resumed by them
   unsigned finished_ = 0;
   bool progress_ = false;
   std::exception_ptr failure_;

@@ -1,4 +1,4 @@
-// How the emulated device runs a grid: at once, and to its end.
+// Runs a grid of the emulated device at once and to its end.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace emulated {
 
-// Runs the body once per thread of the grid.
+// Runs the body once for each thread of the grid.
 void run_grid(unsigned blocks, unsigned threads, std::size_t shared_bytes,
               const std::function<void()>& body);
 

@@ -1,5 +1,5 @@
-// Textures over linear memory, for cuda_runtime.h. Unlike a device's, they know what they must not
-// be asked for: a device reads zeros outside of them, and anything after they were destroyed.
+// Textures over linear memory, for cuda_runtime.h. Unlike a device's they report wrong accesses. A
+// device reads zeros outside of them, and any value after they were destroyed.
 #pragma once
 
 #include <stdexcept>

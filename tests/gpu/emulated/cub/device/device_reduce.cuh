@@ -1,5 +1,5 @@
-// A stand-in for CUB's sum (see cuda_runtime.h), through scratch memory as on a device, and in the
-// type of the result.
+// A stand-in for CUB's sum (see cuda_runtime.h). It uses scratch memory as on a device, and adds in
+// the type of the result.
 #pragma once
 
 #include <cuda_runtime.h>

@@ -1,5 +1,5 @@
 // A stand-in for CUB's prefix sum (see cuda_runtime.h). As on a device, one kernel leaves sums of
-// tiles in the scratch memory for the next, and they are of the type of what is added up.
+// tiles in the scratch memory for the next. They have the type of the summands.
 #pragma once
 
 #include <cuda_runtime.h>

@@ -1,4 +1,4 @@
-// A stand-in for Thrust's (see cuda_runtime.h).
+// A stand-in for Thrust's transform_iterator (see cuda_runtime.h).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// A window without a display in which a user acts in real time: events come while the program
-// waits or draws, waits really wait, and frames are drawn only when the program wants to.
+// A window without a display in which a user acts in real time. Events come while the program waits
+// or draws, waits take real time, and frames are drawn only when the program wants them.
 #pragma once
 
 #include <imgui.h>
@@ -26,7 +26,7 @@ class ActingHost final : public Host {
 
   explicit ActingHost(const HostOptions& options) : inner_(make_egl_host(options)) {}
 
-  // Of the next run(), which ends `seconds` after it began.
+  // Acts for the next run(), which ends `seconds` after it began.
   void play(std::vector<Act> acts, double seconds) {
     acts_ = std::move(acts);
     next_ = 0;
@@ -47,7 +47,7 @@ class ActingHost final : public Host {
   double played() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
   int frames = 0;
-  std::chrono::milliseconds frame_time{0};  // that showing a picture takes, as on a slow machine
+  std::chrono::milliseconds frame_time{0};  // time to show a picture, as on a slow machine
   std::function<void()> after_frame;
 
   HostSize size() const override { return inner_->size(); }

@@ -1,4 +1,4 @@
-// What panels and commands asked for, for tests without a program.
+// Records the calls of panels and commands, for tests without a program.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct Asked {
   bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
 };
 
-// Notes calls in `asked`; those that no test looks for are dropped.
+// Records calls in `asked`. Calls that no test looks for are dropped.
 class AskedCalls {
  public:
   explicit AskedCalls(Asked& asked) : files_(asked), view_(asked), jobs_(asked) {}

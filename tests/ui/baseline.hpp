@@ -1,6 +1,6 @@
-// Pictures that are as they were. Each is compared with one in tests/ui/baselines, which is to be
-// looked at when it changes. ALPHASCOPE_RENEW_BASELINES=1 in the environment writes them anew. On
-// failure the picture and where it differs are in tests/ui/pictures of the build folder.
+// Compares pictures with those in tests/ui/baselines, which should be looked at when they change.
+// ALPHASCOPE_RENEW_BASELINES=1 in the environment writes them again. After a failure, the picture
+// and the difference are in tests/ui/pictures of the build folder.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 
 namespace alphascope::testing {
 
-// `name`: without ending; it may have folders.
+// `name`: without ending, perhaps with folders.
 inline void expect_like_baseline(const std::string& name, const Image& actual) {
   const std::filesystem::path baseline =
       std::filesystem::path(ALPHASCOPE_SOURCE_DIR) / "tests/ui/baselines" / (name + ".png");

@@ -1,4 +1,5 @@
-// A small made-up molecule for tests of the window: a rod of atoms, two colours. No file, no GL.
+// A small made-up molecule for tests of the window: a rod of atoms in two colours. It needs no file
+// and no OpenGL.
 #pragma once
 
 #include <cmath>
@@ -12,8 +13,8 @@ namespace alphascope::testing {
 
 inline constexpr Rgb8 kRed{220, 40, 40}, kBlue{40, 90, 230};
 
-// A rod of 4 x 4 x `length` atoms along z: radius 1.7 Å, about 1.8 Å apart with some disorder, so
-// that K_0 has tetrahedra and no ties.
+// A rod of 4 x 4 x `length` atoms along z. Radii are 1.7 Å, and distances about 1.8 Å with some
+// disorder. So K_0 has tetrahedra and no ties.
 inline std::shared_ptr<const BallSet> rod(int length = 14) {
   auto balls = std::make_shared<BallSet>();
   std::uint32_t state = 12345;

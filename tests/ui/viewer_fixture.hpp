@@ -34,7 +34,7 @@ class ViewerTest : public ::testing::Test {
     ViewerOptions options;
     options.compare = false;
     options.draw_shots_only = draw_shots_only;
-    // What looks at fine pictures asks for them.
+    // Tests of fine pictures ask for them.
     options.preset = "fast";
     options.samples = 1;
     viewer_ = std::make_unique<Viewer>(*host_, options);
@@ -56,7 +56,7 @@ class ViewerTest : public ::testing::Test {
   void shot(const std::string& name) {
     run("move status.device\nshot " + (folder_ / name).string() + "\n");
   }
-  // What the scene shows, as fine as it gets, without what the window lays over it.
+  // The scene at its finest, without the window's overlays.
   Image picture() {
     run("wait-idle\n");
     shot("picture_taken.png");
@@ -67,7 +67,7 @@ class ViewerTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  // What the engine says without any window.
+  // The engine's answer without any window.
   AlphaComplex expected(double alpha, double solvent = 0) {
     const auto& prepared = *viewer_->session().state().prepared;
     const auto balls = std::make_shared<const BallSet>(with_solvent(*prepared.balls, solvent));

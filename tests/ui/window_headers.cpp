@@ -1,1 +1,1 @@
-// Nothing of its own: CMakeLists.txt has headers read here once for the tests of the window.
+// No code of its own: CMakeLists.txt has headers read here once for the tests of the window.

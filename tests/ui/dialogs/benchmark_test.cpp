@@ -1,4 +1,4 @@
-// The benchmark page and what runs behind it.
+// Tests the benchmark page and the job behind it.
 #include "app/viewer/jobs/benchmark.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(BenchmarkPage, NotesFitBesideTheNumbersAtEverySize) {
     b.rows = {row, row};
     b.differs = {false, false};
     panels.state.memory.show_benchmark = true;
-    panels.frame(5);  // columns take their widths from the frame before
+    panels.frame(5);  // columns take their widths from the previous frame
     ASSERT_TRUE(panels.rects.contains("benchmark.note.1"));
     const WidgetRect note = panels.rects["benchmark.note.1"], all = panels.rects["benchmark.table"];
     EXPECT_LE(note.x1, all.x1) << size.width << " at " << size.scale;

@@ -1,4 +1,4 @@
-// Dialogs above one another, and where errors are told.
+// Tests dialogs above one another, and where errors are shown.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -22,7 +22,7 @@ class DialogsTest : public ::testing::Test {
     p.state = loaded_state();
     p.frame(2);
   }
-  // Not one of several dialogs replaces another from frame to frame.
+  // Several dialogs must not replace one another from frame to frame.
   void expect_steady(std::initializer_list<const char*> widgets) {
     for (int i = 0; i < 6; ++i) {
       p.frame();
@@ -160,7 +160,7 @@ TEST_F(DialogsTest, WhatCannotBeWrittenIsSaidBeforeItIsTried) {
   p.state.memory.export_path = "/tmp/alphascope no such file.stl";
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("export.unwritable"));
-  // A folder of this name: who runs the tests may be allowed to write everywhere else.
+  // A folder of this name. The user who runs the tests may be allowed to write everywhere else.
   const std::string folder = std::filesystem::temp_directory_path() / "alphascope_folder.stl";
   std::filesystem::create_directory(folder);
   p.state.memory.export_path = folder;
@@ -171,7 +171,7 @@ TEST_F(DialogsTest, WhatCannotBeWrittenIsSaidBeforeItIsTried) {
   std::filesystem::remove(folder);
 }
 
-// What could not be computed has no numbers.
+// Without a computed result there are no numbers.
 TEST_F(DialogsTest, NumbersAreCompleteOnlyWhereTheyWereComputed) {
   p.state.viewport.not_drawn = "Not drawn for lack of memory: edges.";
   p.state.result = loaded_state().result;
@@ -183,7 +183,7 @@ TEST_F(DialogsTest, NumbersAreCompleteOnlyWhereTheyWereComputed) {
   EXPECT_FALSE(p.rects.contains("view.numbers_complete"));
 }
 
-// --- the program behind them
+// --- the program behind the dialogs
 
 class ErrorsTest : public testing::ViewerTest {
  protected:
@@ -204,7 +204,7 @@ class ErrorsTest : public testing::ViewerTest {
     viewer_ = std::make_unique<Viewer>(*host_, options, services);
     open_crambin();
   }
-  ~ErrorsTest() override { viewer_.reset(); }  // before what its services use goes
+  ~ErrorsTest() override { viewer_.reset(); }  // before objects that its services use
   bool no_memory_ = false;
   std::string fault_;
 };
@@ -222,14 +222,14 @@ TEST_F(ErrorsTest, AStepThatFailsIsALineAndNotADialog) {
   EXPECT_TRUE(s.result);
 }
 
-// The error of one alpha says nothing of the next, which may be cancelled or take long.
+// The error at one alpha says nothing about the next, which may be cancelled or take long.
 TEST_F(ErrorsTest, TheErrorGoesWithItsAlpha) {
   no_memory_ = true;
-  run("click alpha.water\nwait-idle\nframes 3\n");  // other balls, so another engine
+  run("click alpha.water\nwait-idle\nframes 3\n");  // other balls need another engine
   ASSERT_FALSE(viewer_->state().compute_error.empty());
   set_alpha(viewer_->state().settings.request, 10);
   ScriptedInput no_input;
-  viewer_->step(&no_input);  // too short for the next answer, or error
+  viewer_->step(&no_input);  // too short for the next answer or error
   EXPECT_TRUE(viewer_->state().compute_error.empty()) << viewer_->state().compute_error;
 }
 

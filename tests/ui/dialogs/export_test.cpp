@@ -1,4 +1,4 @@
-// Exports from the window: the same files as those of the command line, of what is on screen.
+// Tests exports from the window: the same files as from the command line, of the complex on screen.
 #include <cstdlib>
 
 #include "tests/ui/viewer_fixture.hpp"
@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 class ExportFromTheWindow : public testing::ViewerTest {
  protected:
-  // Without lines that say which program and engine it was.
+  // The file without lines on its program and engine.
   std::string lines_of(const std::string& name) {
     std::istringstream lines(bytes(name));
     std::string kept;

@@ -1,5 +1,5 @@
-// The file dialog: keys, typed paths, and what is said in place. No renderer, no worker: the
-// listing is made here, as the program does it on a thread of its own.
+// Tests the file dialog: keys, typed paths, and its messages. There is no renderer and no worker.
+// The listing is made here; the program makes it on another thread.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -129,7 +129,7 @@ TEST_F(FileBrowser, AWrongPathStaysAndSaysWhy) {
   EXPECT_NE(memory().browser_error.find("no.pdb"), std::string::npos);
   EXPECT_TRUE(p.rects.contains("browser.error"));
   EXPECT_EQ(p.rects["browser.open"].y0, y) << "nothing moves";
-  p.type("browser.path", "zebra.pdb");  // of the folder that is shown
+  p.type("browser.path", "zebra.pdb");  // in the folder that is shown
   EXPECT_FALSE(memory().show_browser);
   EXPECT_EQ(*p.asked.open, folder_ / "zebra.pdb");
 }

@@ -1,3 +1,4 @@
+// Tests listings of folders: order, filters and errors.
 #include "ui/panels/dialogs/folder_listing.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +79,7 @@ TEST_F(FolderListingTest, SaysWhyAPathCannotBeOpened) {
   EXPECT_EQ(why_not_openable(folder_ / "none" / "no.pdb"),
             "There is no folder " + (folder_ / "none").string() + ".");
   EXPECT_EQ(why_not_openable("/dev/null"), "/dev/null is not a file.");
-  if (geteuid() == 0) return;  // who may read everything
+  if (geteuid() == 0) return;  // root may read everything
   fs::permissions(folder_ / "b.PDB", fs::perms::none);
   EXPECT_NE(why_not_openable(folder_ / "b.PDB").find("permission"), std::string::npos);
 }

@@ -1,4 +1,5 @@
-// Recordings of the window: frames of sweeps and turntables, while it goes on working.
+// Tests recordings of the window: frames of sweeps and turntables, while the window goes on
+// working.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +46,7 @@ TEST_F(RecordTest, EachFrameOfASweepIsTheSavedPictureOfItsAlpha) {
   EXPECT_NE(pixels_of(frame(1)).rgba, pixels_of(frame(2)).rgba);
 }
 
-// A label is drawn by the window: so the window goes through the sweep.
+// The window draws labels, so the window itself goes through the sweep.
 TEST_F(RecordTest, FramesOfASweepHaveWhatPagesDraw) {
   run("alpha.set 3\nlabel.atoms residue resi 1-3\nwait-idle\n");
   const std::string undo = viewer_->state().undo_text;

@@ -1,4 +1,4 @@
-// What all dialogs that write a file have in common: which path they offer, Browse, and that
+// Tests common properties of dialogs that write a file: the path that they offer, Browse, and that
 // nothing in them moves.
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -32,7 +32,7 @@ class SaveDialogs : public ::testing::Test {
     }
     p.frame(3);
   }
-  // Opens each of them, calls `look` with its name, and cancels it.
+  // Opens each dialog, calls `look` with its name, and cancels it.
   void in_each(
       const std::function<void(const std::string& dialog, const std::string& path)>& look) {
     const struct {
@@ -102,7 +102,7 @@ TEST_F(SaveDialogs, OfferNoFolderOfSamples) {
   });
 }
 
-// No file is named for a format that it has not, nor gets a second ending.
+// No file is named for another format, and none gets a second ending.
 TEST_F(SaveDialogs, AnotherEndingIsRefused) {
   const struct {
     std::string dialog, wrong, right, written;
@@ -152,7 +152,7 @@ TEST_F(SaveDialogs, BrowseChoosesAFolderAndKeepsTheName) {
     p.tap(key::kEnter);
     list();
     EXPECT_EQ(memory().browser_folder, folder_ / "inside") << dialog;
-    p.tap(key::kEnter);  // this one
+    p.tap(key::kEnter);  // the file to be saved
     p.frame(4);
     EXPECT_FALSE(memory().show_browser) << dialog;
     EXPECT_EQ(memory().browser_folder, before) << "Open stays where it was";
@@ -183,7 +183,7 @@ TEST_F(SaveDialogs, BrowseTakesTheNameOfAFileAndCancelLeavesAll) {
   EXPECT_EQ(memory().export_path, path("old.stl"));
 }
 
-// Whatever is chosen in it, and whether the path can be written.
+// For every choice in the dialog, and whether or not the path can be written.
 TEST_F(SaveDialogs, NothingJumps) {
   memory().record.show = true;
   p.frame(4);

@@ -1,4 +1,4 @@
-// The player of lessons on a stage that only notes what it is asked for.
+// Tests the player of lessons on a stage that only records requests.
 #include "app/viewer/lessons/lesson_player.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ class FakeStage : public LessonStage {
   void bring_back() override { said_ += "bring back; "; }
   void forget() override { said_ += "forget; "; }
 
-  // What was asked for last, or by the user, arrives or fails.
+  // The last request, by the player or the user, arrives or fails.
   void arrives() {
     path_ = std::exchange(coming_, fs::path());
     file_ = std::make_shared<int>();
@@ -85,7 +85,7 @@ class LessonPlayerTest : public ::testing::Test {
   void steps(int count = 8) {
     for (int k = 0; k < count; ++k) player_.step();
   }
-  // At the first step, all done.
+  // Begins at the first step, with everything done.
   void begin_and_arrive() {
     begin();
     steps();

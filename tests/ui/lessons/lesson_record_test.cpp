@@ -1,5 +1,5 @@
-// Recordings of a lesson: pictures and movies of each step with its text, and what becomes of them
-// when they are cancelled or disturbed.
+// Tests recordings of a lesson: pictures and movies of each step with its text. Also tests what
+// happens to them when they are cancelled or disturbed.
 #include <gtest/gtest.h>
 
 #include "app/viewer/resources.hpp"
@@ -67,7 +67,7 @@ Image part_of(const Image& image, int x0, int width) {
 
 TEST_F(LessonRecordTest, PicturesAreOneAStepWithItsTextBesideTheView) {
   open_lesson();
-  run("lesson.next\nwait-idle\n");  // it begins with the first step, wherever the window is
+  run("lesson.next\nwait-idle\n");  // it starts with the first step, wherever the window is
   record("f-%d.png", "lesson:3 960 270 none");  // wider than the window's view
   EXPECT_EQ(viewer_->state().error, "");
   ASSERT_EQ(files(), 4) << "three steps and an answer";
@@ -83,7 +83,7 @@ TEST_F(LessonRecordTest, PicturesAreOneAStepWithItsTextBesideTheView) {
   EXPECT_GT(
       differing_pixels(part_of(frame(1), view, 960 - view), part_of(frame(2), view, 960 - view)),
       300);
-  // The window shows the last step now: its view is that of a saved picture.
+  // The window now shows the last step, with the view of a saved picture.
   run("file.save_picture \"" + (folder_ / "one.png").string() + "\" " + std::to_string(view) +
       " 270 none\nwait-idle\n");
   EXPECT_EQ(part_of(frame(4), 0, view).rgba, pixels_of(bytes("one.png")).rgba);
@@ -93,7 +93,7 @@ TEST_F(LessonRecordTest, PicturesAreOneAStepWithItsTextBesideTheView) {
 TEST_F(LessonRecordTest, FactsAreInTheTextWhenItsPictureIsTaken) {
   open_lesson();
   record("f-%d.png", "lesson:1 480 270 none");
-  // The volume takes a moment; with “…” in its place the text would be another.
+  // The volume is computed for a moment. With “…” in its place the text would differ.
   const LessonMemory& m = viewer_->state().lessons;
   run("lesson.back\nwait-idle\nframes 3\n");
   ASSERT_EQ(m.step, 1u);

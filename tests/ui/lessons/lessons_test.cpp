@@ -1,5 +1,5 @@
-// Lessons in the whole window: every chapter from its first to its last step, and what becomes of
-// what was open before.
+// Tests lessons in the whole window: every chapter from its first to its last step, and the file
+// that was open before.
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -37,7 +37,7 @@ class LessonsTest : public ViewerTest {
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
 };
 
-// A lesson whose steps set alpha and what is drawn.
+// A lesson whose steps set alpha and the display.
 constexpr const char* kShort = R"(# Short
 For tests.
 ```
@@ -213,8 +213,8 @@ TEST_F(LessonsTest, WrongOnesAreToldBeforeAnythingHappens) {
   expect_fault(commands("file.export /tmp/x.ply"), "lesson.md, line 7: a lesson cannot run file.");
 }
 
-// A step that names no camera has that of a molecule that was just opened, whatever the step before
-// and the reader have done to the view.
+// A step that names no camera gets that of a newly opened molecule, whatever earlier steps and the
+// reader did to the view.
 TEST_F(LessonsTest, EachStepBeginsWithItsOwnCamera) {
   const auto second_step_after = [&](const std::string& first, const std::string& by_hand) {
     const std::string none = "# T\nS\n```\nmolecule unequal_balls.xyzr\n```\n";
@@ -233,13 +233,13 @@ TEST_F(LessonsTest, EachStepBeginsWithItsOwnCamera) {
     EXPECT_NEAR(turned[k], usual[k], 1e-9);
     EXPECT_NEAR(zoomed[k], usual[k], 1e-9);
   }
-  // The first view may have been fitted to a picture of one row more.
+  // The first view may have been fitted to a picture with one more row.
   constexpr double kOneRow = 0.003;
   EXPECT_NEAR(turned[3], usual[3], kOneRow * usual[3]);
   EXPECT_NEAR(zoomed[3], usual[3], kOneRow * usual[3]);
 }
 
-// A text that does not find room says so, and can be read to its end.
+// A text that does not fit says so, and can be read to its end.
 TEST(LessonText, ThatGoesOnBelowSaysSo) {
   Panels p({640, 400, 2});
   auto lesson = std::make_shared<Lesson>();
@@ -261,7 +261,7 @@ TEST(LessonText, ThatGoesOnBelowSaysSo) {
   EXPECT_FALSE(m.more_below);
 }
 
-// Nothing of a lesson may lie outside the window, and the view must stay worth looking at.
+// No part of a lesson may lie outside the window, and the view must stay large enough.
 TEST_F(LessonsTest, HaveRoomAtPresenterSize) {
   open_lesson("union_of_balls");
   for (const auto& [width, height] : {std::pair(1280, 800), {1920, 1080}}) {
@@ -281,9 +281,7 @@ TEST_F(LessonsTest, HaveRoomAtPresenterSize) {
   }
 }
 
-// Every chapter. What a step cannot do fails; so does a fact that is never known, and a picture
-// that is not as it was.
-// A list that is read after a lesson, and comes together with it, takes nothing away.
+// A list read behind a lesson, and arriving together with it, takes nothing away.
 TEST(LessonFiles, WhatIsOpenedIsNotLostForTheList) {
   LessonFiles files([] {}, {lessons_folder()});
   const auto finish = [&] {
@@ -312,14 +310,14 @@ class Chapter : public LessonsTest, public ::testing::WithParamInterface<fs::pat
   }
 };
 
-// What a step says, with its facts; with the answer, once that is revealed.
+// The text of a step with its facts, and with the answer once that is revealed.
 struct Said {
   std::string where;
   std::vector<LessonParagraph> text;
   bool revealed = false;
 };
 
-// In a window of this size nobody has to scroll.
+// Nobody has to scroll in a window of this size.
 void expect_room(const std::string& lesson, const std::vector<Said>& all, Size size) {
   Panels p(size);
   LessonMemory& m = p.state.lessons;
@@ -337,9 +335,11 @@ void expect_room(const std::string& lesson, const std::vector<Said>& all, Size s
   }
 }
 
+// A step that cannot be carried out fails the test. So does a fact that is never known, and a
+// picture that differs.
 TEST_P(Chapter, PlaysFromTheFirstToTheLastStep) {
   std::vector<Said> all;
-  run("size 760 400\n");  // a small picture is soon drawn
+  run("size 760 400\n");  // a small picture is drawn quickly
   open_lesson(GetParam().string());
   ASSERT_EQ(state().error, "");
   ASSERT_TRUE(memory().open);
@@ -369,7 +369,7 @@ TEST_P(Chapter, PlaysFromTheFirstToTheLastStep) {
   for (const Size size : {Size{1280, 800, 1}, {640, 400, 2}}) expect_room(title, all, size);
 }
 
-// The pictures are worth nothing if they are all alike: a step at another alpha has another.
+// The pictures must not all be alike. A step at another alpha has another picture.
 TEST_F(LessonsTest, ThePictureOfAStepTellsItsAlpha) {
   run("size 760 400\n");
   open_lesson("growing_balls");

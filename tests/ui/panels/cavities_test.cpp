@@ -1,4 +1,5 @@
-// The panel of cavities in the whole window: the table, CASTp's choices, a cavity in the picture.
+// Tests the page of cavities in the whole window: the table, CASTp's choices, a cavity in the
+// picture.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -30,7 +31,7 @@ class CavitiesTest : public ViewerTest {
   std::string name(std::size_t row) {
     return cavity_name(*page().rows.lines->atoms, page().rows.table(), row);
   }
-  // After a click results may come one after the other.
+  // After a click, results may come one after the other.
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
   void shift_click(const std::string& widget) {
     const WidgetRect at = viewer_->widgets().at(widget);
@@ -63,7 +64,7 @@ TEST_F(CavitiesTest, ThePresetComparesWithCastpAndCanBeUndone) {
   EXPECT_EQ(page().rows.table().voids, 47u);
   EXPECT_EQ(page().rows.table().pockets, 39u);
   EXPECT_NE(page().rows.size(), before);
-  // A line for each cavity, with the exact volume once it is there.
+  // A line for each cavity, with the exact volume once it is known.
   ASSERT_EQ(page().rows.size(), 86u);
   EXPECT_NEAR(page().rows.lines->of[0].volume_sa_angstrom3, 3989.080, 0.001);
   EXPECT_EQ(text(CavityColumn::exact, 0), "3,992.08  ");
@@ -82,7 +83,7 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   ASSERT_EQ(viewer_->state().layers.size(), 3u) << "surface, rims of its mouths, what it holds";
   const Layer& body = *viewer_->state().layers[0];
   EXPECT_TRUE(body.body);
-  // The boundary of tetrahedra is closed: each edge has an even number of triangles.
+  // The boundary of tetrahedra is closed, so each edge has an even number of triangles.
   std::map<std::pair<BallIndex, BallIndex>, int> edges;
   for (const auto& t : body.triangles) {
     ++edges[{t[0], t[1]}];
@@ -97,7 +98,7 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   EXPECT_EQ(page().drawn->residues[0].chain, "A");
   EXPECT_NE(page().drawn->residues[0].residues.find("HIS 87"), std::string::npos);
   EXPECT_GT(viewer_->state().settings.selection.items.size(), 20u);
-  // It stays chosen while alpha moves, for it is known by its deepest sink.
+  // The cavity stays chosen while alpha moves, because its deepest sink identifies it.
   const RefSet chosen = viewer_->state().settings.selection.cavities;
   EXPECT_EQ(chosen.size(), 1u);
   run("alpha.set 0.1\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
@@ -231,12 +232,12 @@ TEST_F(CavitiesTest, TablesFollowWhileTheSolventRadiusSlides) {
   };
   move_to(1.4);
   input.down[0] = true;
-  std::set<const CavityLines*> tables;  // while the hand moves
+  std::set<const CavityLines*> tables;  // while the slider is dragged
   std::vector<std::shared_ptr<const CavityLines>> kept;
   const auto begin = std::chrono::steady_clock::now();
   for (int n = 0; tables.size() < 4; ++n) {
     ASSERT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(120));
-    move_to(1.4 + 0.04 * (1 - std::cos(0.2 * n)));  // in 20 frames to 1.48
+    move_to(1.4 + 0.04 * (1 - std::cos(0.2 * n)));  // to 1.48 in 20 frames
     if (tables.insert(page().rows.lines.get()).second) kept.push_back(page().rows.lines);
     ASSERT_EQ(page().chosen_rows.size(), 1u) << "it stays the same cavity";
     EXPECT_EQ(number_of(page().chosen_rows[0]), number);
@@ -318,7 +319,7 @@ TEST_F(CavitiesTest, FilesForOtherProgramsAreThoseOfTheCommandLine) {
     }
     return text;
   };
-  // The lengths at its beginning are those of the program's name, too.
+  // The lengths at the file's beginning include that of the program's name.
   const auto geometry = [](const std::string& glb) {
     return glb.substr(glb.find(std::string("BIN\0", 4)));
   };
@@ -383,7 +384,7 @@ TEST_F(CavitiesTest, WhatIsChosenFollowsIntoWhatItMergesWithAndComesBack) {
   use_preset();
   run("click cavities.all\nframes 3\n");
   settle();
-  // With a smaller probe, cavities merge. One that does is chosen.
+  // With a smaller probe cavities merge. One of those is chosen.
   const auto at_first = page().rows.lines;
   const auto numbers = at_first->numbers;
   run("solvent.set 1.2\n");
@@ -428,7 +429,7 @@ TEST_F(CavitiesTest, OfAnotherMoleculeNothingStays) {
   EXPECT_TRUE(viewer_->state().layers.empty());
 }
 
-// A grid of 27 balls, all squares of which are open: a network of eight cubes.
+// A grid of 27 balls with all squares open: a network of eight cubes.
 TEST_F(CavitiesTest, ANetworkIsSplitAndSaysWhereItFallsApart) {
   const fs::path path = folder_ / "grid.xyzr";
   std::ofstream(path) << grid_of_balls();

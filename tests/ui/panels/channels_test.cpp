@@ -1,5 +1,5 @@
-// The page of channels in the whole window: ends that are clicked, the bottleneck and its profile,
-// the tube in the picture.
+// Tests the page of channels in the whole window: ends set by clicks, the bottleneck and its
+// profile, the tube in the picture.
 #include <imgui.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 class ChannelsTest : public ViewerTest {
  protected:
-  // A tube along z, 4 Å wide inside, with a ring of 2.5 Å near its top; closed below or open.
+  // A tube along z, 4 Å wide inside, with a ring of 2.5 Å near its top. It is closed or open below.
   void open_tube(bool closed) {
     BallSet balls = no_balls();
     add_tube(balls, -14, 14);
@@ -75,8 +75,8 @@ TEST_F(ChannelsTest, OfAPoreIsThereUponTheFirstClick) {
   EXPECT_FALSE(has_layer("channels.cursor"));
 }
 
-// Two chains, each a tube and a way of its own: the wider one is shown first, a click takes the
-// other.
+// Two chains, each a tube with a way of its own. The wider way is shown first, and a click takes
+// the other one.
 TEST_F(ChannelsTest, WaysAreListedAndAClickTakesOne) {
   const fs::path path = folder_ / "two.pdb";
   std::ofstream file(path);
@@ -120,7 +120,7 @@ TEST_F(ChannelsTest, ACupHasNoWayThrough) {
   EXPECT_FALSE(memory().shown);
   EXPECT_TRUE(has("channels.problem"));
   EXPECT_FALSE(has("channels.way.1"));
-  // What ends inside says nothing about the whole.
+  // A channel that ends inside says nothing about the whole.
   run("click channels.from\nclick channels.from.3\nclick channels.to\nclick channels.to.0\n");
   settle();
   ASSERT_TRUE(memory().shown && memory().shown->channel);
@@ -149,7 +149,7 @@ TEST_F(ChannelsTest, ShowingTheBottleneckSelectsTheAtomsThatTouchIt) {
   EXPECT_GE(channel().touching.size(), 3u);
 }
 
-// From an end, what is wide there would hide it.
+// Seen from an end, its wide part would hide it.
 TEST_F(ChannelsTest, IsSeenFromTheSide) {
   open_tube(false);
   for (const char* name : {"channels.show", "channels.across"}) {
@@ -173,7 +173,7 @@ TEST_F(ChannelsTest, AChosenCavityLeadsOut) {
   ASSERT_TRUE(memory().shown && memory().shown->channel);
   EXPECT_NEAR(channel().widest_angstrom, 2.5, 0.0015);
   EXPECT_LT(channel().samples.front().position_angstrom.z, 8.5) << "it begins in the chamber";
-  // Another mouth than it has is refused in words.
+  // A mouth that the cavity does not have is refused in words.
   run("click channels.to\nclick channels.to.3\nclick channels.to.mouth\nkey ctrl+a\ntype 999\n"
       "key enter\n");
   settle();
@@ -215,7 +215,7 @@ TEST_F(ChannelsTest, AClosedOneSaysSo) {
   EXPECT_TRUE(has("channels.result"));
 }
 
-// As potassium in the filter of a potassium channel.
+// For example potassium in the filter of a potassium channel.
 TEST_F(ChannelsTest, AnIonInThePoreCanBeLeftOut) {
   const fs::path path = folder_ / "pore.pdb";
   std::ofstream file(path);
@@ -238,7 +238,7 @@ TEST_F(ChannelsTest, AnIonInThePoreCanBeLeftOut) {
   file.close();
   run("open " + path.string() + "\nwait-idle\nclick bottom.channels\n");
   settle();
-  // As a way through, it is as wide as without the ion, and that is said.
+  // The way through is as wide as without the ion, and a note says so.
   ASSERT_TRUE(memory().shown && memory().shown->channel && memory().shown->way);
   EXPECT_EQ(memory().shown->way->ions, 1u);
   EXPECT_TRUE(has("channels.not_counted"));
@@ -303,7 +303,7 @@ TEST_F(ChannelsTest, SavesWhatItCopiesAndAllOfTheChannelAsJson) {
   }
 }
 
-// The same formats as those of cavities; a script comes with the files that it opens.
+// The formats are those of cavities. A script comes with the files that it opens.
 TEST_F(ChannelsTest, IsSavedForOtherPrograms) {
   open_tube(false);
   const auto save = [&](const std::string& name) {

@@ -1,5 +1,5 @@
-// The menu of the right mouse button in the whole window: what it is about, what its entries do,
-// why some are grey, and that a drag with the right button still zooms.
+// Tests the menu of the right mouse button in the whole window: its subject, its entries, and why
+// some are grey. A drag with the right button still zooms.
 #include <imgui.h>
 
 #include <algorithm>
@@ -15,11 +15,11 @@ class ContextMenuTest : public ViewerTest {
   const ViewState& state() { return viewer_->state(); }
   bool has(const std::string& widget) { return viewer_->widgets().contains(widget); }
   const std::vector<Ref>& items() { return state().settings.selection.items.items(); }
-  // In the view, shares of its size.
+  // A place in the view, in shares of its size.
   static std::string at(double x, double y) {
     return "view " + std::to_string(x) + " " + std::to_string(y) + "\n";
   }
-  // Places with something of this kind, of different atoms or simplices.
+  // Places with something of this kind, each on another atom or simplex.
   std::vector<std::string> places(const std::string& start, std::size_t wanted) {
     std::vector<std::string> found;
     std::string last;
@@ -151,7 +151,7 @@ TEST_F(ContextMenuTest, TheKeyboardOpensItAndADragDoesNot) {
   EXPECT_FALSE(has("context.title"));
   run("move " + place + "frames 2\nkey menu\nframes 3\n");
   EXPECT_TRUE(has("context.title"));
-  // Another place, while it is open: the menu of that.
+  // A right click elsewhere while it is open opens the menu of that place.
   run("right-click " + at(0.02, 0.9));
   EXPECT_FALSE(has("context.title"));
   EXPECT_TRUE(has("context.reset"));

@@ -1,5 +1,5 @@
-// The page of curves in the whole window: totals, a chosen cavity, clicks that set what is plotted
-// against.
+// Tests the page of curves in the whole window: totals, a chosen cavity, and clicks that set the
+// plotted quantity.
 #include <imgui.h>
 #include <optional>
 
@@ -110,7 +110,7 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedWhenTheTetrahedronOfItsSinkIsGone) {
     settle();
   };
   set_radius("1.6");
-  // One that is still there although the tetrahedron of its sink is not.
+  // A cavity that still exists although the tetrahedron of its sink does not.
   const auto& others = page.rows.table().ground->triangulation->tetrahedra;
   const CavityTable& table = *lines->table;
   std::optional<std::size_t> row;

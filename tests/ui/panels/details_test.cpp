@@ -1,5 +1,5 @@
-// The page Details in the whole window: facts of the selected atom or simplex, and lists that lead
-// to what is around it.
+// Tests the page Details in the whole window: facts of the selected atom or simplex, and lists that
+// lead to its neighbours.
 #include <algorithm>
 
 #include "tests/ui/viewer_fixture.hpp"
@@ -44,7 +44,7 @@ TEST_F(DetailsTest, AnAtomHasFactsAndNeighbours) {
   EXPECT_EQ(viewer_->state().settings.selection.items,
             RefSet({viewer_->state().references->atom(nearest)}));
   EXPECT_EQ(shown()->balls, std::vector<BallIndex>{nearest});
-  // At another alpha.
+  // The same at another alpha.
   run("alpha.set -100\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   EXPECT_FALSE(shown()->in_complex);
   EXPECT_FALSE(has("details.neighbour.0"));

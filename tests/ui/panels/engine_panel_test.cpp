@@ -1,4 +1,4 @@
-// The engine panel: which engines can be chosen, the thesis' switches, and what the device is.
+// Tests the engine panel: the choice of engines, the thesis' switches, and texts on the device.
 #include <gtest/gtest.h>
 
 #include "app/viewer/state_bridge.hpp"

@@ -1,3 +1,4 @@
+// Tests numbers as panels print them.
 #include "ui/widgets/format.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ TEST(Format, TimesHaveThreeDigitsAndAUnit) {
   EXPECT_EQ(milliseconds_text(0.0421), "0.042 ms");
   EXPECT_EQ(milliseconds_text(2.534), "2.53 ms");
   EXPECT_EQ(milliseconds_text(0.0006), "0.001 ms");
-  EXPECT_EQ(milliseconds_text(0.0002), "<0.001 ms");  // it was run, and took some time
+  EXPECT_EQ(milliseconds_text(0.0002), "<0.001 ms");  // it ran, so it took some time
   EXPECT_EQ(milliseconds_text(0), "0 ms");
   EXPECT_EQ(milliseconds_text(52.83), "52.8 ms");
   EXPECT_EQ(milliseconds_text(159.9), "160 ms");
@@ -50,7 +51,7 @@ TEST(Format, NumbersAreAsShortAsTheirValue) {
   EXPECT_EQ(short_number_text(100, 0), "100");
 }
 
-// √(1.7² + 1.4) = 2.0712; both numbers have as many digits as they need, up to three.
+// √(1.7² + 1.4) = 2.0712. Both numbers have as many digits as they need, up to three.
 TEST(Format, ZeroHasNoMinusSign) {
   EXPECT_EQ(shortest_number(-0.0), "0");
   EXPECT_EQ(short_number(-0.0), "0");

@@ -1,5 +1,5 @@
-// The window without a mouse: Tab leads to fields and buttons, Enter and Space press them, dialogs
-// take the keyboard, Alt and F10 open the menus.
+// Tests the window without a mouse. Tab leads to fields and buttons, Enter and Space press them,
+// dialogs take the keyboard, Alt and F10 open the menus.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -31,7 +31,7 @@ class Keyboard : public ::testing::Test {
     p.tap(key::kTab);
     ImGui::GetIO().KeyShift = false;
   }
-  // Until the keyboard is at this widget, or has been everywhere.
+  // Presses Tab until the keyboard is at this widget, or has been everywhere.
   bool tab_to(const std::string& name) {
     for (int i = 0; i < 300 && at() != name; ++i) tab();
     return at() == name;
@@ -93,7 +93,7 @@ TEST_F(Keyboard, WhatIsTypedGoesIntoTheFieldThatTabComesTo) {
   EXPECT_FALSE(typing());
 }
 
-// ImGui drops characters of the frame in which a field begins.
+// ImGui drops the characters of the frame in which a field begins.
 TEST_F(Keyboard, NothingThatIsTypedAtOnceIsLost) {
   ASSERT_TRUE(tab_to("alpha.typed"));
   back();
@@ -231,7 +231,7 @@ TEST_F(Keyboard, AltWithSomethingElseOpensNothing) {
   ImGuiIO& io = ImGui::GetIO();
   io.KeysDown[key::kLeftAlt] = true;
   p.frame();
-  p.tap(key::kTab);  // goes to another program
+  p.tap(key::kTab);  // to another program
   io.KeysDown[key::kLeftAlt] = false;
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("menu.file.open"));
@@ -255,7 +255,7 @@ TEST_F(Keyboard, ASaveDialogBeginsWithTheNameAndEnterSaves) {
   memory().save_path = "/tmp/alphascope first.png";
   p.frame(4);
   EXPECT_EQ(at(), "save.path");
-  letters("other");  // the name alone is replaced
+  letters("other");  // only the name is replaced
   EXPECT_EQ(memory().save_path, "/tmp/other.png");
   p.tap(key::kEnter);
   ASSERT_TRUE(p.asked.screenshot);
@@ -417,7 +417,7 @@ TEST_F(TypedPath, RelativeToTheFolderThatWasOpen) {
   back();
   ASSERT_EQ(at(), "browser.path");
   p.frame();
-  letters("inside/d");  // Tab has selected all
+  letters("inside/d");  // Tab has selected all of it
   list();
   EXPECT_EQ(memory().browser_selected, folder_ / "inside" / "deep.pdb");
   letters("eep.pdb");

@@ -1,4 +1,4 @@
-// The page of areas and volumes in the whole window, and balls coloured by exposed area.
+// Tests the page of areas and volumes in the whole window, and balls coloured by exposed area.
 #include <imgui.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ TEST_F(MeasuresTest, AClickSelectsTheAtomsOfTheRow) {
   run("click measures.row.2 0.3\nwait-idle\nframes 3\n");
   EXPECT_EQ(memory().chosen.size(), 1u);
   EXPECT_EQ(state().settings.selection.items.size(), memory().rows->rows[1].atoms);
-  // It stays chosen while alpha moves; other rows forget it.
+  // A row stays chosen while alpha moves. With other rows it is forgotten.
   run("alpha.set 0.5\n");
   settle();
   EXPECT_EQ(memory().chosen.size(), 1u);

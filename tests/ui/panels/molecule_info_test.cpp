@@ -1,4 +1,4 @@
-// What the panels are told of a molecule.
+// Tests the description of a molecule that panels get.
 #include "app/viewer/molecule_info.hpp"
 
 #include <gtest/gtest.h>
@@ -107,7 +107,7 @@ TEST(MoleculeInfo, ProvenanceNamesWhatTheNumbersDependOn) {
 
 TEST(MoleculeInfo, DoubtfulElementsComeFirstAndEditsDoNotMoveRows) {
   OpenOptions options;
-  options.balls.radii = RadiiSet::protor;  // ligands are guessed
+  options.balls.radii = RadiiSet::protor;  // radii of ligands are guessed
   const std::string text =
       "HETATM    1  C1  AAA B   3       1.266  25.413   8.842  1.00 10.38           C  \n"
       "HETATM    2 ZN   ZZZ B   4       3.266  25.413   8.842  1.00 10.38          ZN  \n";

@@ -1,4 +1,4 @@
-// The molecule panel: every rule of opening a file is a control that does what it says.
+// Tests the molecule panel: every rule for opening a file is a control with its effect.
 #include <algorithm>
 
 #include "tests/ui/panels/panels_fixture.hpp"
@@ -240,7 +240,7 @@ TEST_F(MoleculePanel, AUserTableIsChosenInTheFileDialog) {
   EXPECT_EQ(balls().radii, RadiiSet::automatic) << "not before there is a file";
   ASSERT_TRUE(p.rects.contains("browser.path"));
   const std::string table =
-      std::string(ALPHASCOPE_SOURCE_DIR) + "/resources/molecules/1crn.pdb";  // a file that is there
+      std::string(ALPHASCOPE_SOURCE_DIR) + "/resources/molecules/1crn.pdb";  // an existing file
   p.type("browser.path", table);
   p.frame(2);
   EXPECT_EQ(balls().radii, RadiiSet::user);

@@ -1,5 +1,4 @@
-// What people type as numbers: nothing is dropped, nothing leaves the bounds, in the window and on
-// the command line.
+// Tests typed numbers in the window and on the command line: no digit is dropped, and bounds hold.
 #include "core/document/commands/number_input.hpp"
 
 #include <gtest/gtest.h>
@@ -144,7 +143,7 @@ TEST_F(NumberFields, WhatIsNoNumberChangesNothingAndIsExplained) {
     EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3) << bad;
     EXPECT_TRUE(p.rects.contains("alpha.typed.error")) << bad;
   }
-  // It stays to be mended.
+  // The text stays for correction.
   p.type("alpha.typed", "2.5x");
   p.click("alpha.typed");
   ImGui::GetIO().KeyCtrl = false;
@@ -210,7 +209,7 @@ TEST_F(NumberFields, PictureSizesAreWholeAndBounded) {
   }
 }
 
-// Whatever is touched next: a wrong number is not forgotten, and nothing is made with the old one.
+// A wrong number is kept whatever is clicked next, and nothing is made with the old one.
 TEST_F(NumberFields, AWrongNumberKeepsADialogFromItsWork) {
   p.state.memory.show_save = true;
   p.frame(3);

@@ -1,4 +1,4 @@
-// The panels without any renderer: ImGui builds its draw lists, nobody draws them.
+// The panels without a renderer. ImGui builds draw lists that nobody draws.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ class Panels {
       window_frame();
     }
   }
-  // A frame whose input and time are set already.
+  // A frame whose input and time are already set.
   void window_frame() {
     ImGui::GetIO().DisplaySize = {size_.width * size_.scale, size_.height * size_.scale};
     prepare_list_keys();
@@ -103,7 +103,8 @@ class Panels {
   PanelFonts fonts_;
 };
 
-// Of as many balls and tetrahedra as haemoglobin has, all alike: there are numbers to show.
+// An answer with as many balls and tetrahedra as haemoglobin, all alike, so there are numbers to
+// show.
 inline std::shared_ptr<const Answer> some_answer() {
   auto answer = std::make_shared<Answer>();
   auto molecule = std::make_shared<Molecule>();

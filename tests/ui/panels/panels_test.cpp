@@ -1,4 +1,4 @@
-// The panels around the view: alpha, timings, dialogs, shortcuts.
+// Tests the panels around the view: alpha, timings, dialogs, shortcuts.
 #include <cmath>
 #include <functional>
 
@@ -73,7 +73,7 @@ TEST(PanelsTest, DraggingTheSliderNeverTurnsTheView) {
   p.frame(2);
   p.point_at("alpha.slider", 0.2f);
   p.press(true);
-  p.point_at("view", 0.5f, 0.5f);  // the mouse leaves the slider while the button is down
+  p.point_at("view", 0.5f, 0.5f);  // the mouse leaves the slider with the button down
   EXPECT_TRUE(p.state.viewport.events.empty());
   p.press(false);
 }
@@ -131,7 +131,7 @@ TEST(PanelsTest, LongWorkShowsProgressAndCancel) {
   p.state = loaded_state();
   p.state.busy = {true, "Computing: kernel II", 0.4, 0.05};
   p.frame(2);
-  EXPECT_FALSE(p.rects.contains("view.cancel"));  // too short to be worth a flicker
+  EXPECT_FALSE(p.rects.contains("view.cancel"));  // too short to be shown without a flicker
   p.state.busy.seconds = 1;
   p.frame(2);
   p.click("view.cancel");
@@ -162,7 +162,7 @@ TEST(PanelsTest, WorkOfUnknownLengthHasNoBarThatLooksLikeAShare) {
   EXPECT_FALSE(p.rects.contains("view.busy_bar"));
 }
 
-// A run that makes its cache anew is slower than one that looks there, whoever does it.
+// A run that rebuilds its cache is slower than one that uses it, with any engine.
 TEST(PanelsTest, SpeedsOfDifferentWorkAreNotCompared) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
@@ -214,7 +214,7 @@ TEST(PanelsTest, MissingTimesSayWhyAndHowToGetThem) {
   EXPECT_EQ(missing_times(s, true)[0], "Nothing is computed yet: move alpha.");
   s.busy.active = true;
   EXPECT_NE(missing_times(s, true)[0].find("when the computation is done"), std::string::npos);
-  s = loaded_state();  // cold times of both, none warm
+  s = loaded_state();  // cold times of both engines, no warm ones
   EXPECT_TRUE(missing_times(s, true).empty());
   EXPECT_FALSE(lacks_cold_time(s));
   ASSERT_EQ(missing_times(s, false).size(), 2u);
@@ -261,7 +261,7 @@ TEST(PanelsTest, AMissingSpeedHasItsReason) {
   EXPECT_NE(missing_times(s, true)[0].find("both are a threshold"), std::string::npos);
 }
 
-// Two balls were "slower than CGAL" in one run and "faster" in the next.
+// For two balls one run said "slower than CGAL" and the next one "faster".
 TEST(PanelsTest, OfFewBallsNoEngineIsCalledFaster) {
   ViewState s = loaded_state();
   ASSERT_TRUE(speed_up(s, true));
@@ -441,7 +441,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PanelsAtEverySize,
                          ::testing::Values(Size{1100, 700, 1}, Size{1280, 800, 1},
                                            Size{1920, 1080, 1}, Size{1280, 800, 2}));
 
-// What comes and goes with a choice has its room, so that nothing below it moves.
+// Texts that depend on a choice have reserved room, so nothing below them moves.
 TEST(PanelsStay, WhereTheyAreWhateverIsSaid) {
   Panels p({1280, 1400, 1});
   p.state = loaded_state();

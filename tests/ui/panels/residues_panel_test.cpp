@@ -1,4 +1,4 @@
-// The list of residues in the molecule panel: what is chosen in it becomes a treatment.
+// Tests the list of residues in the molecule panel. A choice in it becomes a treatment.
 #include <algorithm>
 #include <cstddef>
 #include <memory>
@@ -15,7 +15,7 @@ using testing::loaded_state;
 using testing::Panels;
 using testing::Size;
 
-// As of a file: what the panel shows of it.
+// A group as from a file, as far as the panel shows it.
 ResidueGroup residues(const char* name, AtomKind kind, ResidueReason why, std::size_t count) {
   ResidueGroup group;
   group.name = name;

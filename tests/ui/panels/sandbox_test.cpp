@@ -1,5 +1,5 @@
-// The sandbox in the whole window: presets, changes by command, by typing and by mouse, what undo
-// and sessions bring back, and that every answer is CGAL's.
+// Tests the sandbox in the whole window: presets, and changes by command, typing and mouse. Undo
+// and sessions restore them, and every answer is CGAL's.
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 
@@ -23,7 +23,7 @@ class SandboxTest : public ViewerTest {
     for (const FlatShape& shape : state().memory.sandbox.shapes) count += shape.kind == kind;
     return count;
   }
-  // Where a place of the drawing is in the view, as "0.25 0.5" for scripts.
+  // The place of the view that shows this place of the drawing, as "0.25 0.5" for scripts.
   std::string in_view(const FlatPoint& place) {
     const SandboxMemory& m = state().memory.sandbox;
     const ViewportInfo& v = state().viewport;
@@ -141,7 +141,7 @@ TEST_F(SandboxTest, SpaceToPlaneAndBackToTheFile) {
   EXPECT_NE(state().result->balls->centres[4].z, 0);
 }
 
-// Of the ball in the picture of a space set, as "0.25 0.5" for scripts.
+// The place of a ball in the picture of a three-dimensional set, as "0.25 0.5" for scripts.
 class SpaceSandboxTest : public SandboxTest {
  protected:
   std::string place_of_ball(std::size_t ball) {
@@ -188,7 +188,7 @@ TEST_F(SpaceSandboxTest, TheMouseMovesABallParallelToTheScreen) {
     EXPECT_EQ(sandbox().balls[i], before.balls[i]);
   }
   expect_exact();
-  // What the mouse held is still under it.
+  // The dragged ball is still under the mouse.
   run("move view " + beside(place, 0.1, 0) + "\nframes 2\n");
   ASSERT_TRUE(state().hovered);
   EXPECT_EQ(std::get<AtomRef>(*state().hovered).atom, 4u);

@@ -1,4 +1,5 @@
-// The signature panel in the whole window: curves, a click that sets alpha, marks in the picture.
+// Tests the signature panel in the whole window: curves, a click that sets alpha, marks in the
+// picture.
 #include <cmath>
 
 #include "core/triangulation/cgal_triangulation.hpp"

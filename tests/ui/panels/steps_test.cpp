@@ -1,5 +1,5 @@
-// The page "Steps" in the whole window: what it shows is what core says of the same ball, alpha and
-// options; it goes forward, back and by itself; and it draws what it speaks of.
+// Tests the page "Steps" in the whole window. It shows core's results for the same ball, alpha and
+// options. It goes forward, back and by itself, and draws the simplices that it describes.
 #include <algorithm>
 
 #include "core/document/explain/step_names.hpp"
@@ -30,7 +30,7 @@ class StepsTest : public ViewerTest {
   std::uint64_t count(StepKind kind, std::string_view what) {
     return steps().find(kind)->count(what).all;
   }
-  // What core says of the ball on the page.
+  // Core's steps for the ball on the page.
   BallSteps from_core(double alpha, const TupleOptions& options = {}) {
     const BallSet& balls = *state().result->balls;
     return tuple_steps(balls, steps().ball, balls.lattice.alpha_on_lattice(alpha), options);
@@ -117,7 +117,7 @@ TEST_F(StepsTest, ForwardBackAndByName) {
   EXPECT_NE(state().notice.find("“nothing”"), std::string::npos) << state().notice;
   run("click steps.step.4\nframes 2\n");
   EXPECT_EQ(memory().at(), 3u);
-  // It stays where the numbers change.
+  // The page stays at its step when the numbers change.
   run("alpha.set 2\nwait-idle\n");
   settle();
   EXPECT_EQ(memory().at(), 3u);
@@ -190,7 +190,7 @@ TEST_F(StepsTest, DrawsTheStep) {
   const Image cube = picture();
   run("steps.show tuples\n");
   settle();
-  // Candidates by their edges.
+  // Candidates are drawn by their edges.
   EXPECT_GT(layer("steps.dropped")->edges.size(), 0u);
   EXPECT_FALSE(layer("steps.kept")->lines.empty()) << "seen through what is dropped";
   EXPECT_TRUE(layer("steps.kept")->tetrahedra.empty());
@@ -262,7 +262,7 @@ TEST_F(StepsTest, TheLatestBallWins) {
   EXPECT_TRUE(steps().find(StepKind::too_many));
   EXPECT_NE(memory().shown->texts.back().text.find("The steps end here"), std::string::npos);
   EXPECT_EQ(memory().shown->growth, "") << "with the optimisations it is not counted either";
-  // Where steps end early, the last is shown, and the same as before when they go on.
+  // Where steps end early, the last one is shown. The earlier step returns when they go on again.
   run("steps.show exact\nframes 2\nsteps.edge_optimisation on\nsteps.alpha_optimisation on\n"
       "alpha.set 1.4\nwait-idle\n");
   settle();
@@ -270,7 +270,7 @@ TEST_F(StepsTest, TheLatestBallWins) {
 }
 
 TEST_F(StepsTest, ABallThatTakesNoPart) {
-  open_at(-4);  // carbon is gone, sulphur and its neighbours may be
+  open_at(-4);  // carbon is gone; sulphur and its neighbours may be there
   run("alpha.set -100\nwait-idle\n");
   settle();
   ASSERT_TRUE(memory().shown);

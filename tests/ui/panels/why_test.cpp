@@ -1,4 +1,4 @@
-// The page "Why?" in the whole window: what is asked, what is said and drawn, and where its buttons
+// Tests the page "Why?" in the whole window: questions, sentences, drawings, and where its buttons
 // lead.
 #include <algorithm>
 
@@ -28,7 +28,7 @@ class WhyTest : public ViewerTest {
     return std::any_of(layers.begin(), layers.end(),
                        [](const auto& layer) { return layer->id == "why"; });
   }
-  // The line that has this heading.
+  // The line with this heading.
   std::size_t line(const std::string& heading) {
     const auto& lines = memory().shown->lines;
     const auto at = std::find_if(lines.begin(), lines.end(),
@@ -48,7 +48,7 @@ TEST_F(WhyTest, ExplainsWhatIsSelectedAndGoesToWhatDecides) {
   EXPECT_NE(said().find("It is in the alpha complex at alpha = 1.4 Å²"), std::string::npos);
   ASSERT_TRUE(drawn());
   EXPECT_TRUE(has("why.line.0"));
-  // At the alpha on screen.
+  // The same at the alpha on screen.
   run("alpha.set -11\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   EXPECT_NE(said().find("It is not in the alpha complex at alpha = -11 Å²"), std::string::npos);
 
@@ -57,7 +57,7 @@ TEST_F(WhyTest, ExplainsWhatIsSelectedAndGoesToWhatDecides) {
   run("why.marks on\nframes 2\n");
   ASSERT_TRUE(drawn());
 
-  // To the triangle with which the edge becomes regular, and back.
+  // Goes to the triangle with which the edge becomes regular, and back.
   run("click why.go." + std::to_string(line("With alpha")) +
       "\nframes 3\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   EXPECT_NE(said().find("This is the triangle of balls 1 (A:THR 1:CA), 4 (A:THR 1:CB) and 6"),

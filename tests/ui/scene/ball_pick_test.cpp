@@ -1,3 +1,4 @@
+// Tests picking of balls.
 #include "ui/scene/pick/ball_pick.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ BallGeometry three_in_a_row() {
   return balls;
 }
 
-// Both ways of picking, which must agree.
+// Picks in two ways, which must agree.
 std::optional<std::size_t> picked(const BallGeometry& balls, const std::vector<float>& radii,
                                   const Ray& ray) {
   const auto one = pick_ball(balls, radii, ray);
@@ -28,7 +29,7 @@ std::optional<std::size_t> picked(const BallGeometry& balls, const std::vector<f
 TEST(BallPick, TakesTheFirstBallAhead) {
   const BallGeometry balls = three_in_a_row();
   EXPECT_EQ(picked(balls, balls.radii, {{0, 0, 0}, {0, 0, -1}}), 1u);
-  EXPECT_EQ(picked(balls, balls.radii, {{0, 0, 0}, {0, 0, 3}}), 2u);  // not unit length
+  EXPECT_EQ(picked(balls, balls.radii, {{0, 0, 0}, {0, 0, 3}}), 2u);  // not of unit length
   EXPECT_EQ(picked(balls, balls.radii, {{0.5, 0.5, -7}, {0, 0, -1}}), 0u);
 }
 

@@ -1,5 +1,5 @@
-// Balls seen from close by: each pixel must show what the line of sight through its centre meets,
-// which is computed here from the ball, the eye and the angle of the view alone.
+// Tests balls seen from close by. Each pixel must show what the line of sight through its centre
+// meets. The test computes that from the ball, the eye and the angle of the view alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,14 +38,15 @@ struct Sphere {
   double radius;
 };
 
-// So far from the eye, at so many degrees from the middle of the picture, towards its top right.
+// A sphere at this distance from the eye. It is `degrees` from the middle of the picture, towards
+// the top right.
 Sphere sphere_at(double distance, double degrees, double radius) {
   const double a = degrees * M_PI / 180;
   return {{0.8 * distance * std::sin(a), 0.6 * distance * std::sin(a), -distance * std::cos(a)},
           radius};
 }
 
-// What of a line of sight is in the ball, ahead of the eye or behind it.
+// The part of a line of sight inside the ball, ahead of the eye or behind it.
 std::optional<std::pair<double, double>> inside_of(const Sphere& sphere, const Vector& direction) {
   const double length2 = product(direction, direction);
   const double along = product(sphere.centre, direction) / length2;
@@ -77,13 +78,13 @@ class BallPicture : public ::testing::Test {
     const double wider = tangent / tangent_of(kUsualDegrees);
     scene.set_viewpoint({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, wider * kWidth / kHeight});
   }
-  // Through a place of the picture, pixels from its top left.
+  // The direction through a place of the picture, in pixels from its top left.
   Vector direction(double x, double y) const {
     return {(2 * x / kWidth - 1) * tangent * kWidth / kHeight, (1 - 2 * y / kHeight) * tangent, -1};
   }
 
-  // Compares the picture with `expected` of a line of sight; where that is not the same half a
-  // pixel around, it may be either.
+  // Compares the picture with the expected value of a line of sight. Where that changes within half
+  // a pixel, both values are accepted.
   template <class Expected>
   int count_wrong(RenderQuality quality, const Expected& expected) {
     scene.render(kWidth, kHeight, quality);
@@ -109,7 +110,7 @@ class BallPicture : public ::testing::Test {
     }
     return wrong;
   }
-  // What picking finds, pixel by pixel.
+  // Compares picking with the expectation, pixel by pixel.
   template <class Expected>
   int count_wrong_picks(const Expected& expected) const {
     int wrong = 0;
@@ -166,8 +167,8 @@ TEST_F(BallPicture, ATranslucentBallIsWhole) {
   }
 }
 
-// The first picture that is larger than the one before, drawn exactly, by peels; with pictures of
-// opaque balls between them as well.
+// The first picture that is larger than the previous one, drawn exactly by peels. Also with
+// pictures of opaque balls in between.
 TEST_F(BallPicture, ATranslucentBallIsWholeWhenThePictureHasGrown) {
   const Sphere sphere = sphere_at(1.9, 20, 1.7);
   const auto draw = [&](float opacity, int width, int height) {
@@ -209,7 +210,7 @@ TEST_F(BallPicture, ASavedPictureShowsTheSameBall) {
   EXPECT_NEAR(drawn, expected, 0.005 * expected);
 }
 
-// The depth of each pixel: where balls meet, the nearer one is seen.
+// Depth is per pixel, so where balls meet the nearer one is seen.
 TEST_F(BallPicture, OfBallsThatMeetTheNearerIsSeen) {
   const std::vector<Sphere> spheres{
       {{0.5, 0.3, -2.6}, 1.7}, {{-1.2, -0.4, -3.0}, 1.9}, {{2.2, 1.2, -2.9}, 1.5}};
@@ -232,7 +233,7 @@ TEST_F(BallPicture, OfBallsThatMeetTheNearerIsSeen) {
   }
 }
 
-// From inside, an opaque ball hides nothing; a translucent one is all around.
+// An opaque ball around the eye hides nothing. A translucent one is all around.
 TEST_F(BallPicture, ABallAroundTheEyeIsSeenWhereItIsTranslucent) {
   for (const Sphere& sphere : {sphere_at(1.2, 0, 1.7), sphere_at(1.65, 140, 1.7)}) {
     show({sphere});
@@ -249,7 +250,7 @@ TEST_F(BallPicture, ABallAroundTheEyeIsSeenWhereItIsTranslucent) {
   }
 }
 
-// Cut open, also around the eye: what is kept of the ball ends in a cap.
+// A ball is cut, also around the eye. Its kept part ends in a cap.
 TEST_F(BallPicture, ACutBallIsWholeUpToItsCap) {
   style.cut = Cut(read_clip("z=-2").resolved({0, 0, 1}, {0, 0, 0}), {0, 0, 0});
   for (const Sphere& sphere : {sphere_at(2.4, 0, 1.7), sphere_at(2.6, 30, 1.9),

@@ -1,4 +1,4 @@
-// The scene's pictures are as they were (tests/ui/baseline.hpp).
+// Compares pictures of the scene with earlier ones (tests/ui/baseline.hpp).
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -89,7 +89,7 @@ std::vector<Subject> subjects() {
   return all;
 }
 
-// Small enough for all drivers to agree on which of two faces is in front.
+// So small that all drivers agree on which of two faces is in front.
 std::shared_ptr<const BallSet> molecule() {
   return testing::rod(5);
 }
@@ -105,7 +105,7 @@ Image drawn(const Subject& subject) {
   return image;
 }
 
-// What an engine has wrong, drawn in front of the rest.
+// Errors of an engine, drawn in front of the rest.
 Image drawn_differences() {
   const auto balls = molecule();
   const auto geometry = std::make_shared<const BallGeometry>(*balls);

@@ -1,4 +1,4 @@
-// Atoms that are no part of the body: drawn, named and selected, and never computed with.
+// Tests atoms outside the body: they are drawn, named and selected, and never computed with.
 #include "ui/scene/mesh/beside_body.hpp"
 
 #include <gtest/gtest.h>
@@ -36,9 +36,9 @@ TEST_F(BesideBodyTest, LigandsHaveBallsAndTheirBonds) {
   ASSERT_EQ(atoms.atoms.size(), 174u);  // four haems of 43 atoms, two phosphorus atoms
   ASSERT_TRUE(atoms.mesh);
   EXPECT_EQ(atoms.mesh->opaque.spheres->centres.size(), 174u);
-  // A haem has 43 atoms and eight independent rings, those at the iron included: 50 bonds. In this
-  // old structure six of the acids' bonds are too long for the rule, and one pair of atoms too
-  // near.
+  // A haem has 43 atoms and eight independent rings, those at the iron included, so 50 bonds. In
+  // this old structure six bonds of the acids are too long for the rule, and one pair of atoms is
+  // too near.
   EXPECT_EQ(atoms.mesh->tubes.points(), 195 * kStickPoints);
   EXPECT_FALSE(atoms.mesh->fades_rest);
   const LatticePoint& p = opened_.molecule->atoms[atoms.atoms[7].atom].position;
@@ -110,7 +110,7 @@ TEST_F(BesideBodyInTheWindow, TheyAreDrawnInSavedPicturesTooAndNeverComputedWith
 TEST_F(BesideBodyInTheWindow, TheMouseNamesAndSelectsThem) {
   open_without_ligands();
   run("view.balls off\nview.tetrahedra off\nwait-idle\n");
-  // Somewhere in the picture is a ligand's atom.
+  // Somewhere the picture shows an atom of a ligand.
   std::string found;
   for (int k = 0; k < 400 && found.empty(); ++k) {
     const std::string at =
@@ -129,13 +129,14 @@ TEST_F(BesideBodyInTheWindow, TheMouseNamesAndSelectsThem) {
   EXPECT_EQ(state().picked_missing, 1u);
 }
 
-// As ViewerTest's, with a cavity chosen: its surface, rims and the haems, all else pale.
+// Like ViewerTest's picture, with a cavity chosen: its surface, rims and the haems, and all else
+// pale.
 TEST_F(BesideBodyInTheWindow, ASavedPictureShowsWhatPanelsDraw) {
   open_without_ligands();
   run("click bottom.cavities\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   const Image plain = upright(picture());
   run("click cavities.row.1 0.2\nwait-idle\nframes 3\n");
-  state().settings.selection.items = {};  // which no saved picture shows
+  state().settings.selection.items = {};  // no saved picture shows the selection
   run("frames 2\nwait-idle\n");
   ASSERT_FALSE(state().layers.empty());
   const Image shown = upright(picture());

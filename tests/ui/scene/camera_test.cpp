@@ -1,4 +1,4 @@
-// What a view shows, from numbers alone.
+// Tests from numbers alone what a view shows.
 #include "ui/scene/camera.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(ViewProblem, InsideABall) {
   EXPECT_EQ(view_problem({}, {}, from(0, 0, 0), false), ViewProblem::none);
 }
 
-// Also when others, which are looked at before it, are well in view.
+// Also when other balls, which are checked before it, are well in view.
 TEST(ViewProblem, InsideTheLastBallOfMany) {
   BallGeometry g;
   for (int i = 0; i < 100; ++i) g.centres.push_back({0, 0, -10.0f - static_cast<float>(i)});
@@ -45,7 +45,7 @@ TEST(ViewProblem, InsideTheLastBallOfMany) {
   g.bounds = {-1, 1, -1, 1, -110, 6};
   std::vector<float> grown(101, 1);
   EXPECT_EQ(view_problem(g, grown, from(0, 0, 7), true), ViewProblem::none);
-  grown.back() = 3;  // larger than as given, and around the camera
+  grown.back() = 3;  // larger than given, and around the camera
   EXPECT_EQ(view_problem(g, grown, from(0, 0, 7), true), ViewProblem::inside_a_ball);
   EXPECT_EQ(view_problem(g, grown, from(0, 0, 9), true), ViewProblem::none);
 }
@@ -56,7 +56,7 @@ TEST(ViewProblem, NothingInView) {
     EXPECT_EQ(view_problem(two_balls(), kRadii, s, false), ViewProblem::nothing_in_view);
     EXPECT_EQ(view_problem(two_balls(), kNotDrawn, s, true), ViewProblem::nothing_in_view);
   }
-  // Between the balls: an edge from one to the other is in view, if there is one.
+  // An edge between the two balls is in view, if it exists.
   EXPECT_EQ(view_problem(two_balls(), kRadii, from(0, 0, 10), false), ViewProblem::nothing_in_view);
   EXPECT_EQ(view_problem(two_balls(), kRadii, from(0, 0, 10), true), ViewProblem::none);
 }
@@ -69,7 +69,7 @@ TEST(ViewAngle, GrowsOnlyWhereThePictureIsTooNarrow) {
   const double usual = tangent_up(1, 0);
   EXPECT_DOUBLE_EQ(tangent_up(2, 1.5), usual);
   EXPECT_DOUBLE_EQ(tangent_up(1.5, 1.5), usual);
-  // The sides stay where they were.
+  // The sides do not move.
   EXPECT_DOUBLE_EQ(tangent_up(0.5, 1.5) * 0.5, usual * 1.5);
 }
 
@@ -78,7 +78,7 @@ TEST(FittingDistance, IsOfTheLargerOfGivenAndDrawnRadii) {
   const double given = fitting_distance(balls, {}, 1.5);
   const std::vector<float> small(2, 0.1f), grown(2, 20.0f);
   EXPECT_DOUBLE_EQ(fitting_distance(balls, small, 1.5), given);
-  // One that reaches so far up is seen under the usual angle from at least here.
+  // A ball that reaches so far up is seen at the usual angle from this distance on.
   EXPECT_GT(fitting_distance(balls, grown, 1.5), 20 / tangent_up(1.5, 0));
   EXPECT_GT(fitting_distance(balls, grown, 1.5), given);
 }

@@ -1,4 +1,4 @@
-// How edges and faces look: rods, lines around faces, smooth light, shadows.
+// Tests how edges and faces look: rods, lines around faces, smooth light, shadows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr int kWidth = 200, kHeight = 160;
 constexpr Rgb8 kGreen{60, 200, 90};
 
-// Balls at places of our own, seen along -z from 20 Å, without perspective unless asked for.
+// Balls at given places, seen along -z from 20 Å, without perspective by default.
 class CellPicture : public ::testing::Test {
  protected:
   void load(const std::vector<std::array<float, 3>>& centres, ComplexMesh mesh) {
@@ -45,7 +45,7 @@ class CellPicture : public ::testing::Test {
   static int green(const Image& image, int x, int y) {
     return image.rgba[4 * (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) + 1];
   }
-  // Of the background little is green.
+  // The background has little green.
   static int rows_drawn(const Image& image, int x) {
     int rows = 0;
     for (int y = 0; y < kHeight; ++y) rows += green(image, x, y) > 45;
@@ -83,7 +83,7 @@ TEST_F(CellPicture, AnEdgeIsARodAsThickAsAskedFor) {
     const Image image = drawn();
     const double wanted = 2 * radius * pixels_per_angstrom();
     EXPECT_NEAR(rows_drawn(image, kWidth / 2), wanted, 2) << radius;
-    // Its ends are round: they reach out by the radius.
+    // Its ends are round, so they extend by the radius.
     const int end = kWidth / 2 + static_cast<int>((4 + 0.7 * radius) * pixels_per_angstrom());
     EXPECT_GT(rows_drawn(image, end), 0);
     EXPECT_LT(rows_drawn(image, end), 0.85 * wanted);
@@ -103,7 +103,7 @@ TEST_F(CellPicture, ARodIsLitAsARoundBodyIs) {
   EXPECT_GT(above, below + 25) << "the light comes from above";
 }
 
-// From its end there is no direction in the picture that it could follow.
+// Seen from its end, a rod has no direction in the picture.
 TEST_F(CellPicture, SeenFromItsEndARodIsADisc) {
   for (const bool orthographic : {true, false}) {
     load({{0, 0, -2}, {0, 0, 2}}, mesh_of(one_edge()));
@@ -128,9 +128,11 @@ TEST_F(CellPicture, AThinRodIsStillALine) {
   }
 }
 
-// What is nearer hides it, by the depth of its round side and not of what it is drawn on.
+// A nearer face hides the rod by the depth of its round side, not of the shape on which it is
+// drawn.
 TEST_F(CellPicture, ARodHasTheDepthOfARoundBody) {
-  // A face through the rod's axis, in the plane of the picture: the half before it stays.
+  // A face through the rod's axis, in the plane of the picture. The half in front of it stays
+  // visible.
   const std::vector<std::array<float, 3>> places{{-4, 0, 0}, {4, 0, 0}, {4, 6, 0}, {-4, 6, 0}};
   load(places, mesh_of(one_edge(), two_faces()));
   style_.rod_radius = 1;
@@ -152,7 +154,7 @@ TEST_F(CellPicture, FacesHaveDarkerLinesAroundThem) {
   for (const float width : {1.0f, 3.0f}) {
     style_.side_width = width;
     const Image lines = drawn();
-    // The line between the two is a diagonal through the middle.
+    // The line between the two faces is a diagonal through the middle.
     int darkest = 255;
     for (int y = kHeight / 2 - 1; y <= kHeight / 2; ++y) {
       darkest = std::min(darkest, green(lines, kWidth / 2, y));
@@ -175,7 +177,7 @@ TEST_F(CellPicture, FacesAsSmallAsTheirLinesHaveNone) {
   EXPECT_EQ(testing::unequal_pixels(plain, drawn()), 0);
 }
 
-// A roof of two faces: flat it has two shades, smooth none changes suddenly at the ridge.
+// A roof of two faces. Flat it has two shades; smooth, the shade does not jump at the ridge.
 TEST_F(CellPicture, ASmoothBoundaryHasNoStepsOfLight) {
   const std::vector<std::array<float, 3>> places{{0, -3, 2}, {4, -3, 0}, {4, 3, 0},
                                                  {0, 3, 2},  {-4, 3, 0}, {-4, -3, 0}};
@@ -197,7 +199,7 @@ TEST_F(CellPicture, ASmoothBoundaryHasNoStepsOfLight) {
   EXPECT_LT(step(roof), 4);
 }
 
-// A small plate, 4 Å wide, 3 Å before a large one.
+// A small plate, 4 Å wide, 3 Å in front of a large one.
 class TwoPlates : public CellPicture {
  protected:
   TwoPlates() {
@@ -215,7 +217,7 @@ class TwoPlates : public CellPicture {
           {-2, 2, 0}},
          mesh_of({}, plates));
   }
-  // Of the pixel at a place, Å to the right of the middle and below.
+  // Green at a place, in Å to the right of the middle and below it.
   int green_at(const Image& image, double x, double y) const {
     const double scale = pixels_per_angstrom();
     return green(image, kWidth / 2 + static_cast<int>(x * scale),
@@ -223,8 +225,8 @@ class TwoPlates : public CellPicture {
   }
 };
 
-// The light comes from the upper left, so the shadow lies to the lower right of it. Occlusion is
-// the same on both sides.
+// The light comes from the upper left, so the shadow lies to the lower right. Occlusion is equal on
+// both sides.
 TEST_F(TwoPlates, WhatIsBeforeTheLightCastsAShadow) {
   style_.ambient_occlusion = true;
   style_.samples = 8;
@@ -255,14 +257,14 @@ TEST_F(TwoPlates, FrontsOfWhatIsTranslucentAreFinishedToo) {
   EXPECT_LT(green_at(shaded, 3, 3), green_at(shaded, -3, -3) - 5);
 }
 
-// The ball at a corner of the small plate hides its border.
+// The ball at a corner of the small plate hides the plate's border.
 TEST_F(TwoPlates, WhatIsOpaqueHidesOutlinesOfWhatIsTranslucent) {
   style_.complex_opacity = 0.6;
   style_.balls = true;
   const Image plain = drawn();
   style_.silhouettes = 2;
   const Image outlined = drawn();
-  for (const double away : {-0.1, 0.05, 0.1}) {  // it is drawn with a radius of 0.3 Å
+  for (const double away : {-0.1, 0.05, 0.1}) {  // the ball is drawn with a radius of 0.3 Å
     EXPECT_EQ(green_at(outlined, 2 + away, 2), green_at(plain, 2 + away, 2)) << away;
   }
   EXPECT_LT(green_at(outlined, 2 + 1.5 / pixels_per_angstrom(), 0),

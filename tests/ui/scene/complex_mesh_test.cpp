@@ -1,4 +1,4 @@
-// The arrays that are drawn, checked against the definition of what they should hold.
+// Tests the arrays for drawing against their definition.
 #include "ui/scene/mesh/complex_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ struct Case {
 
 using Face = std::array<BallIndex, 3>;
 
-// By the definition: each face with the tetrahedra that have it.
+// By definition: each face with the number of its tetrahedra.
 std::map<Face, int> counted_faces(const AlphaComplex& complex) {
   std::map<Face, int> count;
   for (const auto& t : complex.tetrahedra.simplices) {
@@ -77,7 +77,7 @@ TEST(ComplexMesh, OpaqueTetrahedraAreDrawnByTheirBoundaryOnly) {
   EXPECT_EQ(mesh.edges.size(), 0u);
 }
 
-// Found by the classes of triangles, and where there are none.
+// Found by the classes of triangles, and also without classes.
 TEST(ComplexMesh, OutsideIsThatOfTheDefinitionAtAnyAlphaAndWithAnyThreads) {
   for (const double alpha : {-2.0, 0.0, 1.0, 4.0, 40.0}) {
     const auto balls = rod(40);
@@ -151,7 +151,7 @@ TEST(ComplexMesh, BoundaryFacesLookOutwards) {
   const Case c;
   const auto faces = boundary_faces(c.geometry, c.complex.tetrahedra.simplices);
   EXPECT_EQ(faces.size(), faces_in_one_tetrahedron(c.complex).size());
-  // By the divergence theorem an outward surface encloses the volume of the tetrahedra.
+  // By the divergence theorem a surface oriented outwards encloses the volume of the tetrahedra.
   double enclosed = 0, volume = 0;
   const auto det = [&](BallIndex i, BallIndex j, BallIndex k, std::array<double, 3> o) {
     double m[3][3];
@@ -201,7 +201,7 @@ TEST(BallGeometry, GrownRadiiFollowTheDefinition) {
   style.alpha = 1.4;
   EXPECT_NEAR(drawn_radii(c.geometry, style)[0], std::sqrt(1.7 * 1.7 + 1.4), 1e-6);
   style.solvent_radius = 1.4;
-  style.alpha = -100;  // the ball is empty, not imaginary
+  style.alpha = -100;  // the ball is empty, with no imaginary radius
   EXPECT_EQ(drawn_radii(c.geometry, style)[0], 0.0f);
 }
 
@@ -227,9 +227,9 @@ TEST(BallGeometry, EmptyAndSingleBallAreHarmless) {
   EXPECT_DOUBLE_EQ(geometry.bounds[0], -1.5);
 }
 
-// Colours of elements and chains are not numbers: between two of them there is none. It is that of
-// most corners, on a tie that of the lowest index among them.
-// With every way to give N corners N colours.
+// Colours of elements and chains are not numbers, so none is between two of them. A face has the
+// colour of most of its corners, and on a tie that of the lowest index. Tries every way to give N
+// corners N colours.
 template <std::size_t N>
 void expect_most_frequent_colours() {
   std::array<BallIndex, N> corners;
@@ -298,7 +298,7 @@ TEST(ComplexMesh, EverySimplexHasOneColourOfItsCorners) {
   }
 }
 
-// Outward, since they are sums of the faces' own: of a closed surface all sum up to nothing.
+// Normals point outwards, as sums of the faces' normals. Over a closed surface all sum to zero.
 TEST(ComplexMesh, ASmoothBoundaryHasANormalForEachBall) {
   const Case c;
   MeshOptions options;
@@ -342,10 +342,10 @@ TEST(ComplexMesh, ColoursByAlphaSayWhatTheyMean) {
   EXPECT_DOUBLE_EQ(mesh.scale->alpha_at(0), c.complex.lattice.square_angstrom(low));
   EXPECT_LT(mesh.scale->alpha_at(0), mesh.scale->alpha_at(0.5));
   EXPECT_EQ(mesh.scale->colour(low), mesh.scale->colour_at(0));
-  // A colour means the alpha that has it.
+  // A colour means the alpha whose colour it is.
   const double middle = mesh.scale->alpha_at(0.5) / c.complex.lattice.square_angstrom(1);
   EXPECT_EQ(mesh.scale->colour(static_cast<float>(middle)), mesh.scale->colour_at(0.5));
-  options.edges = true;  // which come earlier
+  options.edges = true;  // edges come earlier in the list
   EXPECT_LT(c.mesh(options).scale->alpha_at(0), mesh.scale->alpha_at(0));
   options.tetrahedra = options.edges = false;
   EXPECT_FALSE(c.mesh(options).scale) << "nothing is drawn in these colours";

@@ -1,5 +1,5 @@
-// Picking in a cut scene: nothing that is cut away is hit, what is kept is hit as before, and caps
-// are hit where they are drawn.
+// Tests picking in a cut scene. Nothing cut away is hit, kept parts are hit as before, and caps are
+// hit where they are drawn.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ class CutPick : public ::testing::Test {
     }
     return result;
   }
-  // By small steps along the ray: the ball of least power distance where the first is entered.
+  // By small steps along the ray: the ball of least power distance at the first point inside any.
   std::optional<std::size_t> first_ball(const Ray& ray, const Cut& cut) const {
     constexpr double kStep = 2e-4;
     for (double t = 0.5; t < 1.6; t += kStep) {
@@ -79,7 +79,7 @@ TEST_F(CutPick, BallsAreHitWhereTheyAreKept) {
       const auto expected = first_ball(ray, cut);
       nothing += !found;
       if (found.has_value() != expected.has_value()) {
-        ++other;  // it grazes a ball, or the edge of one
+        ++other;  // it grazes a ball, or an edge of one
         continue;
       }
       if (!found) continue;
@@ -116,7 +116,7 @@ TEST_F(CutPick, TetrahedraAreHitInTheirCapsAndNowhereElse) {
     EXPECT_GT(depth, -1e-4);
     if (std::fabs(depth) < 1e-4) {
       ++on_caps;
-      // In that tetrahedron, which is the only one there: on the inner side of its four planes.
+      // The point is in the only tetrahedron there, on the inner side of its four planes.
       const auto& t = complex.tetrahedra.simplices.at(hit->index);
       for (std::size_t k = 0; k < 4; ++k) {
         RealPoint p[4];
@@ -137,7 +137,7 @@ TEST_F(CutPick, TetrahedraAreHitInTheirCapsAndNowhereElse) {
   EXPECT_GT(kept_hits, 100);
 }
 
-// Where a place of the file is seen: 10 pixels for each Å, without perspective.
+// Maps places of the file to the picture: 10 pixels for each Å, without perspective.
 HandleView flat_view() {
   HandleView view;
   view.seen = [](const Vector& p) {
@@ -153,7 +153,7 @@ TEST(ClipHandle, TheArrowMovesTheCutAsFarAsTheMouseGoes) {
   const ClipHandle handle = make_clip_handle(clip, pivot, flat_view(), 80);
   ASSERT_TRUE(handle.shown);
   EXPECT_NEAR(handle.middle[0], 230, 1e-9);
-  EXPECT_GT(handle.tip[0], handle.middle[0] + 40);  // towards what is cut away
+  EXPECT_GT(handle.tip[0], handle.middle[0] + 40);  // towards the part that is cut away
   EXPECT_EQ(part_at(handle, {handle.tip[0], handle.tip[1] + 3}, 5), HandlePart::move);
   EXPECT_EQ(part_at(handle, {handle.tip[0] + 30, handle.tip[1] + 30}, 5), HandlePart::none);
   EXPECT_DOUBLE_EQ(dragged(clip, handle, HandlePart::move, {25, 12}).position, 5.5);
@@ -175,8 +175,8 @@ TEST(ClipHandle, TheRingTurnsTheCutAboutItsMiddle) {
   EXPECT_EQ(part_at(handle, {handle.middle[0] + 80, handle.middle[1]}, 5), HandlePart::turn);
   const double quarter = 80 * M_PI / 2;  // pixels: a quarter of the way around
   const Clip right = dragged(clip, handle, HandlePart::turn, {quarter, 0});
-  EXPECT_NEAR(right.normal[0], 1, 1e-9);  // what faced the viewer went to the right
-  EXPECT_NEAR(right.position, 1, 1e-9);   // through the pivot, still
+  EXPECT_NEAR(right.normal[0], 1, 1e-9);  // the side that faced the viewer went to the right
+  EXPECT_NEAR(right.position, 1, 1e-9);   // still through the pivot
   const Clip down = dragged(clip, handle, HandlePart::turn, {0, quarter});
   EXPECT_NEAR(down.normal[1], -1, 1e-9);
   EXPECT_NEAR(down.position, -2, 1e-9);

@@ -1,5 +1,5 @@
-// Pictures of a cut scene, pixel by pixel: what is cut away is gone, balls and tetrahedra are
-// closed in their colours, and everything else is as it was.
+// Tests pictures of a cut scene pixel by pixel. The part cut away is gone, balls and tetrahedra are
+// closed in their colours, and everything else is unchanged.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ Clip clip_of(const std::string& text) {
 
 class CutScene : public ::testing::Test {
  protected:
-  // One ball of 2 Å around the origin, seen along -z from far enough to be whole.
+  // One ball of 2 Å around the origin, seen along -z from so far that it is whole.
   CutScene() { show({{0, 0, 0}}, {2}, {kRed}); }
 
   void show(std::vector<std::array<float, 3>> centres, std::vector<float> radii,
@@ -44,7 +44,7 @@ class CutScene : public ::testing::Test {
   }
   Image picture() { return scene.grab(kWidth, kHeight, false); }
 
-  // The pixel at a place of the picture.
+  // The pixel that shows a place.
   std::array<double, 2> place(const std::array<double, 3>& at) const {
     return seen_at(scene.sight(), at, kWidth, kHeight).value();
   }
@@ -94,7 +94,7 @@ TEST_F(CutScene, APlaneThroughABallTakesHalfOfIt) {
   EXPECT_NEAR(drawn(half), drawn(whole) / 2.0, 0.02 * drawn(whole));
   for (const double y : {-1.5, 0.0, 1.0}) {
     EXPECT_TRUE(is_background(at(half, {0.2, y, 0}))) << y;
-    EXPECT_EQ(at(half, {-0.2, y, 0}), at(whole, {-0.2, y, 0})) << y;  // as if it were not cut
+    EXPECT_EQ(at(half, {-0.2, y, 0}), at(whole, {-0.2, y, 0})) << y;  // as without the cut
   }
   cut("-x=0");
   EXPECT_TRUE(is_background(at(picture(), {-0.2, 0, 0})));
@@ -115,7 +115,7 @@ TEST_F(CutScene, TheCapIsADiscInTheBallsColour) {
         EXPECT_TRUE(is(at(image, {r, 0, z}), kRed)) << z << " " << share;
         EXPECT_TRUE(is(at(image, {-0.6 * r, -0.8 * r, z}), kRed)) << z << " " << share;
       }
-      // Its rim is darker.
+      // The cap's rim is darker.
       const double inner = radius - 0.08 * scale;
       EXPECT_NEAR(coloured(image, kRed), M_PI * inner * inner, 0.06 * M_PI * radius * radius) << z;
     }
@@ -135,13 +135,14 @@ TEST_F(CutScene, ASlabHasACapOnEitherSide) {
   EXPECT_TRUE(is_background(at(side, {0, 0, 1.2})));
 }
 
-// Where two balls overlap, each point of the cut is of the ball with the smaller power distance.
+// Where two balls overlap, each point of the cut belongs to the ball with the smaller power
+// distance.
 TEST_F(CutScene, OverlappingCapsShowPowerCells) {
   const Rgb8 blue = testing::kBlue;
   show({{-1, 0, 0}, {1, 0, 0}}, {2, 1.5f}, {kRed, blue});
   cut("z=0");
   const Image image = picture();
-  const double border = (2.0 * 2 - 1.5 * 1.5) / 4;  // x of equal power
+  const double border = (2.0 * 2 - 1.5 * 1.5) / 4;  // x where powers are equal
   for (const double y : {-0.5, 0.0, 0.7}) {
     EXPECT_TRUE(is(at(image, {border - 0.15, y, 0}), kRed)) << y;
     EXPECT_TRUE(is(at(image, {border + 0.15, y, 0}), blue)) << y;
@@ -162,7 +163,7 @@ class CutMesh : public CutScene {
     show({{-4, -4, -3}, {4, -4, -3}, {0, 4, -3}, {0, 0, 5}}, {1, 1, 1, 1},
          std::vector<Rgb8>(4, kRed));
     complex.tetrahedra.simplices.push_back({0, 1, 2, 3});
-    complex.tetrahedra_only = true;  // no classes of triangles tell what is outside
+    complex.tetrahedra_only = true;  // no classes of triangles show the outside
     style.balls = false;
   }
   void draw(const MeshOptions& options, const std::string& text) {
@@ -193,19 +194,19 @@ class CutMesh : public CutScene {
 
 TEST_F(CutMesh, ATetrahedronIsClosedInItsColour) {
   draw({}, "z=1");
-  EXPECT_NEAR(cap_area(), 32.0 / 4, 1e-5);  // half as long and wide as its base
+  EXPECT_NEAR(cap_area(), 32.0 / 4, 1e-5);  // half as long and half as wide as the base
   const Image image = picture();
   EXPECT_TRUE(is(at(image, {0, 0, 1}), kRed));
   EXPECT_TRUE(is(at(image, {-0.7, -0.8, 1}), kRed));
-  scene.set_caps(nullptr);  // and without, one looks inside
+  scene.set_caps(nullptr);  // without caps one looks inside
   EXPECT_FALSE(is(at(picture(), {0, 0, 1}), kRed));
-  draw({}, "y=0");  // four corners: two above, or one
+  draw({}, "y=0");  // four corners: two above or one
   EXPECT_GT(cap_area(), 1);
   EXPECT_EQ(caps->faces.source.size() * 9, caps->faces.xyz.size());
 }
 
-// The area of a section at height z, of the base's 32 Å², goes with the square of the way from the
-// top at z = 5 to the base at z = -3.
+// The section at height z is a part of the base's 32 Å². Its area goes with the square of the
+// distance from the top at z = 5, relative to the base at z = -3.
 TEST_F(CutMesh, ASlabClosesItOnBothSides) {
   draw({}, "z=0:2");
   const auto section = [](double z) { return 32 * std::pow((5 - z) / 8, 2); };
@@ -213,11 +214,11 @@ TEST_F(CutMesh, ASlabClosesItOnBothSides) {
 }
 
 TEST_F(CutMesh, ShrunkTetrahedraAreClosedAsTheyAreDrawn) {
-  draw({.shrink = 0.5}, "z=-1");  // through the middle of mass, which stays
+  draw({.shrink = 0.5}, "z=-1");  // through the centre of mass, which does not move
   EXPECT_NEAR(cap_area(), 32 * std::pow(6.0 / 8, 2) / 4, 1e-4);
 }
 
-// As translucent as the rest of them.
+// The caps are as translucent as the tetrahedra.
 TEST_F(CutMesh, TranslucentOnesAreClosedToo) {
   style.complex_opacity = 0.5;
   draw({.translucent = true}, "z=1");
@@ -266,7 +267,7 @@ TEST_F(CutMesh, LayersOfPanelsAreCutAsWell) {
   EXPECT_EQ(labels[0].text, "kept");
 }
 
-// Without perspective, a ball is as large near as far, and a place is seen where its line of sight
+// Without perspective a ball has one size at any distance. A place is seen where its line of sight
 // passes.
 TEST_F(CutScene, OrthographicPicturesHaveNoPerspective) {
   style.orthographic = true;

@@ -1,4 +1,4 @@
-// What differs from CGAL is drawn, where it can be seen. The engine that errs is made for the test.
+// Tests that differences from CGAL are drawn visibly. The test makes an engine that errs.
 #include <gtest/gtest.h>
 
 #include "tests/support/png_chunks.hpp"
@@ -30,7 +30,7 @@ TEST(DifferenceMesh, HoldsEverySimplexThatDiffers) {
   EXPECT_THROW(build_difference_mesh(balls, c), std::invalid_argument);
 }
 
-// Answers as CGAL does, but for one tetrahedron that it leaves out and an edge that it makes up.
+// Answers like CGAL, but leaves out one tetrahedron and makes up an edge.
 class ErringEngine : public Engine {
  public:
   explicit ErringEngine(std::shared_ptr<const BallSet> balls)
@@ -70,7 +70,7 @@ class DifferenceInTheWindow : public testing::ViewerTest {
     open_crambin();
   }
 
-  // The pixels of the view alone, without panels; not what the file says of the engine's route.
+  // The pixels of the view alone, without panels. They do not contain the engine's route.
   std::string picture() {
     viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 480, 320, false});
     run("wait-idle\n");
@@ -102,7 +102,7 @@ TEST_F(DifferenceInTheWindow, ARightEngineLeavesThePictureAsItIs) {
   EXPECT_TRUE(picture() == before);
 }
 
-// Lighting and shadows change brightness, not the mixture.
+// Lighting and shadows change brightness, not hue.
 std::size_t magenta_pixels(const Image& image) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -121,7 +121,7 @@ TEST(DifferencesInTheScene, NothingHidesThem) {
   const std::vector<float> large(balls->size(), 2.5f);  // Å: everything inside is covered
   scene.set_ball_radii(large);
   Comparison c;
-  c.edges.missing = {{5, 6}};  // deep inside of the rod
+  c.edges.missing = {{5, 6}};  // deep inside the rod
   c.tetrahedra.missing = {{100, 101, 104, 117}};
   EXPECT_EQ(magenta_pixels(scene.grab(640, 400, false)), 0u);
   scene.set_differences(make_difference_data(

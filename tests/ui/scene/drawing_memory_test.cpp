@@ -1,4 +1,4 @@
-// What is drawn when memory is short: the plan, the command line's picture and the whole window.
+// Tests drawing with little memory: the plan, the command line's picture and the whole window.
 #include "ui/scene/mesh/drawing_memory.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ MeshOptions everything() {
   return mesh;
 }
 
-// The least that must be free for the budget to be `bytes`; it moves in steps of three bytes.
+// The least free memory for a budget of `bytes`. The budget moves in steps of three bytes.
 std::uint64_t free_for(std::uint64_t bytes) {
   std::uint64_t low = 0, high = std::uint64_t{1} << 50;
   while (low < high) {
@@ -45,7 +45,7 @@ class DrawingPlans : public ::testing::Test {
   DrawingTask task_{balls_->size(), &complex_, nullptr, everything()};
 
   DrawingPlan plan_for(std::uint64_t budget) const { return plan_drawing(task_, free_for(budget)); }
-  // Most important first, as the header says.
+  // Most important first, as in the header.
   static std::array<int, 6> layers(const DrawingPlan& p) {
     const bool inside = p.mesh.shrink > 0;
     return {p.balls,         p.mesh.tetrahedra, p.mesh.tetrahedra && inside,
@@ -68,7 +68,8 @@ TEST_F(DrawingPlans, ExpectNoMorePointsThanAreMade) {
                 48 * (faces + mesh.edges.size()) + 56 * whole);
     }
   }
-  // Which faces are outside is not known of tetrahedra alone: as many as there can be.
+  // Without triangles the outer faces of tetrahedra are unknown, so the greatest possible number
+  // counts.
   const AlphaComplex bare = testing::complex_of(balls_, 2, true);
   MeshOptions only_tetrahedra;
   EXPECT_GE(drawing_bytes({0, &bare, nullptr, only_tetrahedra}), 48 * 4 * bare.tetrahedra.size());
@@ -145,7 +146,7 @@ TEST(AvailableBytes, KnowsControlGroups) {
   write("user/app/memory.max", "max\n");
   write("user/app/memory.current", "5000\n");
   EXPECT_EQ(available_bytes(files), 4000u * 1024);
-  write("user/memory.max", "10000\n");  // the group above
+  write("user/memory.max", "10000\n");  // the parent group
   write("user/memory.current", "7000\n");
   write("user/memory.stat", "anon 6000\ninactive_file 500\n");
   EXPECT_EQ(available_bytes(files), 3500u);
@@ -211,7 +212,7 @@ class WindowMemory : public testing::ViewerTest {
 TEST_F(WindowMemory, ShowsTheNumbersAndTheReasonWhenNothingCanBeDrawn) {
   open_with(100);
   EXPECT_EQ(not_drawn().find(kNothingDrawn), 0u) << not_drawn();
-  // Not even an empty picture fits: a smaller molecule would not help.
+  // Not even an empty picture fits, so a smaller molecule would not help.
   EXPECT_NE(not_drawn().find("Close other programs."), std::string::npos) << not_drawn();
   EXPECT_EQ(not_drawn().find("chains"), std::string::npos) << not_drawn();
   EXPECT_EQ(hash_text(viewer_->state().result->complex.hash), hash_text(expected(0).hash));
@@ -240,11 +241,11 @@ TEST_F(WindowMemory, DrawsBallsWhenTheComplexDoesNotFit) {
   EXPECT_FALSE(viewer_->widgets().contains("view.not_drawn"));
 }
 
-// The scene alone, with memory that comes and goes.
+// The scene alone, with free memory that changes.
 class SceneMemory : public ::testing::Test {
  protected:
   void finish() {
-    // What is taken in can start the next job.
+    // Taking a result may start the next job.
     for (int quiet = 0; quiet < 4; quiet = scene_.busy() ? 0 : quiet + 1) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       scene_.poll();
@@ -295,13 +296,13 @@ TEST_F(SceneMemory, IsNotAskedAgainWhileAPictureIsMade) {
   EXPECT_NE(scene_.drawn(), nullptr);
 }
 
-// Other balls of the same molecule may have no room beside the old ones.
+// Other balls of the same molecule may not fit beside the old ones.
 TEST_F(SceneMemory, MakesRoomBeforeItLeavesAnythingOut) {
   open();
   scene_.pointer({PointerEvent::Kind::wheel, 100, 100, 0, 3});
   finish();
   const double zoomed = viewport_.angstrom_per_pixel;
-  std::vector<std::uint64_t> answers{2000 * kMegabyte, 0};  // once what is on screen is gone
+  std::vector<std::uint64_t> answers{2000 * kMegabyte, 0};  // then with an empty picture
   free_ = [&]() -> std::optional<std::uint64_t> {
     const std::uint64_t answer = answers.back();
     answers.pop_back();
@@ -310,7 +311,7 @@ TEST_F(SceneMemory, MakesRoomBeforeItLeavesAnythingOut) {
   auto opened = std::make_shared<OpenedMolecule>(*scene_.drawn()->opened);
   opened->prepared = std::make_shared<const PreparedBalls>(*opened->prepared);
   scene_.set_molecule(std::move(opened));
-  scene_.show_without_answer();  // as after a computation that was cancelled
+  scene_.show_without_answer();  // as after a cancelled computation
   finish();
   EXPECT_TRUE(answers.empty());
   EXPECT_EQ(viewport_.not_drawn, "");
@@ -319,7 +320,7 @@ TEST_F(SceneMemory, MakesRoomBeforeItLeavesAnythingOut) {
   EXPECT_DOUBLE_EQ(viewport_.angstrom_per_pixel, zoomed);
 }
 
-// Waits before it answers, until it is let go.
+// Waits before it answers, until released.
 class HeldEngine : public Engine {
  public:
   HeldEngine(std::shared_ptr<const BallSet> balls, const std::atomic<bool>& held)

@@ -1,4 +1,4 @@
-// What panels want drawn: as arrays, and as pixels of the scene.
+// Tests layers of panels as arrays, and as pixels of the scene.
 #include "ui/scene/mesh/layer_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ SmoothMesh tube(const std::vector<LayerSphere>& spheres) {
   return mesh;
 }
 
-// Å by which a point is outside of all spheres; negative: inside of one.
+// Distance (Å) of a point from the nearest sphere; negative inside of one.
 double outside_of(const std::vector<LayerSphere>& spheres, const std::array<double, 3>& p) {
   double least = 1e9;
   for (const LayerSphere& s : spheres) {
@@ -87,13 +87,13 @@ TEST(TubeMesh, IsClosedAndLooksOutwards) {
     EXPECT_GE(dot(face, normal), -1e-6);
     volume += dot(p[0], cross(p[1], p[2])) / 6;
   }
-  // Of a closed surface the sum does not depend on where the origin is; a tube of 4 Å with radii
-  // between 0.9 and 1.5 Å and two half balls.
+  // For a closed surface the sum does not depend on the origin. It is a tube of 4 Å with radii
+  // between 0.9 and 1.5 Å, and two half balls.
   EXPECT_GT(volume, 12);
   EXPECT_LT(volume, 35);
 }
 
-// Where rings cross each other, no triangle may be lit from within.
+// Where rings cross each other, no triangle may be lit from inside.
 TEST(TubeMesh, LooksOutwardsAroundABend) {
   std::vector<LayerSphere> spheres;
   for (int k = 0; k < 60; ++k) {
@@ -190,7 +190,7 @@ class LayersInTheScene : public ::testing::Test {
     scene.set_layers(make_layer_data(
         std::make_shared<const LayerMesh>(build_layer_mesh(*geometry, one(layer)))));
   }
-  // Lighting changes brightness, not which component dominates.
+  // Lighting changes brightness, not the dominant component.
   static std::size_t green(const Image& image, int by = 30) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -227,7 +227,7 @@ TEST_F(LayersInTheScene, ASphereIsWhereItShouldBe) {
   const Image image = picture();
   const std::uint8_t* p = at(image, place);
   EXPECT_GT(p[1], p[0] + 30);
-  // As large as its radius: the disc's area in pixels.
+  // A disc of its radius, in pixels.
   const double pixels = M_PI * std::pow(1.5 / scene.angstrom_per_pixel(), 2);
   EXPECT_NEAR(static_cast<double>(green(image)), pixels, 0.2 * pixels);
   layer.spheres[0].colour = kViolet;
@@ -325,7 +325,7 @@ TEST(PlacedLabels, StandAroundTheirPlaceAndMakeWay) {
   }
 }
 
-// Nine find room in one place: it, and four lines above and below.
+// Nine labels fit at one place: one on it, and four lines above and below.
 TEST(PlacedLabels, WhatFindsNoRoomIsLeftOutAndCounted) {
   const LabelLayout layout =
       lay_out_labels(std::vector<PictureLabel>(20, {200, 150, "here"}), 400, 300, type_of(1));
@@ -339,7 +339,7 @@ TEST(PlacedLabels, WhatFindsNoRoomIsLeftOutAndCounted) {
   EXPECT_EQ(left_out_text(0), "");
 }
 
-// On black, white and the middle: in any of them the words are to be read.
+// Words can be read on black, white and the middle grey.
 TEST(PlacedLabels, CanBeReadOnAnything) {
   for (const std::uint8_t grey : {0, 128, 255}) {
     for (const Theme theme : {Theme::dark, Theme::light}) {

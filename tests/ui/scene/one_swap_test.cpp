@@ -1,5 +1,5 @@
-// A slider that is dragged while meshes are slow: what one frame says and shows is of one alpha,
-// and new pictures go on coming.
+// Tests a slider that is dragged while meshes are slow. Text and picture of one frame belong to one
+// alpha, and new pictures keep coming.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -24,13 +24,13 @@ double milliseconds(Clock::duration time) {
 class OneSwapTest : public ViewerTest {
  protected:
   struct Frame {
-    double alpha = 0;  // as the caption says
+    double alpha = 0;  // in the caption
     std::string hash;
     std::array<std::size_t, 4> counts{};
     double legend_to = 0;  // alpha at its upper end; 0: there is none
     double covered = 0;    // share of the picture that the complex covers
-    double green = 0;      // mean of the pixels that are not background, 0 to 255
-    std::size_t made = 0;  // meshes until then
+    double green = 0;      // mean of pixels outside the background, 0 to 255
+    std::size_t made = 0;  // meshes so far
   };
 
   explicit OneSwapTest(const HostOptions& host = {1100, 700, 1, "test"}) : ViewerTest(true, host) {
@@ -58,7 +58,7 @@ class OneSwapTest : public ViewerTest {
     return mesh;
   }
 
-  // Of the corner's colour is the background.
+  // The background has the colour of the corner.
   void look_at_picture(Frame& frame) const {
     const Image image = picture_now();
     std::size_t count = 0;
@@ -88,8 +88,8 @@ class OneSwapTest : public ViewerTest {
     return f;
   }
 
-  // The hand on the slider, to and fro in large steps, so that no two neighbours look alike, until
-  // there have been enough meshes. Then again, while pictures are drawn as the window goes on.
+  // Drags the slider to and fro in large steps, so that no two successive pictures look alike. It
+  // ends after enough meshes. Then it does so again with pictures drawn while the window goes on.
   std::vector<Frame> drag() {
     const WidgetRect slider = viewer_->widgets().at("alpha.slider");
     ScriptedInput input;
@@ -123,8 +123,9 @@ class OneSwapTest : public ViewerTest {
 
 TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
   const std::vector<Frame> frames = drag();
-  // Counted, not timed: other programs may take the cores at any time. A mesh is drawn, though the
-  // slider has moved on, before the next but one is made: one may be on its way to the window.
+  // Counted, not timed, because other programs may take the cores at any time. A mesh is drawn
+  // before the next but one is made, even if the slider has moved on. One mesh may be on its way to
+  // the window.
   constexpr std::size_t kMostBetween = 3;
   std::size_t pictures = 0, made = frames.front().made;
   for (std::size_t i = 1; i < frames.size(); ++i) {
@@ -135,7 +136,7 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
   }
   EXPECT_GE(pictures, 10u);
 
-  // At rest, one by one.
+  // The same pictures at rest, one by one.
   std::size_t checked = 0;
   double drawn = -1;
   for (const Frame& f : frames) {
@@ -151,14 +152,14 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
     EXPECT_EQ(f.counts, (std::array{complex.vertices.size(), complex.edges.size(),
                                     complex.triangles.size(), complex.tetrahedra.size()}));
     EXPECT_EQ(f.legend_to, rest.legend_to) << f.alpha;
-    // Pictures in motion may be coarser: by up to 4 %, where little is covered.
+    // Pictures in motion may be coarser, by up to 4 % where little is covered.
     EXPECT_NEAR(f.covered, rest.covered, 0.06 * rest.covered) << f.alpha;
   }
   EXPECT_GE(checked, 10u);
 }
 
-// Colours of balls by exposed area: large alphas bury nearly all atoms, small ones few, so that
-// pictures of two alphas are of different brightness.
+// Colours of balls show exposed area. Large alphas bury nearly all atoms and small ones few, so
+// pictures of two alphas differ in brightness.
 TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
   DisplayControls& display = viewer_->state().settings.display;
   display.balls = true;
@@ -188,12 +189,12 @@ TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
   EXPECT_GE(checked, 10u);
 }
 
-// So large that a sample takes a processor long.
+// The picture is so large that a sample takes long.
 class RefinementTest : public OneSwapTest {
  protected:
   RefinementTest() : OneSwapTest({2560, 1600, 1, "test"}) {}
 
-  // The first is drawn when nothing has changed for a while.
+  // The first sample is drawn after a while without changes.
   void wait_for_sample() {
     const Image before = picture_now();
     const Clock::time_point begun = Clock::now();
@@ -203,7 +204,7 @@ class RefinementTest : public OneSwapTest {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
-  // Milliseconds; of steps that draw a sample.
+  // The shortest time in milliseconds of steps that draw a sample.
   double shortest_of(int steps) {
     double shortest = HUGE_VAL;
     for (int i = 0; i < steps; ++i) {
@@ -216,7 +217,7 @@ class RefinementTest : public OneSwapTest {
   }
 };
 
-// Each sample of a fine picture would hold up the next picture for as long as it takes.
+// A sample of a fine picture delays the next picture by the time it takes.
 TEST_F(RefinementTest, APictureThatIsToBeReplacedIsNotRefined) {
   DisplayControls& display = viewer_->state().settings.display;
   display.balls = display.ambient_occlusion = true;
@@ -236,14 +237,14 @@ TEST_F(RefinementTest, APictureThatIsToBeReplacedIsNotRefined) {
     viewer_->step(nullptr);
     if (viewer_->state().result->request.alpha_angstrom2 == wanted) break;
     ++waited;
-    // Where a sample is as quick as the panels are, it may be drawn.
+    // A sample that is as quick as the panels may be drawn.
     if (sample > 25) {
       EXPECT_EQ(picture_now().rgba, refined.rgba) << "frame " << waited;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   EXPECT_GT(waited, 1);
-  wait_for_sample();  // the new one is
+  wait_for_sample();  // a sample of the new picture
 }
 
 }  // namespace

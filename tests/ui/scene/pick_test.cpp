@@ -1,5 +1,5 @@
-// Picking against brute force: every ball, triangle and line of a real complex, along many lines of
-// sight, and the simplex that each cell of a mesh means.
+// Compares picking with brute force: every ball, triangle and line of a real complex, along many
+// lines of sight. Also tests the simplex that each cell of a mesh stands for.
 #include "ui/scene/pick/pick.hpp"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Where the plane of the triangle is met, if that is inside of all three sides. Another way than
-// the program's.
+// The depth at which the ray meets the triangle's plane, if inside all three sides. The program
+// uses another method.
 double plane_depth(const Vector& a, const Vector& b, const Vector& c, const Ray& ray) {
   constexpr double kNowhere = std::numeric_limits<double>::infinity();
   const Vector normal = cross(combine(b, -1, a), combine(c, -1, a));
@@ -61,7 +61,7 @@ class PickTest : public ::testing::Test {
     layers = mesh_layers(mesh, geometry);
   }
 
-  // From all around towards somewhere among the balls.
+  // Rays from all around towards places among the balls.
   std::vector<Ray> rays(int count) const {
     std::mt19937 random(7);
     std::normal_distribution<double> direction;
@@ -110,7 +110,7 @@ TEST_F(PickTest, BallsAsWithoutBoxes) {
   }
 }
 
-// In the order of a chain and in none: the same ball, after a look at few of them.
+// Balls in the order of a chain and in random order: the same ball, after a look at few of them.
 TEST(BoxTree, TriesFewThingsInAnyOrder) {
   constexpr int kSide = 36;
   auto ordered = std::make_shared<BallGeometry>();
@@ -147,8 +147,8 @@ TEST(BoxTree, TriesFewThingsInAnyOrder) {
 
 TEST_F(PickTest, FacesOfTetrahedra) {
   constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-  // Shrunk by nothing: translucent ones have all faces, others those outside only. Both show the
-  // same faces first.
+  // Without shrinking, translucent tetrahedra have all faces, and others only outer ones. Both show
+  // the same faces first.
   for (const bool translucent : {false, true}) {
     load(3, {.translucent = translucent});
     int hits = 0;
@@ -165,7 +165,7 @@ TEST_F(PickTest, FacesOfTetrahedra) {
       ASSERT_EQ(hit.has_value(), std::isfinite(nearest));
       if (!hit) continue;
       EXPECT_NEAR(hit->depth, nearest, 1e-6);
-      // The tetrahedron that is named has a face there.
+      // The named tetrahedron has a face there.
       const HitSimplex simplex = hit_simplex(*hit, complex);
       double own = std::numeric_limits<double>::infinity();
       for (const auto& f : kFaces) {
@@ -227,10 +227,10 @@ TEST_F(PickTest, TrianglesAndBoundaryFaces) {
 
 TEST_F(PickTest, LinesWithinTheirSpread) {
   load(1.4, {.tetrahedra = false, .edges = true, .singular_only = false});
-  constexpr double kSpread = 0.3;  // for each length of the direction: the lines lie about one away
+  constexpr double kSpread = 0.3;  // per length of the direction: the lines lie about one away
   int hits = 0;
   for (const Ray& ray : rays(100)) {
-    // Many points on each line instead of a formula.
+    // Uses many points on each line instead of a formula.
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& e : complex.edges.simplices) {
       const Vector a = corner(*geometry, e[0]), along = combine(corner(*geometry, e[1]), -1, a);
@@ -247,7 +247,7 @@ TEST_F(PickTest, LinesWithinTheirSpread) {
     EXPECT_TRUE(hit.has_value() || !std::isfinite(nearest));
     if (!hit) continue;
     ++hits;
-    // The line that is named does come that near.
+    // The named line comes that near.
     const HitSimplex edge = hit_simplex(*hit, complex);
     ASSERT_EQ(edge.balls.size(), 2u);
     const Vector a = corner(*geometry, edge.balls[0]),

@@ -1,4 +1,4 @@
-// How far two pictures differ.
+// Measures of how far two pictures differ.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace alphascope::testing {
 
-// Pixels whose red, green and blue differ by more than 30 in sum.
+// Counts pixels whose red, green and blue differ by more than 30 in sum.
 inline int differing_pixels(const Image& a, const Image& b) {
   EXPECT_EQ(a.rgba.size(), b.rgba.size());
   int count = 0;
@@ -23,7 +23,7 @@ inline int differing_pixels(const Image& a, const Image& b) {
   return count;
 }
 
-// Pixels of which a channel differs by more than rounding of colours on different ways.
+// Counts pixels with a channel that differs by more than colours rounded in different ways.
 inline int unequal_pixels(const Image& a, const Image& b) {
   EXPECT_EQ(a.rgba.size(), b.rgba.size());
   int count = 0;
@@ -36,21 +36,21 @@ inline int unequal_pixels(const Image& a, const Image& b) {
   return count;
 }
 
-// Pixels that are not of the colour of the picture's corner: what is drawn on a background.
+// Counts pixels without the colour of the picture's corner, which is the background.
 inline int drawn_pixels(const Image& image) {
   Image background = image;
   for (std::size_t i = 4; i < image.rgba.size(); ++i) background.rgba[i] = image.rgba[i % 4];
   return differing_pixels(image, background);
 }
 
-// Two drivers differ by the rounding of an edge: a pixel here, a little shade there.
+// Two drivers differ in rounding at edges: by a pixel here, or a little shade there.
 struct PictureDifference {
-  double share = 0;  // of pixels that are like no mixture of the other picture's nine around them
+  double share = 0;  // of pixels unlike every mixture of the nine around them in the other
   double shade = 0;  // largest difference of a channel's mean, of 255
   bool small() const { return share <= 0.002 && shade <= 0.25; }
 };
 
-// Share of a's pixels with a channel that is more than `allowed` outside what b has within a pixel.
+// Share of a's pixels with a channel more than `allowed` outside b's values within a pixel.
 inline double share_unlike(const Image& a, const Image& b, int allowed = 16) {
   const auto at = [](const Image& image, int x, int y, std::size_t channel) -> int {
     return image.rgba[4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x)) + channel];
@@ -91,7 +91,7 @@ inline PictureDifference compare_pictures(const Image& a, const Image& b) {
   return result;
 }
 
-// Where they differ, four times as strong; pictures of one size.
+// Their difference, four times as strong. Both pictures have one size.
 inline Image difference_picture(const Image& a, const Image& b) {
   Image picture = a;
   for (std::size_t i = 0; i < std::min(a.rgba.size(), b.rgba.size()); ++i) {

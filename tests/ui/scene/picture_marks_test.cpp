@@ -1,4 +1,4 @@
-// Legend and scale bar: laid out for the window, and drawn into pictures that are saved.
+// Tests legend and scale bar: their layout in the window, and their drawing in saved pictures.
 #include "ui/picture_marks.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ Colour from_byte(const Rgb8& c) {
   return {c.r / 255.0f, c.g / 255.0f, c.b / 255.0f};
 }
 
-// Rows that show the whole scale, from the first colour to the last, where the legend's bar is.
+// Counts rows that show the whole scale, first to last colour, at the legend's bar.
 int rows_with_scale(const Image& image, const AlphaScale& scale) {
   const float unit = mark_unit(image.width, image.height);
   const int left = static_cast<int>(std::lround(20 * unit));
@@ -127,7 +127,7 @@ TEST(PictureMarks, DifferentColoursHaveDifferentNumbers) {
   EXPECT_NEAR(layout->texts[3].x + type_of(1).text_width("1.401"), bar.x1 + 10, 1e-3);
 }
 
-// Whatever the range: at least two numbers, apart from each other, rising and within the bar.
+// For any range there are at least two numbers, apart from each other, rising and within the bar.
 TEST(PictureMarks, NumbersOfALegendStandApart) {
   for (double low = -50; low < 60; low += 7.31) {
     for (double span = 1e-3; span < 1e5; span *= 2.7) {
@@ -216,7 +216,7 @@ TEST(PictureMarks, CaptionsFillLinesAndStayInTheirHalf) {
   ASSERT_TRUE(wide);
   ASSERT_EQ(wide->lines.size(), 1u);
   EXPECT_EQ(wide->lines[0].text, words[0] + "   " + words[1] + "   c");
-  const auto narrow = lay_out_caption(words, 480, 600, type_of(1));  // for 62
+  const auto narrow = lay_out_caption(words, 480, 600, type_of(1));  // room for 62
   ASSERT_TRUE(narrow);
   ASSERT_EQ(narrow->lines.size(), 2u);
   EXPECT_EQ(narrow->lines[0].text, words[0]);
@@ -239,10 +239,10 @@ int inked(const MarkLetters& letters, const std::string& text) {
   return sum / 255;
 }
 
-// What the font lacks is a box: the same for all letters of these planes.
+// A missing letter is a box, the same for all letters of these planes.
 TEST(PictureMarks, TheLettersKnowUnitsMinusSignsAndSuperscripts) {
   const MarkLetters letters(40);
-  const std::string unknown = "\xf3\xb0\x80\x80";  // of private use
+  const std::string unknown = "\xf3\xb0\x80\x80";  // in the private use area
   ASSERT_GT(inked(letters, unknown), 0);
   for (const char* text : {"α", "Å", "²", "−", "⁻", "⁹", "…", "·", "×", "√", "ρ"}) {
     EXPECT_GT(inked(letters, text), 0) << text;
@@ -376,8 +376,7 @@ TEST_F(SavedPicture, HasAScaleBarOnlyWhenAskedFor) {
   EXPECT_GE(longest_run(save(), ink).length, 50 * mark_unit(640, 400));
 }
 
-// Two lines of sight through the bar's ends meet the plane that the camera looks at as far apart as
-// the bar says.
+// Two lines of sight through the bar's ends meet the focal plane at the distance on the bar.
 TEST_F(SavedPicture, HasAScaleBarThatIsTrue) {
   EglContext context;
   Scene scene;

@@ -1,4 +1,4 @@
-// What a picture that was saved looks like.
+// Decodes the pixels of a saved PNG picture.
 #pragma once
 
 #include <cstdlib>
@@ -12,7 +12,7 @@
 
 namespace alphascope::testing {
 
-// Undoes one of PNG's five filters of a row of bytes; `above` is the finished row before.
+// Undoes one of PNG's five filters for a row of bytes. `above` is the finished row before it.
 inline void unfilter(int filter, std::size_t step, const std::uint8_t* above,
                      std::vector<std::uint8_t>& row) {
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -24,7 +24,7 @@ inline void unfilter(int filter, std::size_t step, const std::uint8_t* above,
   }
 }
 
-// Of eight bits a channel, RGB or RGBA, not interlaced: what we write.
+// Decodes what we write: eight bits a channel, RGB or RGBA, not interlaced.
 inline Image pixels_of(const std::string& png) {
   std::string packed;
   Image image;

@@ -1,3 +1,4 @@
+// Tests the choice of a picture's quality by the times of earlier ones.
 #include "ui/scene/quality.hpp"
 
 #include <gtest/gtest.h>

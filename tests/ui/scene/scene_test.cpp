@@ -1,5 +1,5 @@
-// The scene on a software OpenGL context: pictures hold what they should. What they look like as a
-// whole is baseline_test.cpp's.
+// Tests contents of pictures of the scene on a software OpenGL context. baseline_test.cpp compares
+// whole pictures.
 #include "ui/scene/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ struct PictureCounts {
   int drawn() const { return red + blue + other; }
 };
 
-// Lighting changes brightness, not which component dominates.
+// Lighting changes brightness, not the dominant component.
 PictureCounts count_colours(const Image& image, Theme theme) {
   const Colour& scene = palette(theme).scene;
   const int background[3] = {static_cast<int>(scene.r * 255 + 0.5f),
@@ -109,8 +109,8 @@ TEST_F(SceneTest, AnotherAlphaGivesAnotherPicture) {
   EXPECT_EQ(differing_pixels(before, scene.grab(320, 200, false)), 0);
 }
 
-// One tetrahedron has two faces behind a pixel at most, of which one may be seen from behind: each
-// lets 70 % of what is behind it through.
+// One tetrahedron has at most two faces behind a pixel, one of them perhaps seen from behind. Each
+// lets 70 % of the light behind it through.
 TEST_F(SceneTest, TranslucentTetrahedraLetTheBackgroundThrough) {
   MeshOptions options;
   options.translucent = true;
@@ -126,7 +126,7 @@ TEST_F(SceneTest, TranslucentTetrahedraLetTheBackgroundThrough) {
     };
     const Image opaque = picture(1), translucent = picture(0.3);
     const double background = 255 * palette(theme).scene.b;
-    double seen_opaque = 0, seen_translucent = 0;  // how far blue, which red has least of, is off
+    double seen_opaque = 0, seen_translucent = 0;  // difference in blue, of which red has least
     int pixels = 0;
     for (std::size_t i = 0; i < opaque.rgba.size(); i += 4) {
       const double off = std::abs(opaque.rgba[i + 2] - background);
@@ -141,8 +141,8 @@ TEST_F(SceneTest, TranslucentTetrahedraLetTheBackgroundThrough) {
   }
 }
 
-// While something moves: whichever way round its corners are listed, the side towards the viewer is
-// drawn once, and nothing else of it.
+// While something moves, only the side towards the viewer is drawn, and once, in whichever order
+// its corners are listed.
 TEST_F(SceneTest, AMovingTranslucentTetrahedronShowsItsFront) {
   constexpr double kOpacity = 0.3;
   const AlphaComplex all = complex_of(balls, 0);
@@ -190,7 +190,7 @@ TEST_F(SceneTest, AMovingTranslucentTetrahedronShowsItsFront) {
   }
 }
 
-// Without what only pictures at rest have.
+// A style without the effects that only pictures at rest have.
 SceneStyle plain_style(double complex_opacity, Theme theme) {
   SceneStyle style{.balls = false, .complex_opacity = complex_opacity};
   style.theme = theme;
@@ -225,8 +225,8 @@ TEST_F(SceneTest, LightForEachFaceLooksLikeLightForEachPixel) {
   }
 }
 
-// Through a tetrahedron's four triangles, which hide nothing of each other: exactly at rest, and of
-// all layers together while something moves.
+// Light through a tetrahedron's four triangles, none of which hides another. It is exact at rest.
+// While something moves, all layers are summed.
 TEST_F(SceneTest, AsMuchShinesThroughTranslucentLayersThatMove) {
   constexpr double kOpacity = 0.4;
   AlphaComplex one = complex_of(balls, 0);
@@ -246,7 +246,8 @@ TEST_F(SceneTest, AsMuchShinesThroughTranslucentLayersThatMove) {
   scene.set_balls(geometry, two_colours(balls->size()));
   scene.set_mesh(make_mesh_data(std::make_shared<const ComplexMesh>(
       build_mesh(*geometry, two_colours(balls->size()), one, options))));
-  // The same on a dark and on a light background: what differs is what shines through.
+  // The same picture on a dark and a light background. The difference is the light that shines
+  // through.
   const auto through = [&](RenderQuality quality, bool drawn) {
     std::array<Image, 2> pictures;
     for (const Theme theme : {Theme::dark, Theme::light}) {
@@ -288,7 +289,7 @@ TEST_F(SceneTest, RendersIntoATextureAtEveryQualityAndSize) {
       ASSERT_EQ(picture.height, std::lround(201 * samples));
       const PictureCounts counts = count_colours(picture, Theme::dark);
       EXPECT_GT(counts.background, 0);
-      // The rod lies along the longer side of a picture; in a narrow one it is small.
+      // The rod lies along the longer side of a picture. It is small in a narrow one.
       EXPECT_GT(counts.drawn(), width == 8 ? 3 : 4000 * samples * samples) << width;
     }
   }
@@ -371,7 +372,7 @@ TEST_F(SceneTest, ARayThroughEveryBallsPixelPicksABallThere) {
   EXPECT_LE(wrong, 20);  // of 5,200: pixels on an outline
 }
 
-// Half of an odd number of pixels is rounded; the mouse is in the picture as it is shown.
+// Half of an odd number of pixels is rounded. Mouse positions refer to the picture as shown.
 TEST_F(SceneTest, TheLineOfSightIsTheSameInASketch) {
   load(0);
   for (const RenderQuality quality : {RenderQuality::sketch, RenderQuality::draft}) {
@@ -410,7 +411,7 @@ TEST_F(SceneTest, TransparentPictureHasClearBackgroundAndOpaqueBalls) {
   EXPECT_GT(opaque, 1000);
 }
 
-// Whoever quits waits for what is being drawn; and the samples are not the same one.
+// A program that quits waits for the picture being drawn, so samples are the places to stop.
 TEST_F(SceneTest, APictureCanBeCancelledBetweenItsSamples) {
   load(0);
   std::vector<double> shares;
@@ -428,7 +429,7 @@ TEST_F(SceneTest, APictureCanBeCancelledBetweenItsSamples) {
   EXPECT_EQ(differing_pixels(whole, scene.grab(320, 200, false)), 0) << "as if nothing had been";
 }
 
-// A picture of single samples has two colours at an edge; the mean of several has more.
+// A picture of one sample has two colours at an edge. The mean of several samples has more.
 TEST_F(SceneTest, EdgesOfAPictureAreSmooth) {
   load(0);
   scene.set_style({.ball_opacity = 1, .ambient_occlusion = false});
@@ -507,7 +508,7 @@ TEST_F(SceneTest, ShadowsAndOutlinesFollowTheSizeOfTheView) {
   }
 }
 
-// Every jitter of a pixel once, evenly: else edges would have steps.
+// The jitters of a pixel are evenly spread, each used once. Otherwise edges would have steps.
 TEST(SampleMean, PlacesOfSamplesAreSpreadEvenly) {
   for (const int count : {4, 16}) {
     const int side = count == 4 ? 2 : 4;

@@ -1,4 +1,4 @@
-// What the scene has drawn into its texture. Needs the OpenGL context that it was drawn in.
+// Reads the texture into which the scene was drawn. Needs the OpenGL context of that drawing.
 #pragma once
 
 #include <GL/gl.h>
@@ -7,7 +7,7 @@
 
 namespace alphascope::testing {
 
-// In the order of OpenGL: the bottom row first.
+// In OpenGL's order, with the bottom row first.
 inline Image texture_pixels(unsigned texture) {
   Image image;
   glBindTexture(GL_TEXTURE_2D, texture);
@@ -22,7 +22,7 @@ inline Image texture_pixels(unsigned texture) {
   return image;
 }
 
-// With the top row first, as saved pictures are.
+// With the top row first, as in saved pictures.
 inline Image upright(const Image& image) {
   Image result{image.width, image.height, {}};
   const std::size_t row = 4 * static_cast<std::size_t>(image.width);

@@ -1,3 +1,4 @@
+// Tests buffers that carry arrays to the GPU.
 #include "ui/scene/gl/upload_room.hpp"
 
 #define GL_GLEXT_PROTOTYPES
@@ -29,7 +30,8 @@ std::vector<unsigned char> uploaded(UploadRoom& room, const std::vector<unsigned
   return read;
 }
 
-// The room grows; the next content goes behind what is on its way, or to the start when it is full.
+// The room grows. The next content goes behind the content on its way, or to the start when it is
+// full.
 TEST(UploadRoom, BringsEverythingToItsBuffer) {
   const EglContext context;
   UploadRoom room;

@@ -1,5 +1,5 @@
-// Labels, distances and angles in the whole window: written over the picture, in saved pictures,
-// sessions and pictures of the command line; undone, removed, and back when their atoms are.
+// Tests labels, distances and angles in the whole window: over the picture, in saved pictures, in
+// sessions, and on the command line. They are undone, removed, and back when their atoms are.
 #include <algorithm>
 
 #include "core/write/csv.hpp"
@@ -87,12 +87,12 @@ TEST_F(AnnotationsTest, MeasuresInTheOrderOfSelection) {
   EXPECT_EQ(viewer_->state().notice, "Distance A:THR 1:CA – A:THR 1:N: 1.498 Å");
   EXPECT_EQ(viewer_->state().undo_text, "measured distances and angles");
   EXPECT_EQ(refusal("measure.atoms"), "It is measured already, as number 1.");
-  // N is selected second: the angle is at it, not at the atom that is second in the file.
+  // N is selected second, so the angle is at N, not at the atom that is second in the file.
   run("select.add A:THR 1:C\nmeasure.atoms\n");
   run("measure.atoms A:THR 1:N; A:THR 1:CA; A:THR 1:C\n");
   settle();
   EXPECT_EQ(words(), (Words{"1.498 Å", "108.2°", "36.0°"}));
-  // φ of a residue in crambin's first helix.
+  // The angle φ of a residue in crambin's first helix.
   run("measure.remove_all\nmeasure.atoms A:12:C; A:13:N; A:13:CA; A:13:C\n");
   settle();
   EXPECT_EQ(words(), Words{"−59.1°"});
@@ -139,7 +139,7 @@ TEST_F(AnnotationsTest, TheListSelectsRemovesAndCopies) {
 TEST_F(AnnotationsTest, SavedPicturesSessionsAndTheCommandLineShowThem) {
   open_crambin();
   DisplayControls& display = viewer_->state().settings.display;
-  const DisplayControls usual;  // the command line's
+  const DisplayControls usual;  // as on the command line
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
   display.silhouettes = usual.silhouettes;

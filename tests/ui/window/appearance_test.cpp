@@ -1,5 +1,5 @@
-// Hidden atoms and colours of one's own in the whole window: nothing is computed anew, the window
-// says what is missing, undo, sessions and the command line keep it.
+// Tests hidden atoms and own colours in the whole window. Nothing is computed again, and the window
+// says what is missing. Undo, sessions and the command line keep them.
 #include "core/triangulation/outer_faces.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
@@ -64,7 +64,7 @@ TEST_F(AppearanceTest, SavedPicturesSessionsAndTheCommandLineShowTheSame) {
   hide_half();
   run("atoms.colour #ff00ff element O\nwait-idle\n");
   DisplayControls& display = viewer_->state().settings.display;
-  const DisplayControls usual;  // the command line's
+  const DisplayControls usual;  // as on the command line
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
   display.silhouettes = usual.silhouettes;
@@ -91,7 +91,7 @@ TEST_F(AppearanceTest, SavedPicturesSessionsAndTheCommandLineShowTheSame) {
   EXPECT_LE(share_unlike(window, drawn("--session " + session)), 0.001);
 }
 
-// Against every simplex looked at by itself.
+// Compares with a check of every simplex by itself.
 TEST(VisibleMesh, HasTheSimplicesWithoutHiddenCornersAndNamesThem) {
   AlphaComplex complex;
   complex.tetrahedra.simplices = {{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}};

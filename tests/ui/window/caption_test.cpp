@@ -1,4 +1,4 @@
-// What captions say, and that saved pictures have them where they are asked for.
+// Tests texts of captions, and captions in saved pictures.
 #include "ui/caption.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Caption, SaysEachPartWithItsUnit) {
 
 class CaptionInWindow : public ViewerTest {
  protected:
-  // Pixels of the picture's upper eighth in the colour of what is written.
+  // Counts pixels with the text's colour in the upper eighth of the picture.
   int marked(const fs::path& file) const {
     const Image image = pixels_of(file);
     const Colour ink = mark_ink(viewer_->state().window.theme, false).mark;

@@ -1,5 +1,5 @@
-// That a ligand is seen in the cavity that holds it: in the window, in a saved picture and in a
-// recording, as the program draws them when nothing else is chosen.
+// Tests that a ligand is visible in its cavity: in the window, in a saved picture and in a
+// recording, with the program's defaults.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace {
 class CavityPictureTest : public ViewerTest {
  protected:
   explicit CavityPictureTest(bool draw_shots_only = true) : ViewerTest(draw_shots_only) {}
-  // What the program starts with, but for samples, which only smooth.
+  // The display at the program's start. Only samples differ, which merely smooth.
   void show_as_at_the_start() {
     DisplayControls display;
     display.samples = 1;
@@ -26,13 +26,13 @@ class CavityPictureTest : public ViewerTest {
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
   void open_cavities(const fs::path& file) {
     run("open " + file.string() + "\nwait-idle\nclick bottom.cavities\nwait-idle\nframes 3\n");
-    // Where the choices are those of CASTp already, there is nothing to click.
+    // If the choices are CASTp's already, there is no button to click.
     if (viewer_->widgets().contains("cavities.preset")) run("click cavities.preset\n");
     settle();
   }
   const CavityPage& page() { return *viewer_->state().cavities.page; }
 
-  // The row of the cavity that holds most atoms of ligands.
+  // The row of the cavity that holds most ligand atoms.
   std::optional<std::size_t> row_with_ligand(const std::string& name) {
     const BallReferences& references = *page().rows.lines->atoms;
     const Molecule& molecule = references.molecule();
@@ -67,7 +67,7 @@ class CavityPictureTest : public ViewerTest {
         "\" 180:2 480 320 none\nwait-idle\n");
     return pixels_of(bytes(name + "-1.png"));
   }
-  // With what the cavity holds, without that, and without the cavity.
+  // With the cavity's contents, without them, and without the cavity.
   struct Pictures {
     Image whole, without_held, without_cavity;
   };
@@ -96,7 +96,7 @@ class CavityPictureTest : public ViewerTest {
     }
     return false;
   }
-  // Whatever the light: the colour of an element, with nothing of another mixed in.
+  // Pure colour of an element under any light, unmixed with others.
   static bool has_element_colour(const Image& image, std::size_t pixel) {
     const std::uint8_t* p = &image.rgba[4 * pixel];
     const double r = p[0], g = p[1], b = p[2], length = std::sqrt(r * r + g * g + b * b);
@@ -109,8 +109,8 @@ class CavityPictureTest : public ViewerTest {
     return false;
   }
 
-  // Pixels of what the cavity holds, in the outline of the cavity; and of the cavity, of which a
-  // good part must be left.
+  // Counts pixels of the contents within the cavity's outline, and pixels of the cavity. A good
+  // part of the cavity must stay visible.
   struct Seen {
     int held = 0, in_its_colour = 0, in_cavity = 0, cavity = 0;
   };
@@ -133,7 +133,7 @@ class CavityPictureTest : public ViewerTest {
     const int pixels = pictures.whole.width * pictures.whole.height;
     EXPECT_GT(seen.cavity, pixels / 100) << where;
     EXPECT_GT(seen.held, pixels / 200) << where;
-    // The rest are rims, lights and pixels that are partly something else's.
+    // The other pixels are rims, lights, and partly other things.
     EXPECT_GT(seen.in_its_colour, 0.55 * seen.held) << where;
     EXPECT_GT(seen.in_cavity, least_share_inside * seen.held) << where;
   }
@@ -179,7 +179,7 @@ TEST_F(CavityPictureTest, LigandsOfOtherProteinsAreSeenInTheirPockets) {
   }
 }
 
-// With panels in every frame, as for a user: they say what is drawn of a cavity.
+// Panels are drawn in every frame, as for a user. They describe what is drawn of a cavity.
 class CavityFrameTest : public CavityPictureTest {
  protected:
   CavityFrameTest() : CavityPictureTest(false) {}
@@ -190,12 +190,12 @@ TEST_F(CavityFrameTest, AFrameOfARecordingIsTheSavedPicture) {
   choose(*row_with_ligand("HEM"));
   EXPECT_FALSE(held().atoms.empty());
   const Image picture = saved("picture.png"), frame = first_frame("frame");
-  int others = 0;  // but for rounding
+  int others = 0;  // up to rounding
   for (std::size_t i = 0; i < picture.rgba.size() / 4; ++i) others += differs(frame, picture, i);
   EXPECT_LT(others, picture.width * picture.height / 500);
 }
 
-// One that the options keep in the body fills its pocket; it is shown where it lines what is left.
+// A ligand kept in the body fills its pocket. It is shown where it lines the remaining cavity.
 TEST_F(CavityPictureTest, ALigandOfTheBodyIsShownWhereItLinesACavity) {
   run("open " + haemoglobin().string() + "\nwait-idle\nclick bottom.cavities\n");
   settle();
@@ -275,7 +275,7 @@ TEST_F(CavityPictureTest, OpacityThatIsNotSeenSaysSo) {
   EXPECT_FALSE(viewer_->widgets().contains("display.ball_opacity.faded"));
 }
 
-// Whole green balls hid all of the cavity.
+// Whole green balls would hide all of the cavity.
 TEST_F(CavityPictureTest, TheLiningIsMarkedByOutlines) {
   open_cavities(haemoglobin());
   choose(*row_with_ligand("HEM"));
@@ -326,7 +326,7 @@ TEST_F(CavityPictureTest, TheLiningFollowsTheSolventRadius) {
     EXPECT_EQ(viewer_->state().settings.selection.items, before);
     EXPECT_FALSE(viewer_->state().redo_text.empty());
   }
-  // What the user has selected besides stays.
+  // The user's own selection stays.
   run("select.add A:VAL 1:N\nsolvent.set 1.6\n");
   settle();
   EXPECT_EQ(viewer_->state().settings.selection.items.size(), before.size() + 1);

@@ -1,5 +1,5 @@
-// The clip in the whole window: its panel, its handle, commands, undo, and what the mouse then
-// hits. Also saved cameras and views along axes.
+// Tests the clip in the whole window: its panel, its handle, commands, undo, and picking. Also
+// tests saved cameras and views along axes.
 #include <cmath>
 #include <cstdlib>
 
@@ -14,7 +14,7 @@ class ClipWindow : public ViewerTest {
  protected:
   ClipWindow() {
     open_crambin();
-    // What moves the scene at rest is not what is tested.
+    // Shadows change the picture at rest, which is not under test here.
     run("view.shadows off\nwait-idle\n");
   }
   const Clip& clip() const { return viewer_->state().settings.clip; }
@@ -26,7 +26,7 @@ TEST_F(ClipWindow, ThePanelCutsThroughTheMiddleAndBack) {
   const Image whole = picture();
   run("click clip.kind.1\nwait-idle\n");
   EXPECT_EQ(clip().kind, Clip::Kind::plane);
-  // Facing the viewer, through the middle of the balls.
+  // The clip faces the viewer and goes through the middle of the balls.
   EXPECT_NEAR(clip().normal[0], -view().into_view.x, 1e-12);
   const Image half = picture();
   EXPECT_GT(differing_pixels(half, whole), 2000);
@@ -76,7 +76,7 @@ TEST_F(ClipWindow, TheHandleMovesAndTurnsTheCutAndNotTheCamera) {
   EXPECT_NE(clip().normal, before.normal);
   undo();
   EXPECT_EQ(clip(), before);
-  // Beside the handle, the mouse turns the view.
+  // Beside the handle the mouse turns the view.
   run("move view 0.05 0.5\ndown\nmove view 0.1 0.6\nup\nframes 3\n");
   EXPECT_NE(view().into_view, into);
   EXPECT_EQ(clip(), before);
@@ -85,7 +85,7 @@ TEST_F(ClipWindow, TheHandleMovesAndTurnsTheCutAndNotTheCamera) {
 TEST_F(ClipWindow, WhatIsCutAwayIsNotUnderTheMouse) {
   run("view.clip off\nmove view 0.5 0.5\nwait-idle\nframes 3\n");
   const std::string whole = view().under_mouse_line;
-  // Balls fill little of the picture: larger ones leave no gaps.
+  // Balls fill little of the picture. Larger ones leave no gaps.
   viewer_->state().settings.display.ball_scale = 1;
   run("frames 3\nwait-idle\nmove view 0.5 0.45\nframes 3\n");
   const std::string front = view().under_mouse_line;
@@ -173,7 +173,7 @@ TEST_F(ClipWindow, ViewsAlongAxesAndSavedCamerasComeBack) {
   run("view.camera \"from y\"\nwait-idle\n");
   EXPECT_EQ(differing_pixels(picture(), from_y), 0);
   ASSERT_EQ(viewer_->state().settings.views.size(), 1u);
-  run("view.save_camera from y\nframes 2\n");  // in its place
+  run("view.save_camera from y\nframes 2\n");  // replaces the camera of that name
   ASSERT_EQ(viewer_->state().settings.views.size(), 1u);
   run("view.forget_camera \"from y\"\nframes 2\n");
   EXPECT_TRUE(viewer_->state().settings.views.empty());

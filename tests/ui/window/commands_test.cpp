@@ -1,4 +1,4 @@
-// One list of commands: what menus, keys, the palette, the cheat sheet and scripts make of it.
+// Tests the list of commands in menus, keys, the palette, the cheat sheet and scripts.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -137,7 +137,7 @@ class CommandsInPanels : public ::testing::Test {
     ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
     p.frame(2);
   }
-  // Types over what is in the field.
+  // Types over the field's content.
   void type_anew(const std::string& text) {
     chord(key::kA);
     type(text);
@@ -323,7 +323,7 @@ TEST_F(CommandsInPanels, AChoiceIsMadeWithTheArrowKeys) {
   EXPECT_EQ(p.state.settings.request.engine, EngineChoice::tuples_cpu);
 }
 
-// Right below the field, however many frames are drawn.
+// The message is right below the field in every frame.
 TEST_F(CommandsInPanels, ThatNothingMatchesIsSaid) {
   open_palette();
   for (const bool choice : {false, true}) {
@@ -407,7 +407,7 @@ TEST_F(CommandsInPanels, ThePaletteFitsASmallWindowAtTwiceTheSize) {
   EXPECT_LE(field.x1, 1400);
 }
 
-// --- the program behind it
+// --- the program behind the panels
 
 class CommandsInProgram : public testing::ViewerTest {
  protected:

@@ -1,5 +1,5 @@
-// Undo and redo in the whole window: hash and picture come back, a drag is one entry, playback
-// none.
+// Tests undo and redo in the whole window. Hash and picture come back, a drag is one entry, and
+// playback makes none.
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope::testing {

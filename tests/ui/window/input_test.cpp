@@ -1,5 +1,5 @@
-// No key, click or character is lost or reordered, however slow the frames are; and what shows when
-// the mouse rests shows although nothing happens.
+// Tests that no key, click or character is lost or reordered in slow frames. Texts that appear when
+// the mouse rests appear without further events.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -28,14 +28,14 @@ InputEvent typed(char character) {
   return {.kind = Kind::text, .character = static_cast<unsigned char>(character)};
 }
 
-// The panels, fed from a queue that got everything between two frames.
+// The panels, fed from a queue that received everything between two frames.
 class QueuedPanels : public testing::Panels {
  public:
   QueuedPanels() : Panels({1280, 800, 1}) {
     state = testing::loaded_state();
     frame(3);
   }
-  // Until the queue is empty; returns how many frames that took.
+  // Draws frames until the queue is empty, and returns their number.
   int play(const std::vector<InputEvent>& events) {
     for (const InputEvent& event : events) queue_.push(event);
     int frames = 0;
@@ -95,7 +95,8 @@ TEST(InputQueue, CharactersAndKeysKeepTheirOrder) {
   QueuedPanels p;
   p.play({p.at("alpha.typed"), button(true), button(false), pressed(key::kLeftControl),
           pressed(key::kA), released(key::kA), released(key::kLeftControl)});
-  // "17", Backspace, ".5", Enter: every key down and up, every character, in one slow frame.
+  // Types "17", Backspace, ".5", Enter in one slow frame, with every key down, key up and
+  // character.
   p.play({pressed('1'), typed('1'), released('1'), pressed('7'), typed('7'), released('7'),
           pressed(key::kBackspace), released(key::kBackspace), pressed('.'), typed('.'),
           pressed('5'), typed('5'), released('.'), released('5'), pressed(key::kEnter),
@@ -151,7 +152,7 @@ TEST_F(ActingTest, ATooltipShowsWhileTheMouseRests) {
 }
 
 TEST_F(ActingTest, TheAtomUnderTheMouseIsNamedWhileTheMouseRests) {
-  // Somewhere in the middle there is a ball, and nothing of the complex in front of it.
+  // Somewhere in the middle there is a ball with no part of the complex in front of it.
   viewer_->state().settings.display.tetrahedra = false;
   const WidgetRect view = viewer_->widgets().at("view");
   std::vector<ActingHost::Act> acts;
@@ -176,7 +177,7 @@ TEST_F(ActingTest, TheAtomUnderTheMouseIsNamedWhileTheMouseRests) {
 }
 
 TEST_F(ActingTest, NothingHappensNothingIsDrawn) {
-  // Not counted: the first frames, and one for each result of the background.
+  // The first frames are not counted. Each background result takes one more.
   host_.play({{2, [this] { host_.frames = 0; }}}, 4);
   viewer_->run();
   EXPECT_LT(host_.frames, 8);

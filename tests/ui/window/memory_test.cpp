@@ -1,7 +1,7 @@
-// What the window leaves behind in memory when the same things are done again and again. A program
-// of its own: llvmpipe reads once, before the first context, how many threads it may have; with any
-// it keeps what up to 64 frames drew with until it comes by them again. Counts what is in use of
-// the heap and not what is resident, which depends on where in the heap that is.
+// Tests the memory that the window leaves behind when the same actions repeat. It is a separate
+// program, because llvmpipe reads its number of threads once, before the first context. With any
+// threads it keeps the resources of up to 64 frames until it reuses their slots. Counts heap in
+// use, not resident memory, which depends on places in the heap.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class WindowMemoryTest : public Measured<ViewerTest> {
  protected:
   WindowMemoryTest() : Measured(false) {}
 
-  // Of tests/ui/memory_round.txt.
+  // The actions in tests/ui/memory_round.txt.
   std::string round() const {
     std::ifstream file(fs::path(ALPHASCOPE_SOURCE_DIR) / "tests/ui/memory_round.txt");
     std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -75,7 +75,7 @@ class SceneMemoryTest : public Measured<::testing::Test> {
         build_mesh(*geometry, colours, testing::complex_of(balls, 2), {}))));
   }
 
-  // Twice, since the driver keeps what the last picture drew with until the next.
+  // Draws twice, because the driver keeps resources of the last picture until the next one.
   double after_pictures(RenderQuality quality) {
     for (int i = 0; i < 2; ++i) scene_.render(600, 400, quality);
     return megabytes_in_use();
@@ -98,10 +98,10 @@ TEST(MemoryTest, FreedMemoryIsGivenBack) {
   EXPECT_LT(resident_bytes() + kPieces * kBytes / 2, before);
 }
 
-// The first round fills what is kept on purpose: shaders, glyphs, engines of the last settings.
-// What is lost is lost in every round; a driver keeps a texture more or less in one and not in the
-// next, and a picture saved in the background may still hold its memory when a round ends. So one
-// round of several that leaves nothing behind is enough.
+// The first round fills intended caches: shaders, glyphs, engines of the last settings. A leak
+// occurs in every round. A driver may keep a texture in one round and free it in the next. A
+// picture saved in the background may still hold memory when a round ends. So one round without
+// growth among several is enough.
 TEST_F(WindowMemoryTest, RoundsLeaveNothingBehind) {
   constexpr double kMostMegabytes = 0.1;
   constexpr int kMostRounds = 6;

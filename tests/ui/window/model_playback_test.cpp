@@ -1,4 +1,4 @@
-// When the next model is due. Time is given by hand.
+// Tests when the next model is due, with time set by the test.
 #include "app/viewer/parts/model_playback.hpp"
 
 #include <gtest/gtest.h>

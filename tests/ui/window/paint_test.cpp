@@ -1,5 +1,5 @@
-// What colours mean, in the whole window: schemes, legends, ranges, commands, sessions and the
-// command line.
+// Tests colours in the whole window: schemes, legends, ranges, commands, sessions and the command
+// line.
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -108,7 +108,7 @@ TEST_F(PaintTest, SessionsAndTheCommandLineHaveTheSame) {
   run("alpha.set 3\nview.colour_balls b_factor,cividis,0:20\nview.colour_simplices component\n"
       "view.triangles on\nview.edges on\nwait-idle\n");
   DisplayControls& d = display();
-  const DisplayControls usual;  // the command line's
+  const DisplayControls usual;  // as on the command line
   d.ambient_occlusion = usual.ambient_occlusion;
   d.depth_cue = usual.depth_cue;
   d.silhouettes = usual.silhouettes;

@@ -1,5 +1,5 @@
-// The picture is a function of the molecule, the answer and the controls, in whatever order these
-// come and whatever of the work for them is finished, taken or superseded meanwhile.
+// Tests that the picture depends only on molecule, answer and controls. They come in any order, and
+// their jobs are finished, taken or superseded in any order.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -21,7 +21,7 @@
 namespace alphascope {
 namespace {
 
-// So little is free that it is asked for before each drawing, and yet enough for all.
+// So little memory is free that each drawing checks it first, but enough for all.
 constexpr std::uint64_t kFreeBytes = 160'000'000;
 
 OpenedMolecule two_chains() {
@@ -43,7 +43,7 @@ class PictureOrder : public ::testing::Test {
   }
   ~PictureOrder() override { held_ = false; }
 
-  // The same again, as another molecule.
+  // The same balls again, as another molecule.
   void new_molecule() {
     auto opened = std::make_shared<OpenedMolecule>(file_);
     opened->molecule = std::make_shared<const Molecule>(*file_.molecule);
@@ -67,9 +67,9 @@ class PictureOrder : public ::testing::Test {
   }
 
   static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
-  // m: the molecule comes; a: the answer; c: the controls say other colours. After each, what it
-  // asks for is begun, unless something else is under way, and not finished.
-  // f: all that has been begun or waits is finished; p: what is finished is taken.
+  // m: the molecule comes. a: the answer comes. c: the controls set other colours. After each of
+  // these its job begins, unless another is running, and does not finish. f: all running and
+  // waiting jobs finish. p: finished results are taken.
   void play(const std::string& order) {
     for (const char step : order) {
       switch (step) {
@@ -95,7 +95,7 @@ class PictureOrder : public ::testing::Test {
   }
   Image picture() {
     held_ = false;
-    for (int quiet = 0; quiet < 4; quiet = scene_.busy() ? 0 : quiet + 1) {  // taken in, it may ask
+    for (int quiet = 0; quiet < 4; quiet = scene_.busy() ? 0 : quiet + 1) {  // may ask again
       pause();
       scene_.poll();
     }
@@ -114,8 +114,7 @@ class PictureOrder : public ::testing::Test {
   std::shared_ptr<const Answer> answer_;
   DisplayControls display_;
   ViewportInfo viewport_;
-  // Drawings ask how much memory is free before anything else: there they are held, but for as many
-  // as pass.
+  // Drawings first ask for the free memory. They are held there, except for as many as may pass.
   std::atomic<bool> held_ = false, waits_ = false;
   std::atomic<int> passes_ = 0;
   std::atomic<std::uint64_t> free_bytes_ = kFreeBytes;
@@ -158,8 +157,8 @@ TEST_F(PictureOrder, MakesNoDifference) {
   }
 }
 
-// Memory is short for a moment, while another drawing of the same balls is under way: what makes
-// room takes the balls away that it counted on.
+// Memory is short for a moment while another drawing of the same balls is running. Making room
+// removes the balls on which that drawing relied.
 TEST_F(PictureOrder, BallsThatMadeRoomComeBack) {
   colour_by(ColourBy::element);
   new_molecule();
@@ -172,7 +171,7 @@ TEST_F(PictureOrder, BallsThatMadeRoomComeBack) {
   free_bytes_ = kFreeBytes;
   show_boundary(false);
   ASSERT_TRUE(waits_);
-  play("p");  // makes room, and asks for another drawing behind the one that is under way
+  play("p");  // makes room, and asks for another drawing after the running one
   ASSERT_EQ(scene_.drawn(), nullptr);
   passes_ = 1;
   while (passes_ > 0) pause();

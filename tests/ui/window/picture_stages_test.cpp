@@ -1,4 +1,4 @@
-// When balls are left out while something moves, and what the timings say of a picture.
+// Tests when balls are left out while something moves, and the timings of a picture.
 #include "app/viewer/scene/ball_stand_in.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ class PictureStages : public testing::ViewerTest {
   }
 };
 
-// After those of the engine, which alone are its wall time.
+// They follow the stages of the engine, which alone make its wall time.
 TEST_F(PictureStages, FollowTheEnginesInItsTimings) {
   open_crambin();
   expect_stages_of_picture();
@@ -57,7 +57,7 @@ TEST_F(PictureStages, AreKnownAfterwardsWhereTheWindowGoesOnMeanwhile) {
   open_crambin();
   const auto finished = [&] {
     run("click alpha.preset.10\nwait-idle\n");
-    shot("finished.png");  // only then are all samples in it
+    shot("finished.png");  // only then it has all samples
     return testing::texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
   };
   const Image before = finished();

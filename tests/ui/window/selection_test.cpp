@@ -1,5 +1,5 @@
-// Hovering and selecting in the whole window: what is said, what a click does and a drag does not,
-// undo, and a selection that outlives changes of options.
+// Tests hovering and selecting in the whole window: texts, clicks and drags, undo, and selections
+// that survive changes of options.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +19,7 @@ class SelectionTest : public ViewerTest {
   const std::vector<Ref>& items() { return state().settings.selection.items.items(); }
   const std::string& line() { return state().viewport.under_mouse_line; }
 
-  // x and y from 0 to 1 in the view.
+  // Moves the mouse to x and y in the view, from 0 to 1.
   void move(double x, double y) {
     const WidgetRect view = viewer_->widgets().at("view");
     input.x = view.x0 + static_cast<float>(x) * (view.x1 - view.x0);
@@ -42,7 +42,7 @@ class SelectionTest : public ViewerTest {
     input.control = input.shift = false;
     frames();
   }
-  // Looks for places with something of this kind there: "A:" for atoms of crambin, "tetrahedron".
+  // Finds places with something of this kind: "A:" for atoms of crambin, "tetrahedron".
   std::vector<std::array<double, 2>> places(const std::string& start, std::size_t wanted) {
     std::vector<std::array<double, 2>> found;
     std::string last;
@@ -80,7 +80,7 @@ TEST_F(SelectionTest, TheStatusBarSaysWhatIsUnderTheMouse) {
   EXPECT_NE(line().find(grown), std::string::npos) << line();
   EXPECT_TRUE(viewer_->widgets().contains("status.under_mouse"));
   EXPECT_FALSE(viewer_->widgets().contains("status.device"));
-  // Set, but not in the picture yet.
+  // Set, but not yet in the picture.
   viewer_->state().settings.request.alpha_angstrom2 = 9;
   frames(1);
   EXPECT_EQ(state().result->request.alpha_angstrom2, 3);
@@ -102,7 +102,7 @@ TEST_F(SelectionTest, ASimplexIsNamedWithItsAtomsClassAndAlphaValue) {
   EXPECT_EQ(std::count(line().begin(), line().end(), ':'), 8) << line();
   EXPECT_NE(line().find("interior  ·  alpha value "), std::string::npos) << line();
   EXPECT_TRUE(line().ends_with(" Å²")) << line();
-  // Of the complex on screen, as the filtration has it.
+  // The complex on screen, as the filtration has it.
   const AlphaComplex expected = this->expected(3);
   std::array<BallIndex, 4> balls{};
   const auto found = *state().references->balls(simplex);
@@ -152,7 +152,7 @@ TEST_F(SelectionTest, ADragTurnsAndNeverSelects) {
   at(place);
   press();
   move(place[0] + 0.1, place[1]);
-  at(place);  // back to where it began: still a drag
+  at(place);  // back to the start: still a drag
   release();
   EXPECT_TRUE(items().empty());
   press();

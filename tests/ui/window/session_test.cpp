@@ -1,4 +1,5 @@
-// Sessions in the whole window: saved, the program begun anew, opened: the same picture and hash.
+// Tests sessions in the whole window. After saving, restarting the program and opening, picture and
+// hash are the same.
 #include "core/files/file_hash.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -130,7 +131,7 @@ TEST_F(SessionWindowTest, AMoleculeThatCannotBeReadLeavesTheWindowAsItIs) {
   open_session();
   EXPECT_EQ(viewer_->state().error_title, "The file cannot be opened");
   EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3);
-  // What is opened next is no session.
+  // The next file is no session.
   run("click error.ok\nopen " + crambin().string() + "\nwait-idle\n");
   EXPECT_EQ(viewer_->state().session_file, "");
   EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3);
@@ -169,7 +170,7 @@ TEST_F(SessionWindowTest, TheDialogSavesBesideTheMolecule) {
   EXPECT_NE(viewer_->state().notice.find("m.json"), std::string::npos);
 }
 
-// The command line's picture of a session is the one that the window saves.
+// The command line's picture of a session equals the one that the window saves.
 TEST_F(SessionWindowTest, TheCommandLineDrawsTheSamePicture) {
   open_molecule();
   viewer_->state().settings.display.ball_scale = 0.7f;

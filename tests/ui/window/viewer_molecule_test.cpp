@@ -1,4 +1,5 @@
-// Opening, selecting, expanding and playing in the whole window, against the session's own answers.
+// Tests opening, selecting, expanding and playing in the whole window against the session's own
+// answers.
 #include <gtest/gtest.h>
 
 #include "core/molecule/assembly.hpp"
@@ -23,7 +24,7 @@ class ViewerMoleculeTest : public ViewerTest {
     return folder_ / name;
   }
 
-  // Four atoms a model; the models differ, and the complexes with them.
+  // Each model has four atoms. Models differ, and so do their complexes.
   fs::path models(int count) {
     std::string text;
     for (int m = 1; m <= count; ++m) {
@@ -36,7 +37,7 @@ class ViewerMoleculeTest : public ViewerTest {
   const MoleculeInfo& molecule() { return viewer_->state().molecule; }
   std::string hash() { return hash_text(viewer_->state().result->complex.hash); }
 
-  // Of the same file and options, by the command line's way.
+  // The hash for the same file and options, computed as the command line does.
   std::string expected_hash(const fs::path& path, const OpenOptions& options) {
     const OpenedMolecule opened = open_molecule(path, options, {});
     return hash_text(make_cgal_engine(opened.prepared->balls)->compute({0, false}, {}).hash);

@@ -1,4 +1,4 @@
-// The whole window in process, without a display: open, slide, look at the pixels.
+// Tests the whole window in process, without a display: opening, sliding, looking at pixels.
 #include <GL/gl.h>
 #include <gtest/gtest.h>
 
@@ -124,7 +124,7 @@ TEST_F(ViewerTest, ComparingGivesTheBadge) {
   EXPECT_EQ(badge.text, "identical to CGAL: " + n + " of " + n + " tetrahedra");
   EXPECT_TRUE(viewer_->state().cgal.any());
   run("click alpha.preset.10\nwait-idle\n");
-  EXPECT_EQ(badge.state, BadgeInfo::State::not_compared);  // of another alpha
+  EXPECT_EQ(badge.state, BadgeInfo::State::not_compared);  // it is of another alpha
 }
 
 TEST_F(ViewerTest, AColdTimeIsMeasuredWhenAskedFor) {
@@ -241,7 +241,7 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
 }
 
-// The same view, drawn by the window's own scene and by the one in the background.
+// The same view, drawn by the window's own scene and by the background's.
 TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
   open_crambin();
   run("click alpha.preset.3\nmove view 0.3 0.4\ndown\nmove view 0.6 0.5\nup\n");
@@ -260,7 +260,7 @@ TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
   }
 }
 
-// Also what nobody has changed reaches the scene.
+// Values that nobody has changed reach the scene as well.
 TEST_F(ViewerTest, AWindowWithoutOptionsDrawsAsItsPanelSays) {
   viewer_.reset();
   ViewerOptions options;
@@ -330,7 +330,7 @@ TEST_F(ViewerTest, ACancelledPictureLeavesTheOldFile) {
   EXPECT_FALSE(viewer_->state().saving.active) << "at once";
   EXPECT_NE(viewer_->state().notice.find("was not written"), std::string::npos);
   EXPECT_EQ(bytes("picture.png"), "older");
-  // The next one waits for the last to end.
+  // The next picture waits for the last one.
   viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "other.png", 100, 100, false});
   run("wait-idle\n");
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
@@ -352,7 +352,7 @@ TEST_F(ViewerTest, AViewOfNothingSaysSoAndHasAWayBack) {
   EXPECT_FALSE(viewer_->widgets().contains("view.trouble"));
 }
 
-// The view turns about the middle of the balls, where another selection may have one.
+// The view turns about the middle of the balls, where another selection may have a ball.
 TEST_F(ViewerTest, ASelectionAroundTheCameraIsFitted) {
   open_crambin();
   viewer_->state().settings.display.ball_scale = 0.05f;
@@ -360,8 +360,8 @@ TEST_F(ViewerTest, ASelectionAroundTheCameraIsFitted) {
   ASSERT_EQ(viewer_->state().viewport.problem, ViewProblem::none);
   const double close = viewer_->state().viewport.angstrom_per_pixel;
   run("click molecule.expression\ntype resi 1-40\nkey enter\nwait-idle\n");
-  // Texts beside the view may make it a row of pixels higher; another camera would be 100 times
-  // off.
+  // Texts beside the view may make it a row of pixels higher. A wrong camera would be off by a
+  // factor of 100.
   EXPECT_NEAR(viewer_->state().viewport.angstrom_per_pixel, close, 0.01 * close)
       << "nothing in the way";
   viewer_->state().settings.display.ball_scale = 1;
@@ -371,7 +371,7 @@ TEST_F(ViewerTest, ASelectionAroundTheCameraIsFitted) {
   EXPECT_EQ(viewer_->state().viewport.problem, ViewProblem::none);
 }
 
-// Rows of a picture of 960 x 600 pixels in which every colour of the legend is in its place.
+// Counts rows of a picture of 960 x 600 pixels in which every colour of the legend is in its place.
 int rows_with_legend(const Image& image, const ColourLegend& legend) {
   int rows = 0;
   for (int y = 0; y < image.height; ++y) {
@@ -411,7 +411,7 @@ TEST_F(ViewerTest, PicturesHaveTheWindowsLegendUnlessOneSwitchesItOff) {
   EXPECT_EQ(rows_with_legend(window, legend), 10);
   EXPECT_EQ(rows_with_legend(saved(false), legend), 0);
   EXPECT_EQ(rows_with_legend(drawn("--no-legend"), legend), 0);
-  for (int y = 520; y < 600; ++y) {  // numbers and all
+  for (int y = 520; y < 600; ++y) {  // with the numbers
     const auto row = [y](const Image& image) { return image.rgba.begin() + 4L * y * image.width; };
     EXPECT_TRUE(std::equal(row(window), row(window) + 4 * 220, row(command_line))) << "row " << y;
   }
@@ -464,7 +464,7 @@ TEST_F(ViewerTest, PicturesSayWhereTheyComeFrom) {
   EXPECT_EQ(text("alphascope:solvent_radius_angstrom"), "1.4");
   EXPECT_EQ(text("alphascope:hash"), hash_text(expected(1.4, 1.4).hash));
   EXPECT_EQ(text("alphascope:radii").find("ProtOr"), 0u) << text("alphascope:radii");
-  shot("window.png");  // the whole window says the same
+  shot("window.png");  // the whole window has the same text
   EXPECT_EQ(texts_of(bytes("window.png")), texts);
 }
 
@@ -509,7 +509,7 @@ TEST_F(ViewerTest, ScriptsNameTheLineThatFails) {
 }
 
 TEST_F(ViewerTest, ScriptsDoSomethingOnlyWhenTheMoleculeHasIt) {
-  open_crambin();  // nothing of it is dropped, and it has one chain and an assembly
+  open_crambin();  // it has no dropped atoms, one chain and an assembly
   run("when dropped\nclick no.such.widget\nend\nwhen chains\nquit\nend\n"
       "when assemblies\nclick alpha.preset.*\nend\nwait-idle\n");
   EXPECT_DOUBLE_EQ(viewer_->state().result->request.alpha_angstrom2, 0);
@@ -533,8 +533,8 @@ TEST(ViewerOptionsTest, ReadsEverything) {
   EXPECT_DOUBLE_EQ(parsed.options.scale, 2);
 }
 
-// The window's command lines in a text: behind four blanks or between backquotes; what they name
-// by a word in capitals gets a value.
+// The window's command lines in a text, behind four blanks or between backquotes. Words in capitals
+// are replaced by a value.
 std::vector<std::vector<std::string>> command_lines(const std::string& text) {
   std::vector<std::vector<std::string>> found;
   const std::regex line("(?:\\n    |`)alphascope ([^`\\n]*)");

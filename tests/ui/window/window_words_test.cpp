@@ -1,5 +1,5 @@
-// What the window says while something else goes on, and what it does not take away: messages over
-// the view, tooltips, the progress of saving, views that the program moved.
+// Tests texts of the window during other work: messages over the view, tooltips, the progress of
+// saving. Also tests views that the program moved.
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
@@ -19,7 +19,7 @@ TEST(StepText, SaysHowLongTheRestTakes) {
   EXPECT_EQ(step_text("frame", 1, 11, 10), "frame 2 of 11, 1 min 40 s left");
 }
 
-// No tooltip lies over what it is about.
+// No tooltip covers the widget that it describes.
 TEST(Tooltips, AreBesideWhatTheySpeakOf) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
@@ -48,7 +48,7 @@ TEST(Tooltips, AreBesideWhatTheySpeakOf) {
   EXPECT_GT(seen, 30u);
 }
 
-// Of a slider with its value behind it, the slider has the tooltip.
+// For a slider with its value behind it, the tooltip is the slider's.
 TEST(Tooltips, AreTheSliders) {
   Panels p({1280, 1400, 1});
   p.state = loaded_state();
@@ -97,14 +97,14 @@ TEST_F(WindowWords, AllHiddenIsNotOutOfView) {
   EXPECT_EQ(state().viewport.problem, ViewProblem::all_hidden);
   run("atoms.show_all\nview.balls on\nwait-idle\nframes 2\n");
   EXPECT_EQ(state().viewport.problem, ViewProblem::none);
-  // All but one, far away from it: that is out of view.
+  // All atoms are hidden but one far away, which is out of view.
   run("select.atoms A:1:CA\nkey z\nwait-idle\natoms.only A:46:CA\nwait-idle\nframes 2\n");
   EXPECT_EQ(state().viewport.problem, ViewProblem::nothing_in_view);
 }
 
 TEST_F(WindowWords, UndoBringsBackTheViewThatTheProgramMoved) {
   const double before = size_of_pixel();
-  // As pages do: choosing and looking at it are one thing.
+  // Pages select and zoom in one step.
   state().settings.selection.items = RefSet({Ref{AtomRef{0, 0}}});
   viewer_->calls().view.zoom_to_selection();
   const double near = size_of_pixel();
@@ -114,7 +114,7 @@ TEST_F(WindowWords, UndoBringsBackTheViewThatTheProgramMoved) {
   EXPECT_TRUE(state().settings.selection.items.empty());
   run("edit.redo\n");
   EXPECT_NEAR(size_of_pixel(), near, 0.01 * near);  // the view may be a pixel higher
-  // A view that was moved by hand since stays.
+  // A view that the user has moved since stays.
   run("move view\nwheel 3\nwait-idle\n");
   const double by_hand = size_of_pixel();
   ASSERT_NE(by_hand, near);
@@ -145,7 +145,7 @@ TEST_F(WindowWords, ASavedPictureSaysItsSamples) {
   EXPECT_NE(said.find(" s left"), std::string::npos) << said;
 }
 
-// An engine that is made only when it may be.
+// An engine that is only made when the test allows it.
 class SlowEngine : public ViewerTest {
  protected:
   SlowEngine() {
@@ -179,7 +179,7 @@ TEST_F(SlowEngine, BallsThatWaitForTheirFirstComplexAreNoPictureOfAnother) {
   ViewState& s = viewer_->state();
   held_ = true;
   set_alpha(s.settings.request, 3);
-  s.settings.request.solvent_radius_angstrom = 1.4;  // another engine
+  s.settings.request.solvent_radius_angstrom = 1.4;  // needs another engine
   wait(0.8);
   EXPECT_TRUE(s.viewport.outdated) << "that is the complex of before";
   held_ = false;

@@ -3,7 +3,7 @@ add_library(alphascope_flags INTERFACE)
 target_include_directories(alphascope_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(alphascope_flags INTERFACE
   # No fused multiply-add, as it rounds once. The error bounds of the filtered predicates assume two
-  # roundings, and so does the equality of CPU and GPU results, bit for bit.
+  # roundings. So does the bitwise equality of CPU and GPU results.
   $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -Wall -Wextra -Wnon-virtual-dtor>
   # No -Wshadow where sources are combined: a local variable may shadow a private name of another
   # source.

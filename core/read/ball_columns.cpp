@@ -29,7 +29,8 @@ bool numbers_from(const Fields& fields, std::size_t first) {
   return std::all_of(fields.begin() + first, fields.begin() + first + 4, is_number);
 }
 
-// What the lines of a table show about the fields "a b c d e …". a is x or the number of the ball.
+// Evidence from the lines of a table about the fields "a b c d e …". a is x or the number of the
+// ball.
 struct Evidence {
   std::size_t lines = 0;
   bool whole = true;        // a is a whole number without sign

@@ -1,5 +1,5 @@
-// Tests areas and volumes on the emulated device: for a complex that is still there from its run,
-// and when the device is full or lost at any moment.
+// Tests areas and volumes on the emulated device: for a complex that is still there from its run.
+// The device may be full or lost at any moment.
 #include <gtest/gtest.h>
 
 #include "core/measure/engine_measures.hpp"

@@ -18,8 +18,8 @@ using testing::Random;
 
 constexpr std::size_t kLittle = 4096, kMuch = 5 << 20;  // bytes
 
-// A resting engine keeps no pinned memory but that of results in use. That memory is freed with
-// these results, but not on their owner's thread.
+// A resting engine keeps no pinned memory but that of results in use. It is freed with these
+// results, but not on their owner's thread.
 TEST(PinnedMemory, IsGivenBackWhenTheEngineRests) {
   Random random(12);
   const auto balls =

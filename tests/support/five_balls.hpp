@@ -1,5 +1,5 @@
-// Five balls with distinct centres for predicates: random ones, nearly degenerate ones, and ones at
-// the proven bounds of filters and integer widths.
+// Five balls with distinct centres for predicates: random, nearly degenerate, and at the proven
+// bounds of filters and integer widths.
 #pragma once
 
 #include "tests/support/random_balls.hpp"

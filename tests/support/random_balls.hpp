@@ -35,11 +35,11 @@ void add_ball(BallSet& balls, int x, int y, int z, int radius);
 // a corner of the lattice or anywhere. Centres beyond the lattice are moved to its bounds.
 BallSet grazing_balls(Random& random, int count, int digits, int largest);
 
-// A ball of radius `large`, and pairs of small balls that touch in a point of its sphere, with
-// centres inside and outside. Two pairs in three touch exactly, the others miss by a unit. For
-// every other pair the point is also on the previous ball's sphere. So differences of coordinates
-// are nearly equal, and much larger than the small balls. Whether a pair meets decides which
-// simplices exist.
+// A ball of radius `large`, and pairs of small balls that touch in a point of its sphere. Their
+// centres are inside and outside of it. Two pairs in three touch exactly, the others miss by a
+// unit. For every other pair the point is also on the previous ball's sphere. So differences of
+// coordinates are nearly equal, and much larger than the small balls. Whether a pair meets decides
+// which simplices exist.
 BallSet balls_at_a_rim(Random& random, int count, int digits, int large);
 
 // Sets of both kinds up to the bounds of the lattice, with 3 to 6 digits.
@@ -51,9 +51,9 @@ BallSet permuted(const BallSet& balls, const std::vector<BallIndex>& order);
 std::vector<BallIndex> unpermuted(const std::vector<BallIndex>& list,
                                   const std::vector<BallIndex>& order);
 
-// Sets of at most `most` balls each. They are none to five balls, equal centres, hidden, collinear,
-// coplanar and cospherical balls, corners of lattices and polytopes, and tiny dense sets. Others
-// are at the extremes of the lattice's bounds, and sets_at_the_bounds().
+// Sets of at most `most` balls each. They are none to five balls, and hidden, collinear, coplanar
+// and cospherical balls. Others have equal centres, are corners of lattices and polytopes, or tiny
+// dense sets. More are at the extremes of the lattice's bounds, and sets_at_the_bounds().
 std::vector<NamedBalls> small_hard_sets(Random& random, int most);
 
 // The same kinds with tens to hundreds of balls, at most `most` each, picked at random. Also cubic,

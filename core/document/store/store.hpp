@@ -39,7 +39,7 @@ class Store {
 
   // The present state of a result. If it is missing, the store makes it, after its sources. Call
   // this in each frame in which the result is wanted. A result that was not asked for in this frame
-  // or the last is not begun, and is dropped first when memory is needed. Asking with two inputs in
+  // or the last is not begun. It is dropped first when memory is needed. Asking with two inputs in
   // turn replaces the wish each time.
   template <class T>
   Derived<T> want(const Definition<T>& definition, const Inputs& inputs,

@@ -23,8 +23,8 @@ class PdbChainColumns {
 
  private:
   // True when both letters in columns 21 and 22 of the line belong to the chain. They do for a pair
-  // of letters with standard residues. They also do for other residues in a file with such pairs,
-  // if no residue of the file shows a name of four letters.
+  // of letters with standard residues. In a file with such pairs they also do for other residues.
+  // No residue of the file may then show a name of four letters.
   bool is_chain(std::string_view line);
   void look_at_file();
 

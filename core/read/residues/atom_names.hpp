@@ -11,8 +11,8 @@
 
 namespace alphascope {
 
-// What the name alone says of a residue. If the name may be an ion's (CLA, MG), the names of its
-// atoms decide: see AtomGuesser.
+// The family of a residue by its name alone. If the name may be an ion's (CLA, MG), the names of
+// its atoms decide: see AtomGuesser.
 enum class ResidueFamily : std::uint8_t { unknown, biopolymer, ligand, water, ion, dummy };
 ResidueFamily residue_family(std::string_view residue_name);
 

@@ -1,4 +1,4 @@
-// What a file's records say of residues, beside the names of atoms. Readers collect it, and
+// Records of a file about its residues, beside the names of atoms. Readers collect it, and
 // decide_residues.hpp uses it once the whole file is read.
 #pragma once
 

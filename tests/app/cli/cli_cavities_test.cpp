@@ -114,8 +114,8 @@ TEST_F(CliCavities, TheRuleSaysWhatIsOutside) {
   EXPECT_EQ(pocket["cavities"][0]["tetrahedra"], 10);
 }
 
-// A grid of balls that covers every edge of the cubes but no square, so each square of the boundary
-// is a mouth. Two cubes each way have 6 · 4 of them. One by two by two cubes have 2 · 4 + 4 · 2.
+// A grid of balls covers every edge of the cubes but no square. So each square of the boundary is a
+// mouth. Two cubes each way have 6 · 4 of them. One by two by two cubes have 2 · 4 + 4 · 2.
 TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
   const auto grid = [&](int layers) {
     return "'" + write("grid.xyzr", grid_of_balls(layers)).string() + "' --solvent 1";

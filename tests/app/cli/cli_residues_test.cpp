@@ -89,7 +89,7 @@ TEST_F(CliResidues, AreWhatAUserSays) {
   ASSERT_EQ(list.size(), 6u);
   EXPECT_EQ(list[1], "LQ9 301 water by_hand 1 2");
   EXPECT_EQ(list[5], "QIG 305 ion by_hand 1 1");
-  // Of 14 atoms, three of waters and the dummy are left out.
+  // Three atoms of waters and the dummy are left out of 14 atoms.
   EXPECT_EQ(report["input"]["balls"], 10);
   EXPECT_EQ(report["input"]["options"], "--treat 'A:LQ9 301=water' --treat 'QIG=ion'");
   const auto rows = csv_rows(run("info " + file_ + "--treat 'resn LQ9=polymer' --csv -").out);

@@ -335,8 +335,8 @@ TEST(CavityMeasures, BallsSmallerThanTheProbeDoNotKeepItOut) {
 
 // Two balls on one axis in a void have an arc that is a circle, so all bodies are of revolution. A
 // small ball and a large one meet. The probe reaches the small ball's part up to its centre, and
-// the triangle between the arc and the centres. Of the large ball it reaches a shell. Volumes are
-// summed over slices.
+// the triangle between the arc and the centres. It also reaches a shell of the large ball. Volumes
+// are summed over slices.
 TEST(CavityMeasures, ASmallBallOnALargeOneIsFilledUpToItsCentre) {
   const double s = 4, large = 7, small = 3;
   const Measured empty = measure(box_of_balls(), 0, s);

@@ -1,5 +1,5 @@
-// Tests that slabs give the result of the whole set: the same simplices, values and classes in the
-// same order, for all cuts.
+// Tests that slabs give the result of the whole set for all cuts. Simplices, values and classes are
+// the same, in the same order.
 #include "core/engine/slabs.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Tests PDB files as programs write them: frames without MODEL, lines that are nearly records,
-// chains of two letters, residue numbers that repeat, PDBQT.
+// Tests PDB files as programs write them. They have frames without MODEL, lines that are nearly
+// records, chains of two letters and repeated residue numbers. PDBQT is tested as well.
 #include <string>
 #include <vector>
 

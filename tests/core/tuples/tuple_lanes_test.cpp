@@ -1,4 +1,4 @@
-// Tests the order of the tuple pipeline on an executor with several lanes that run as late as
+// Tests the order of the tuple pipeline on an executor with several lanes. They run as late as
 // possible, as streams of a device may. A missing wait gives a wrong complex.
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // A stand-in for CUDA's runtime. Device code is plain C++, and "device memory" is the host's. Grids
 // run on the CPU, block after block, with every thread of a block as a fiber. Streams are queues
 // whose work is put off until something waits for it. It is then done in an awkward order: the
-// newest stream first, as soon as events allow, or the oldest first, or at random, in changing
-// turns. So kernels and their callers are tested on machines without a GPU, also under
-// AddressSanitizer. Device resources that were never freed fail the program. It cannot replace a
-// device: blocks do not run at the same time. Warps run in lockstep only at their collective
-// operations, and kernels can read the host's memory.
+// newest stream first, the oldest first, or at random, in changing turns. Events are respected. So
+// kernels and their callers are tested on machines without a GPU, also under AddressSanitizer.
+// Device resources that were never freed fail the program. It cannot replace a device: blocks do
+// not run at the same time. Warps run in lockstep only at their collective operations, and kernels
+// can read the host's memory.
 #pragma once
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace emulated {
 // Memory is full at the n-th reservation of device or pinned memory, counted from 0. Attempts that
 // follow at once fail, too. After any other call to the device there is room again.
 void be_full_at(int reservation);
-// The device is lost at the n-th call, counted from 0. That call and all later ones fail. Calls
+// The device is lost at the n-th call, counted from 0. This call and all later ones fail. Calls
 // that free resources do not count and always succeed.
 void be_lost_at(int call);
 // The number of calls that failed by one of the two faults.

@@ -213,8 +213,8 @@ TEST_F(LessonsTest, WrongOnesAreToldBeforeAnythingHappens) {
   expect_fault(commands("file.export /tmp/x.ply"), "lesson.md, line 7: a lesson cannot run file.");
 }
 
-// A step that names no camera gets that of a newly opened molecule, whatever earlier steps and the
-// reader did to the view.
+// A step that names no camera gets that of a newly opened molecule. Earlier changes of the view by
+// steps or the reader do not matter.
 TEST_F(LessonsTest, EachStepBeginsWithItsOwnCamera) {
   const auto second_step_after = [&](const std::string& first, const std::string& by_hand) {
     const std::string none = "# T\nS\n```\nmolecule unequal_balls.xyzr\n```\n";
@@ -317,7 +317,7 @@ struct Said {
   bool revealed = false;
 };
 
-// Nobody has to scroll in a window of this size.
+// In a window of this size no scrolling is needed.
 void expect_room(const std::string& lesson, const std::vector<Said>& all, Size size) {
   Panels p(size);
   LessonMemory& m = p.state.lessons;

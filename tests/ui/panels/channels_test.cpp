@@ -1,5 +1,5 @@
-// Tests the page of channels in the whole window: ends set by clicks, the bottleneck and its
-// profile, the tube in the picture.
+// Tests the page of channels in the whole window. Clicks set ends, the bottleneck and its profile
+// are shown, and the tube is in the picture.
 #include <imgui.h>
 
 #include <algorithm>

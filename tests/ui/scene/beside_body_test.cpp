@@ -37,8 +37,8 @@ TEST_F(BesideBodyTest, LigandsHaveBallsAndTheirBonds) {
   ASSERT_TRUE(atoms.mesh);
   EXPECT_EQ(atoms.mesh->opaque.spheres->centres.size(), 174u);
   // A haem has 43 atoms and eight independent rings, those at the iron included, so 50 bonds. In
-  // this old structure six bonds of the acids are too long for the rule, and one pair of atoms is
-  // too near.
+  // this old structure six bonds of the acids are too long for the rule. One pair of atoms is too
+  // near.
   EXPECT_EQ(atoms.mesh->tubes.points(), 195 * kStickPoints);
   EXPECT_FALSE(atoms.mesh->fades_rest);
   const LatticePoint& p = opened_.molecule->atoms[atoms.atoms[7].atom].position;

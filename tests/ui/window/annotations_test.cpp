@@ -44,7 +44,7 @@ TEST_F(AnnotationsTest, LabelsSayNamesAndGoWithTheirAtoms) {
   run("label.remove A:THR 1:CA\n");
   settle();
   EXPECT_EQ(words(), Words{"CB"});
-  run("key shift+l\n");  // of what is selected
+  run("key shift+l\n");  // labels the selected atoms
   EXPECT_TRUE(annotations().labels.empty());
   run("key l\n");
   settle();

@@ -1,5 +1,5 @@
-// Tests that a ligand is visible in its cavity: in the window, in a saved picture and in a
-// recording, with the program's defaults.
+// Tests that a ligand is visible in its cavity with the program's defaults. It is visible in the
+// window, in a saved picture and in a recording.
 #include <algorithm>
 #include <cmath>
 

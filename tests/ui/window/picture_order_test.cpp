@@ -68,7 +68,7 @@ class PictureOrder : public ::testing::Test {
 
   static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
   // m: the molecule comes. a: the answer comes. c: the controls set other colours. After each of
-  // these its job begins, unless another is running, and does not finish. f: all running and
+  // these its job begins, unless another one is running. It does not finish. f: all running and
   // waiting jobs finish. p: finished results are taken.
   void play(const std::string& order) {
     for (const char step : order) {

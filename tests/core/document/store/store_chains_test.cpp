@@ -62,7 +62,7 @@ TEST_F(StoreChainsTest, WhatIsAwaitedFollowsTheSliderToo) {
   until_made(1);
   EXPECT_FALSE(store.busy(Lane::background));
   EXPECT_TRUE(store.busy(Lane::interactive));
-  // Nobody asks for it any more, and the result for the other balls goes to the background.
+  // It is not asked for any more, and the result for the other balls goes to the background.
   store.next_frame();
   store.next_frame();
   store.want(slow, inputs(2), Priority::background);

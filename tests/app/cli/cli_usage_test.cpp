@@ -281,7 +281,7 @@ TEST_F(CliUsage, CommandLinesOfTheGuideAreUnderstood) {
     if (line.find("FILE") == line.npos && line.find('.') == line.npos) continue;
     if (!kDrawsPictures && (command == "screenshot" || command == "frames")) continue;
     const std::string words = typed(line);
-    // Files for a list of names, and for text that is no molecule.
+    // A list of files whose only molecule does not exist.
     const bool null_separated = line.find("--null") != line.npos;
     const Outcome outcome =
         run(words, write("list", null_separated ? std::string("none.pdb", 9) : "none.pdb\n"));

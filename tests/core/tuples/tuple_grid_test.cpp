@@ -69,7 +69,7 @@ TEST(TupleGrid, OfTheThesisHasAHundredCellsAnAxis) {
   expect_sorted(balls, grid);
 }
 
-// Cells are half as wide as the searched cube, so that few cells hold many balls.
+// Cells are half as wide as the searched cube, so a search visits few cells.
 TEST(TupleGrid, IsAsWideAsNeighboursAreFar) {
   const BallSet balls = box_of_balls();
   const TupleGrid grid = grid_of(balls, TupleGridKind::automatic);

@@ -1,5 +1,5 @@
 // Tests the page of curves in the whole window: totals, a chosen cavity, and clicks that set the
-// plotted quantity.
+// quantity of the horizontal axis.
 #include <imgui.h>
 #include <optional>
 

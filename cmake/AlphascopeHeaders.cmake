@@ -1,5 +1,5 @@
 # check_headers: compiles every header alone, so that none depends on includes before it. A header
-# that another one includes first is covered by it, and so are all along the chain of first
+# that another one includes first is covered by it. So is every header along the chain of first
 # includes. Compiled here are those that no header includes first. Built on request only, right
 # after configuring, because that makes the list. Where headers of the standard library are
 # precompiled, scripts/check_includes finds missing ones. Several headers of a folder in one source

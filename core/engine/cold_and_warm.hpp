@@ -11,8 +11,8 @@ struct MeasuredRun {
   StageTimes times;
   double alpha_angstrom2 = 0;  // Å², of the computed complex
   bool tetrahedra_only = false;
-  // The engine made the filtration or complex anew from which it answers later alphas. Such a run
-  // is not comparable with one that only takes a threshold.
+  // In this run the engine made the filtration or complex from which it answers later alphas. Such
+  // a run is not comparable with one that only takes a threshold.
   bool rebuilt = false;
   bool rests_on_cgal = false;  // EngineInfo::rests_on_cgal
 

@@ -40,10 +40,10 @@ class Engine {
 
   // The exact alpha complex, the same from every engine. An engine may answer from `known`, and
   // adds to it the results that it makes, also when it throws. Engines on the GPU and tuple engines
-  // ignore `known`. Setup work of this call is marked in the timings; the first call has some, and
-  // one with less in `known`. Throws Cancelled. Throws std::bad_alloc when memory is short; the
-  // engine stays usable. Throws std::invalid_argument for a NaN alpha, and where `known` belongs to
-  // other balls. Two threads must not call it at once.
+  // ignore `known`. Setup work of this call is marked in the timings. The first call has some. So
+  // has a later call with fewer known results. Throws Cancelled. Throws std::bad_alloc when memory
+  // is short; the engine stays usable. Throws std::invalid_argument for a NaN alpha, and where
+  // `known` belongs to other balls. Two threads must not call it at once.
   virtual AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
                                const RunContext& context) = 0;
   // The same with nothing known, for callers that need one alpha only.

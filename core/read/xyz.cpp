@@ -238,8 +238,8 @@ class XyzReader {
     if (family == ResidueFamily::dummy) atom.kind = AtomKind::dummy;
   }
 
-  // In a file with names such as HB2, "CA", "NE" and "OG" are names as well, not Ca, Ne and Og.
-  // "NA" stays sodium, which is more frequent in such files than a nitrogen of that name.
+  // Some files have names such as HB2. There "CA", "NE" and "OG" are names as well, not Ca, Ne and
+  // Og. "NA" stays sodium, which is more frequent in such files than a nitrogen of that name.
   void read_all_as_names() {
     Molecule& molecule = builder_.molecule();
     for (Atom& atom : molecule.atoms) {

@@ -17,8 +17,8 @@ constexpr std::uint64_t kChainBytes = std::uint64_t{1} << 28;
 
 }  // namespace
 
-// Results of which each is made from earlier ones, and for which a visible result waits. One job
-// makes all of them, so no frame has to be drawn in between.
+// A chain of results, each made from earlier ones, for which a visible result waits. One job makes
+// all of them, so no frame has to be drawn in between.
 class Store::Chain {
  public:
   struct Step {

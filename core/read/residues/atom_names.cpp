@@ -47,7 +47,7 @@ ResidueFamily family_without_ions(std::string_view name) {
 // carbons of these names.
 constexpr std::string_view kNoLigandAtoms[] = {"SOD", "POT", "CLA", "CES", "RUB", "LIT"};
 
-// True for "CA", "HG" and "NE": one of C H N O P S before a letter for a position along a chain.
+// True for "CA", "HG" and "NE". A letter for a position along a chain follows one of C H N O P S.
 bool has_position_letter(std::string_view name) {
   constexpr std::string_view kFirst = "CHNOPS", kPosition = "ABGDEZHX";
   return name.size() > 1 && kFirst.find(name[0]) != std::string_view::npos &&

@@ -1,6 +1,6 @@
 // Decides once for all formats what each residue is: polymer, ligand, ion, water or dummy. Evidence
-// is used in a fixed order: the entity table, other records (bonds last), the residue's own atoms,
-// lists of names. The rest is guessed.
+// has a fixed order. The entity table is first, then other records (bonds last). The residue's own
+// atoms and lists of names follow. The rest is guessed.
 #pragma once
 
 #include "core/read/residues/residue_records.hpp"

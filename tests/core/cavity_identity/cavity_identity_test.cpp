@@ -280,7 +280,7 @@ TEST(CavityNumbers, StayWhileTheSolventRadiusSlidesAndComeBack) {
   EXPECT_EQ(again.used, 2u);
   EXPECT_EQ(again.cavity(1), closed->order[1]);
   EXPECT_EQ(again.cavity(7), kNone);
-  // When the start is with two, the number of the smaller one waits while it is part of the larger
+  // The start has two chambers. The number of the smaller one waits while it is part of the larger
   // one.
   const CavityNumbers both = first_numbers(closed);
   const CavityNumbers joined = next_numbers(both, open);

@@ -1,5 +1,5 @@
-// Tests that alpha is the typed decimal in every engine. For simplices with a decimal ortho-radius,
-// worked out by hand: at that alpha they are in, and 10^-18 Å² below it they are out.
+// Tests that alpha is the typed decimal in every engine. Simplices have a decimal ortho-radius,
+// worked out by hand. They are in at that alpha, and out 10^-18 Å² below it.
 #include <gtest/gtest.h>
 
 #include <gmpxx.h>
@@ -134,8 +134,8 @@ TEST_P(ExactAlpha, IsNotRoundedBeyondFourMilliardUnits) {
   set.radii = {1000000, 1500001};
   // c = 4·10^12 + 10^12 - 2250003000001 = 2749996999999; rho = c² / (16·10^12) - 10^12.
   const mpz_class c("2749996999999"), sixteen("16000000000000"), weight("1000000000000");
-  // c² / 16·10^12 = 625 c² / 10^16, in Å² by 10^12 more. These are 28 digits, so nobody can type
-  // this decimal, but its neighbours of 18 digits.
+  // c² / 16·10^12 = 625 c² / 10^16, in Å² by 10^12 more. These are 28 digits, so the decimal cannot
+  // be typed. Its neighbours of 18 digits can.
   const mpz_class numerator = 625 * c * c - weight * mpz_class("10000000000000000");
   mpz_class floor;
   mpz_fdiv_q(floor.get_mpz_t(), numerator.get_mpz_t(), mpz_class("10000000000").get_mpz_t());

@@ -128,8 +128,7 @@ TEST_F(CellPicture, AThinRodIsStillALine) {
   }
 }
 
-// A nearer face hides the rod by the depth of its round side, not of the shape on which it is
-// drawn.
+// Depth is that of the rod's round side, not of the flat shape on which it is drawn.
 TEST_F(CellPicture, ARodHasTheDepthOfARoundBody) {
   // A face through the rod's axis, in the plane of the picture. The half in front of it stays
   // visible.

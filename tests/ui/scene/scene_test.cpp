@@ -226,7 +226,7 @@ TEST_F(SceneTest, LightForEachFaceLooksLikeLightForEachPixel) {
 }
 
 // Light through a tetrahedron's four triangles, none of which hides another. It is exact at rest.
-// While something moves, all layers are summed.
+// While something moves, all layers count together.
 TEST_F(SceneTest, AsMuchShinesThroughTranslucentLayersThatMove) {
   constexpr double kOpacity = 0.4;
   AlphaComplex one = complex_of(balls, 0);

@@ -171,8 +171,8 @@ class Checked {
     classes(e, s, value);
   }
 
-  // The dual of each triangle with tetrahedra on both sides is one edge between their centres. In
-  // flat sets it is that of one or two dimensions below.
+  // Each triangle with tetrahedra on both sides has one dual edge between their orthocentres. In
+  // flat sets all dimensions are one or two lower.
   void dual(const Explanation& e, const Balls& s) {
     std::vector<std::vector<double>> expected, found;
     for (const auto& [t, value] : oracle_.alpha_values()) {

@@ -219,7 +219,7 @@ TEST(TupleSteps, PlacesAreSums) {
   EXPECT_GT(tuples, 20u);
 }
 
-// The box around the ball's cell contains it, and the cube surrounds the box.
+// The box of the ball's cell contains the ball, and the cube lies around the ball.
 TEST(TupleSteps, BoxesAreWhereTheBallIs) {
   const auto balls = testing::sample_balls("1crn.pdb");
   for (const TupleGridKind grid : {TupleGridKind::automatic, TupleGridKind::thesis}) {

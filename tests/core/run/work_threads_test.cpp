@@ -32,7 +32,7 @@ TEST(WorkThreads, SaysHowManyWork) {
   EXPECT_EQ(WorkThreads(1000).used(), WorkThreads().used()) << "as many as the machine has";
 }
 
-// While one caller works, the other one brings its own thread.
+// Threads for one caller have room for a second one, which brings its own thread.
 TEST(WorkThreads, HaveRoomForAsManyAsAreAsked) {
   for (const auto& [asked, room] : {std::pair{1, 2}, {2, 2}, {3, 3}, {7, 7}}) {
     int found = 0;

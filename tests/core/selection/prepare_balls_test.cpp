@@ -53,7 +53,7 @@ TEST(PrepareBalls, ListsWhatWasDroppedByReasonAndResidue) {
   EXPECT_EQ(dropped, report.total - report.used);
 }
 
-// Lines "reason residue name", with the place of the atom where an assembly copies it.
+// Lines "reason residue name x". The coordinate tells copies in an assembly apart.
 std::vector<std::string> left_out_texts(const Molecule& m, const PreparedBalls& prepared) {
   std::vector<std::string> texts;
   for (const LeftOutAtom& out : prepared.left_out) {

@@ -27,7 +27,7 @@ class Movie : public ::testing::Test {
     std::ifstream file(movie_, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
-  // Counts files beside the movie and the stand-in's folder.
+  // Counts the files in the folder except the movie.
   int left_behind() const {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(folder_)) {

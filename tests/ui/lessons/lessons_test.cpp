@@ -281,7 +281,7 @@ TEST_F(LessonsTest, HaveRoomAtPresenterSize) {
   }
 }
 
-// A list read behind a lesson, and arriving together with it, takes nothing away.
+// A list that is read after a lesson and arrives with it does not replace the lesson.
 TEST(LessonFiles, WhatIsOpenedIsNotLostForTheList) {
   LessonFiles files([] {}, {lessons_folder()});
   const auto finish = [&] {

@@ -110,7 +110,7 @@ TEST_F(PickTest, BallsAsWithoutBoxes) {
   }
 }
 
-// Balls in the order of a chain and in random order: the same ball, after a look at few of them.
+// Balls are in order or shuffled. Picking finds the same ball after a look at few of them.
 TEST(BoxTree, TriesFewThingsInAnyOrder) {
   constexpr int kSide = 36;
   auto ordered = std::make_shared<BallGeometry>();

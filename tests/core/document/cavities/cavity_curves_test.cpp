@@ -68,7 +68,7 @@ TEST(CavityCurves, ARadiusThatSplitsAVoidEndsTheSmallerOnesLine) {
   for (std::size_t n = 1; n < 5; ++n) splits += parts_at(curves.samples[n], large[n - 1]) == 2;
   EXPECT_EQ(splits, 1u);
   EXPECT_EQ(sources_at(curves.samples[1], large[1]), 1u);
-  // In another series of radii the set's own radius is no sample.
+  // A radius between or beyond the samples has a nearest sample.
   EXPECT_EQ(curves.nearest(1.9), 4u);
   EXPECT_EQ(curves.nearest(-3), 0u);
 }

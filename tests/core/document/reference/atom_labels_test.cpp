@@ -1,5 +1,6 @@
 // Tests labels of atoms: text and place, one for each residue, and only on drawn atoms.
 #include "core/document/reference/atom_labels.hpp"
+#include "core/document/reference/reference.hpp"
 
 #include <gtest/gtest.h>
 

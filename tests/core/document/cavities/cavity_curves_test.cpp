@@ -242,7 +242,7 @@ std::shared_ptr<const Molecule> two_models(bool renamed) {
                 "MODEL        1\n" + atoms + "ENDMDL\nMODEL        2\n" + moved + "ENDMDL\nEND\n"));
 }
 
-TEST_F(CavityCurveResults, ExactVolumesHaveFewerSamplesUpToTheSameEnd) {
+TEST_F(CavityCurveResults, ExactVolumesHaveNoMoreSamplesUpToTheSameEnd) {
   const auto molecule = std::make_shared<const Molecule>(
       read_molecule(ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb"));
   const Shown s = shown(molecule, 0, 0.8, 0.5);
@@ -250,7 +250,7 @@ TEST_F(CavityCurveResults, ExactVolumesHaveFewerSamplesUpToTheSameEnd) {
   const auto exact = made_by_store(curves_over_alpha(CurveNumbers::exact), s.inputs);
   ASSERT_TRUE(sums && exact);
   ASSERT_GT(exact->samples.size(), 2u);
-  EXPECT_LT(exact->samples.size(), sums->samples.size());
+  EXPECT_LE(exact->samples.size(), sums->samples.size());
   // Both continue to the first sample at which the last cavity is filled.
   EXPECT_GE(exact->samples.back().at, sums->samples.end()[-2].at);
   EXPECT_LT(exact->samples.end()[-2].at, sums->samples.back().at);

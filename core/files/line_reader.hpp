@@ -1,6 +1,7 @@
 // Reads the lines and fields of a loaded text, with line numbers for messages.
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <cstring>
 #include <string_view>
@@ -55,6 +56,14 @@ inline std::string_view next_field(std::string_view& line) {
   const std::string_view field = line.substr(0, length);
   line.remove_prefix(length);
   return field;
+}
+
+// Parses the whole text, which has no blanks around it, as a number. `number` may change on
+// failure.
+template <class Number>
+bool parse_whole(std::string_view text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
 }
 
 }  // namespace alphascope

@@ -103,9 +103,8 @@ class BallTableReader {
 
   void take_number_of_ball(std::string_view& data, Atom& atom) {
     const std::string_view text = next_field(data);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), atom.serial);
-    const bool fits = error == std::errc() && end == text.data() + text.size() &&
-                      (builder_.size() == 0 || atom.serial == last_number_ + 1);
+    const bool fits =
+        parse_whole(text, atom.serial) && (builder_.size() == 0 || atom.serial == last_number_ + 1);
     if (!fits) {
       fail(lines_.number(),
            "expected the number of the next ball in the first column, found \"" + shortened(text) +

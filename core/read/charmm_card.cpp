@@ -110,9 +110,9 @@ class CardReader {
     const std::string name(1, what);
     if (text.empty()) fail(name + " is missing", "The line may be truncated; fetch the file again");
     fail("expected a number for " + name + ", found \"" + shortened(text) + "\"",
-         status == DecimalStatus::not_finite
-             ? "Coordinates must be finite; remove this atom or compute it again"
-             : "The columns of CHARMM cards are fixed; write the file again with CHARMM or VMD");
+         remedy_of_number(
+             status,
+             "The columns of CHARMM cards are fixed; write the file again with CHARMM or VMD"));
   }
 
   [[noreturn]] void fail(std::string reason, std::string remedy) const {

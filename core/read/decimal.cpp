@@ -152,4 +152,10 @@ int printed_decimals(std::string_view text) {
   return static_cast<int>(std::min<std::size_t>(end - point - 1, 18));
 }
 
+const char* remedy_of_number(DecimalStatus status, const char* malformed) {
+  return status == DecimalStatus::not_finite
+             ? "Coordinates must be finite; remove this atom or compute it again"
+             : malformed;
+}
+
 }  // namespace alphascope

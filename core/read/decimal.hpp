@@ -25,6 +25,9 @@ enum class DecimalStatus : std::uint8_t {
 // Rounding to any lattice therefore gives the result of the full text.
 DecimalStatus parse_decimal(std::string_view text, Decimal& value);
 
+// The remedy for a coordinate that was not read: `malformed` is that of the format.
+const char* remedy_of_number(DecimalStatus status, const char* malformed);
+
 // Printed digits behind the decimal point, with zeros: 6 for "1.000000".
 int printed_decimals(std::string_view text);
 

@@ -4,7 +4,6 @@
 // Positions are in nm. The distance of their decimal points is the width of a column.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 
 #include "core/files/line_reader.hpp"
@@ -37,12 +36,20 @@ std::string_view field_at(std::string_view line, std::size_t first, std::size_t 
   return line.size() <= first ? std::string_view() : line.substr(first, width);
 }
 
-// Parses the whole text without the blanks around it.
-template <class Number>
-bool parse_whole(std::string_view text, Number& number) {
-  text = trimmed(text);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size();
+// True for three numbers or nine. From 10,000 nm on, the numbers of %10.5f touch: then their
+// decimal points are counted. The line of an atom has letters.
+bool is_box(std::string_view line) {
+  const auto is_count_of_box = [](std::ptrdiff_t count) { return count == 3 || count == 9; };
+  std::ptrdiff_t fields = 0;
+  bool numbers = true;
+  std::string_view rest = line;
+  for (std::string_view f = next_field(rest); !f.empty(); f = next_field(rest), ++fields) {
+    Decimal value;
+    numbers &= parse_decimal(f, value) == DecimalStatus::ok;
+  }
+  if (numbers && is_count_of_box(fields)) return true;
+  return line.find_first_not_of("0123456789.- \t\r") == line.npos &&
+         is_count_of_box(std::count(line.begin(), line.end(), '.'));
 }
 
 // Shifts the decimal point by one place, so the value stays exact.
@@ -82,7 +89,7 @@ class GroReader {
     std::string_view line;
     const bool there = lines_.next(line);
     count_line_ = lines_.number();
-    if (!there || !parse_whole(line, count_)) {
+    if (!there || !parse_whole(trimmed(line), count_)) {
       fail("expected the number of atoms, found \"" + shortened(trimmed(line)) + "\"",
            builder_.size() == 0
                ? "A GRO file begins with a title and, in the second line, the number of its atoms"
@@ -109,7 +116,7 @@ class GroReader {
     Atom atom;
     atom.source_line = static_cast<std::uint32_t>(lines_.number());
     atom.serial = static_cast<std::int32_t>(builder_.size() + 1);
-    if (!parse_whole(field_at(line, 0, 5), atom.residue_number)) {
+    if (!parse_whole(trimmed(field_at(line, 0, 5)), atom.residue_number)) {
       fail("expected a residue number in columns 1-5, found \"" +
                shortened(trimmed(field_at(line, 0, 5))) + "\"",
            "The count of atoms may be wrong, or the columns have moved; write the file again with "
@@ -143,9 +150,9 @@ class GroReader {
     if (status != DecimalStatus::ok || (!in_place && !apart)) {
       fail("expected a number of nm for " + name + " in columns " + std::to_string(first + 1) +
                "-" + std::to_string(end) + ", found \"" + shortened(field) + "\"",
-           status == DecimalStatus::not_finite
-               ? "Coordinates must be finite; remove this atom or compute it again"
-               : "The columns of GRO files are fixed; write the file again with gmx editconf");
+           remedy_of_number(
+               status,
+               "The columns of GRO files are fixed; write the file again with gmx editconf"));
     }
     return angstrom_of_nanometres(value);
   }
@@ -158,13 +165,7 @@ class GroReader {
           "The last frame has no line with its box: the file may have been cut off");
       return;
     }
-    std::size_t fields = 0;
-    std::string_view rest = line;
-    for (std::string_view f = next_field(rest); !f.empty(); f = next_field(rest), ++fields) {
-      Decimal value;
-      if (parse_decimal(f, value) != DecimalStatus::ok) fields = 9;
-    }
-    if (fields == 3 || fields == 9) return;
+    if (is_box(line)) return;
     fail("expected the box after " + std::to_string(count_) +
              " atoms, which is three numbers or "
              "nine, found \"" +
@@ -192,7 +193,8 @@ Molecule read_gro(const ReaderInput& input) {
 // An atom line, as "    1SOL     OW    1   0.126   1.624   1.679".
 bool is_gro_atom(std::string_view line) {
   std::int64_t number = 0;
-  if (!parse_whole(field_at(line, 0, 5), number) || !parse_whole(field_at(line, 15, 5), number)) {
+  if (!parse_whole(trimmed(field_at(line, 0, 5)), number) ||
+      !parse_whole(trimmed(field_at(line, 15, 5)), number)) {
     return false;
   }
   const auto width = width_of_positions(line);

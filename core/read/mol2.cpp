@@ -6,7 +6,6 @@
 // SYBYL's atom types give the elements. Substructures are residues.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 #include <string>
 #include <unordered_map>
@@ -34,12 +33,6 @@ bool is_upper(char c) {
 }
 bool is_lower(char c) {
   return c >= 'a' && c <= 'z';
-}
-
-template <class Number>
-bool parse_whole(std::string_view text, Number& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size();
 }
 
 // The element of a type such as "C.ar", "N.am", "Cl" or "Cr.th". SYBYL writes the symbol with one
@@ -274,10 +267,10 @@ class Mol2Reader {
     Decimal value;
     const DecimalStatus status = parse_decimal(text, value);
     if (status == DecimalStatus::ok) return value;
-    fail(std::string("expected a number for ") + what + ", found \"" + shortened(text) + "\"",
-         status == DecimalStatus::not_finite
-             ? "Coordinates must be finite; remove this atom or compute it again"
-             : "An atom is \"number name x y z type\"; the line may be truncated or damaged");
+    fail(
+        std::string("expected a number for ") + what + ", found \"" + shortened(text) + "\"",
+        remedy_of_number(
+            status, "An atom is \"number name x y z type\"; the line may be truncated or damaged"));
   }
 
   [[noreturn]] void fail(std::string reason, std::string remedy) const {

@@ -1,7 +1,6 @@
 // XYZ: a line with the number of atoms, a comment, then "symbol x y z …". Further frames follow in
 // the same way and become models. The comment of extended XYZ describes the columns. Tinker's files
 // have the same ending, but no comment, and they number their atoms.
-#include <charconv>
 #include <optional>
 #include <set>
 
@@ -24,16 +23,11 @@ struct XyzLayout {
   std::size_t fields = 4;  // at least
 };
 
-bool parse_count(std::string_view text, std::size_t& count) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
 // The element of "C", "CL", "C12", "13C" or "6". These are a symbol, perhaps with a number or the
 // isotope's mass, or an atomic number. kUnknownElement for a placeholder or the name of an atom.
 Element element_of(std::string_view symbol) {
   std::size_t number = 0;
-  if (parse_count(symbol, number)) {
+  if (parse_whole(symbol, number)) {
     return number <= kHeaviestElement ? static_cast<Element>(number) : kUnknownElement;
   }
   const std::size_t mass = std::min(symbol.find_first_not_of("0123456789"), symbol.size());
@@ -95,7 +89,7 @@ class XyzReader {
     count_line_ = lines_.number();
     const std::string_view first = next_field(line);
     const bool alone = trimmed(line).empty();
-    if (!parse_count(first, count_) || (!alone && !tinker_)) {
+    if (!parse_whole(first, count_) || (!alone && !tinker_)) {
       fail("expected the number of atoms, found \"" + shortened(whole) + "\"",
            builder_.size() == 0 ? "An XYZ file begins with the number of its atoms"
                                 : "The count of the frame before may be too small; correct it");
@@ -134,7 +128,7 @@ class XyzReader {
     while (!text.empty()) {
       const std::string_view name = part(), type = part();
       std::size_t width = 0;
-      if (type.empty() || !parse_count(part(), width) || width > 1000) {
+      if (type.empty() || !parse_whole(part(), width) || width > 1000) {
         fail("the list of properties \"" + shortened(whole) + "\" is not complete",
              "It must be triples name:type:columns");
       }
@@ -185,7 +179,7 @@ class XyzReader {
     atom.name = builder_.molecule().names.intern(symbol);
     take_element(atom, symbol);
     std::size_t number = 0;
-    if (parse_count(symbol, number)) {
+    if (parse_whole(symbol, number)) {
       numbers_.insert(number);
     } else {
       only_numbers_ = false;
@@ -256,9 +250,8 @@ class XyzReader {
     const DecimalStatus status = parse_decimal(text, value);
     if (status == DecimalStatus::ok) return value;
     fail(std::string("expected a number for ") + what + ", found \"" + shortened(text) + "\"",
-         status == DecimalStatus::not_finite
-             ? "Coordinates must be finite; remove this atom or compute it again"
-             : "The count before these atoms may be wrong, or the file is damaged");
+         remedy_of_number(status,
+                          "The count before these atoms may be wrong, or the file is damaged"));
   }
 
   [[noreturn]] void fail(std::string reason, std::string remedy) const {

@@ -31,11 +31,9 @@ Decimal cif_coordinate(const std::filesystem::path& file, const CifValue& value,
   Decimal result;
   const DecimalStatus status = parse_decimal(text, result);
   if (status == DecimalStatus::ok) return result;
-  throw ReadError(file, value.line,
-                  "expected a number for " + name + ", found \"" + shortened(text) + "\"",
-                  status == DecimalStatus::not_finite
-                      ? "Coordinates must be finite; remove this atom or compute it again"
-                      : "The file is damaged, or a value before this one is missing");
+  throw ReadError(
+      file, value.line, "expected a number for " + name + ", found \"" + shortened(text) + "\"",
+      remedy_of_number(status, "The file is damaged, or a value before this one is missing"));
 }
 
 }  // namespace alphascope

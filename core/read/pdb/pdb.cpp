@@ -283,9 +283,7 @@ class PdbReader {
              "The line may be truncated or not in PDB columns; fetch the file again");
       }
       fail("expected " + name + " in " + place + ", found \"" + shortened(field) + "\"",
-           status == DecimalStatus::not_finite
-               ? "Coordinates must be finite; remove this atom or compute it again"
-               : kKeepColumns);
+           remedy_of_number(status, kKeepColumns));
     }
     fail("the occupancy in columns 55-60 is not a number: \"" + shortened(columns(line, 55, 60)) +
              "\", so the coordinates before it may be cut apart",

@@ -130,6 +130,13 @@ TEST(ReadGro, RefusesWithLineAndRemedy) {
   }
 }
 
+TEST(ReadGro, NumbersOfALargeBoxTouch) {
+  const std::string one = "Water\n1\n" + atom(1, "SOL", "OW", "   0.126   1.624   1.679");
+  EXPECT_EQ(read_text("a.gro", one + "40000.0000040000.0000040000.00000\n").atoms.size(), 1u);
+  EXPECT_NE(refusal("a.gro", one + "40000.0000040000.00000\n").reason().find("the box"),
+            std::string::npos);
+}
+
 TEST(ReadGro, AMissingBoxIsSaid) {
   const Molecule m =
       read_text("a.gro", "Water\n1\n" + atom(1, "SOL", "OW", "   0.126   1.624   1.679"));

@@ -102,8 +102,7 @@ bool Viewer::all_but_saving() const {
   const SessionActivity a = session_.activity();
   return state_.settings.open != sent_open_ || a.opening.busy || a.computing.busy ||
          a.comparing.busy || a.timing.busy || !state_.gpu || scene_.busy() ||
-         folder_reader_.busy() || opening_.reading().busy || lesson_files_.busy() ||
-         lessons_.busy();
+         folder_reader_.busy() || opening_.busy() || lesson_files_.busy() || lessons_.busy();
 }
 
 bool Viewer::settled() const {

@@ -82,7 +82,7 @@ class Viewer::Stage : public LessonStage {
   }
   bool opening() const override {
     const SessionActivity a = v_.session_.activity();
-    return a.opening.busy || !a.opening_path.empty() || v_.opening_.busy();
+    return a.opening.busy || !a.opening_path.empty() || v_.opening_.opens_session();
   }
   bool at_rest() const override {
     const SessionActivity a = v_.session_.activity();

@@ -61,7 +61,8 @@ class Opening {
   std::optional<SessionDocument> document(const std::filesystem::path& file) const;
   SessionView window_of_session() const;  // all but the camera
   Worker::Activity reading() const { return files_.reading(); }
-  bool busy() const { return files_.busy() || waiting_ || starting_; }
+  bool busy() const { return files_.busy(); }  // a session is read or written
+  bool opens_session() const { return files_.reading().busy || waiting_ || starting_; }
 
  private:
   // Returns whether a file may be opened, and shows why not. Clears the notes of the last file.

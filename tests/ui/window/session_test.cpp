@@ -62,6 +62,16 @@ TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   EXPECT_EQ(text(), saved) << "what is saved again is the same file";
 }
 
+TEST_F(SessionWindowTest, TheWindowIsBusyUntilItIsSaved) {
+  open_molecule();
+  run("wait-idle\n");
+  viewer_->calls().files.save_session(session());
+  viewer_->step(nullptr);
+  EXPECT_TRUE(viewer_->busy()) << "scripts wait for the file";
+  run("wait-idle\n");
+  EXPECT_TRUE(std::filesystem::exists(session()));
+}
+
 TEST_F(SessionWindowTest, AnythingElseInTheFileChangesThePicture) {
   open_molecule();
   save();

@@ -24,8 +24,7 @@ struct WindowSettings {
   bool clip_handle = true;  // shows the handle in the picture while there is a clip
   bool why_marks = true;    // the page Why? draws the orthosphere and the balls that decide
 
-  PictureOptions picture;   // choices in the dialog that saves a picture
-  RecordChoices recording;  // choices in the dialog that records
+  PictureOptions picture;  // choices in the dialog that saves a picture
 };
 
 }  // namespace alphascope

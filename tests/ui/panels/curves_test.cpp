@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/document/cavities/cavity_names.hpp"
+#include "tests/ui/panel_memory.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/measures/curve_memory.hpp"
@@ -23,9 +24,7 @@ class CurvesTest : public ViewerTest {
   }
   void open_curves() { run("click bottom.curves\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  const CurveMemory& memory() {
-    return static_cast<RememberingPanel<CurveMemory>&>(viewer_->panels().of("curves")).memory();
-  }
+  const CurveMemory& memory() { return memory_of<CurveMemory>(viewer_->panels(), "curves"); }
   const ChartSeries& series(std::size_t n) { return memory().chart.chart.series.at(n); }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
 };

@@ -1,6 +1,7 @@
 // Tests the molecule panel: every rule for opening a file is a control with its effect.
 #include <algorithm>
 
+#include "tests/ui/panel_memory.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/molecule/molecule_memory.hpp"
 
@@ -209,9 +210,7 @@ TEST_F(MoleculePanel, NoRadiusOfZeroCanBeTyped) {
     p.type("radius.HEM.FE", bad);
     EXPECT_TRUE(balls().overrides.empty()) << bad;
     ASSERT_TRUE(p.rects.contains("radius.error")) << bad;
-    EXPECT_NE(static_cast<RememberingPanel<MoleculeMemory>&>(p.panels.of("molecule"))
-                  .memory()
-                  .radius_error.find(bad),
+    EXPECT_NE(testing::memory_of<MoleculeMemory>(p.panels, "molecule").radius_error.find(bad),
               std::string::npos);
   }
 }

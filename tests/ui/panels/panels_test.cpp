@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/ui/panel_memory.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/complex/timings_memory.hpp"
 #include "ui/panels/complex/timings_text.hpp"
@@ -310,7 +311,7 @@ TEST(PanelsTest, AChoiceOfTimesStaysAlsoWhenThereAreNone) {
   p.state = loaded_state();  // cold only
   p.frame(2);
   const auto shows_cold = [&p] {
-    return static_cast<RememberingPanel<TimingsMemory>&>(p.panels.of("timings")).memory().cold;
+    return testing::memory_of<TimingsMemory>(p.panels, "timings").cold;
   };
   p.click("timings.run.1");
   EXPECT_FALSE(shows_cold());

@@ -5,6 +5,7 @@
 
 #include "core/document/explain/dimension_words.hpp"
 #include "core/predicates/spanning_balls.hpp"
+#include "core/read/file_format.hpp"
 #include "ui/caption.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
 #include "ui/panels/frame/view_marks.hpp"
@@ -249,7 +250,8 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ImGui::TextUnformatted("Open a molecule to begin");
   ImGui::PopFont();
   muted_text(ctx,
-             "Drop a file here, or choose one: PDB, mmCIF, XYZR, PQR, XYZ, CRD; plain or .gz.");
+             broken_lines("Drop a file here, or choose one: " + format_names() + "; plain or .gz.",
+                          ctx.px(460)));
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "empty.open", "Open file…", {ctx.px(130), ctx.px(34)}, ButtonKind::primary)) {
     open_browser(s);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/molecule/assembly.hpp"
+#include "core/read/read_molecule.hpp"
 #include "core/read/user_radii.hpp"
 #include "core/selection/residue_groups.hpp"
 #include "core/selection/treatments.hpp"

@@ -9,6 +9,7 @@
 #include "core/geometry/grown_radius.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/molecule/radius_row.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

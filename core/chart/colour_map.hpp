@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/molecule/atom_colours.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 

@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
+
+struct AlphaComplex;
 
 using FlatPoint = std::array<double, 2>;  // Å; y points upwards
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/complex/engine_info.hpp"
 #include "core/complex/face_class.hpp"
 #include "core/complex/face_code.hpp"
 #include "core/complex/simplices.hpp"
@@ -27,23 +28,6 @@ struct SimplexList {
   ResultArray<SimplexClass> classes;
 
   std::size_t size() const { return simplices.size(); }
-};
-
-// A number that an engine counted, for display.
-struct EngineCounter {
-  std::string name;  // "4-tuples into kernel II"
-  std::uint64_t value = 0;
-};
-
-// The engine that made the result, for display and provenance.
-struct EngineInfo {
-  std::string name;    // "dual-edge engine", "CGAL triangulation"
-  std::string device;  // "CPU, 2 threads", "NVIDIA H200"
-  std::string route;   // what this run did: "dual edge clipping", "regular triangulation, then
-                       // threshold", "threshold of cached filtration"
-  std::vector<EngineCounter> counters = {};  // empty where nothing is counted
-  // The result came from CGAL's triangulation, so equality with CGAL is no evidence.
-  bool rests_on_cgal = false;
 };
 
 struct AlphaComplex {

@@ -3,9 +3,12 @@
 
 #include <optional>
 
-#include "core/complex/alpha_complex.hpp"
+#include "core/complex/engine_info.hpp"
+#include "core/run/stage_timer.hpp"
 
 namespace alphascope {
+
+struct AlphaComplex;
 
 struct MeasuredRun {
   StageTimes times;

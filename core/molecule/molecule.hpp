@@ -12,15 +12,12 @@
 
 #include "core/geometry/lattice.hpp"
 #include "core/molecule/assembly.hpp"
+#include "core/molecule/atom_kind.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/molecule/residue_reason.hpp"
 
 namespace alphascope {
-
-// The kind of residue an atom belongs to. Dummies are markers without matter, such as OPM's
-// membrane planes.
-enum class AtomKind : std::uint8_t { polymer, water, ligand, ion, dummy };
 
 // Names are ids in Molecule::names. The size is 60 bytes, because an assembly may have 16 million
 // atoms.

@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/molecule/molecule.hpp"
+#include "core/molecule/atom_kind.hpp"
 
 namespace alphascope {
+
+struct Molecule;
 
 // Numbers of atoms by kind; the index is an AtomKind.
 using KindCounts = std::array<std::size_t, 5>;

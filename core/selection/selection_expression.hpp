@@ -15,27 +15,13 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/molecule/molecule.hpp"
-#include "core/text/printable.hpp"
+#include "core/selection/selection_error.hpp"
 
 namespace alphascope {
-
-// what() is a complete, printable sentence: "column 7: expected … after \"chain\"".
-class SelectionError : public std::invalid_argument {
- public:
-  SelectionError(std::size_t column, const std::string& reason)
-      : std::invalid_argument("column " + std::to_string(column) + ": " + printable(reason)),
-        column_(column) {}
-  std::size_t column() const { return column_; }  // in the expression, counted from 1
-
- private:
-  std::size_t column_;
-};
 
 // The atoms for "selected" and "hidden": one value for each atom of the molecule. Null: there is no
 // picture, and the word is refused.

@@ -15,15 +15,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/document/export/complex_export.hpp"
-#include "core/document/export/record_source.hpp"
-#include "core/document/reference/reference.hpp"
+#include "core/document/export/export_request.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/ref_set.hpp"
 #include "core/document/settings/settings.hpp"
-#include "core/document/store/answer.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/engine/gpu_device.hpp"
 #include "core/geometry/real_point.hpp"
-#include "core/selection/selection_expression.hpp"
+#include "core/selection/selection_error.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/cavities/cavity_memory.hpp"
 #include "ui/panels/dialogs/benchmark_info.hpp"
@@ -38,12 +37,16 @@
 #include "ui/panels/playback.hpp"
 #include "ui/panels/sandbox/sandbox_memory.hpp"
 #include "ui/panels/view_info.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/panels/window_settings.hpp"
+#include "ui/running_job.hpp"
 #include "ui/theme.hpp"
-#include "ui/widgets/controls.hpp"
 #include "ui/widgets/key_memory.hpp"
 
 namespace alphascope {
+
+class BallReferences;
+struct Answer;
 
 struct SampleMolecule {
   std::string name, detail;  // "Crambin", "1CRN · 327 atoms"
@@ -153,7 +156,7 @@ struct ViewState {
   // The folder in the file dialog. While a folder is being read, this is the one before. Null: none
   // yet.
   std::shared_ptr<const FolderListing> listing;
-  BusyInfo busy, saving;  // saving: a picture, a table or an export, which run beside other work
+  RunningJobs jobs;  // all that runs and takes long
   BackgroundInfo background;
   Layers layers;                 // layers that the panels want drawn; made anew in each frame
   bool measures_wanted = false;  // areas and volumes are shown; set anew in each frame

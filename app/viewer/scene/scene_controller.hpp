@@ -18,6 +18,7 @@
 #include "core/document/session/session_file.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/worker.hpp"
+#include "core/write/write_complex.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/scene/mesh/beside_body.hpp"

@@ -7,37 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "core/document/export/export_request.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/write/write_complex.hpp"
 
 namespace alphascope {
 
-enum class ExportFormat : std::uint8_t {
-  ply,
-  obj,
-  stl,
-  off,
-  glb,
-  vtu,
-  vtp,
-  xyzr,
-  pqr,
-  alpha,
-  parallelac,
-  svg,
-  csv,
-  chimerax,
-  pymol,
-  vmd
-};
-
 struct ExportFormatInfo {
-  ExportFormat format;
   const char* id;        // the ending without its dot: "ply"
   const char* name;      // "PLY"
   const char* what;      // content and target programs, as a phrase
   bool colours = false;  // it has colours
-  bool script = false;   // opens two more files, which are written too
+  // Of a script, which opens two more files that are written too: the ending of the name of its
+  // surface, "-boundary.glb". Null: no script.
+  const char* surface = nullptr;
 };
 std::span<const ExportFormatInfo> export_formats();
 // The format by the ending of a name, in upper or lower case; null if there is no such format.
@@ -45,15 +28,6 @@ const ExportFormatInfo* export_format_of(const std::filesystem::path& path);
 const ExportFormatInfo* export_format_from_id(const std::string& id);
 // ".ply, .obj, …"
 std::string export_endings();
-
-// Colours of the boundary's vertices; `solid` gives each solid one colour.
-enum class ExportColours : std::uint8_t { element, chain, solid };
-
-// A request to export the complex on screen.
-struct ExportRequest {
-  std::filesystem::path path;  // its ending determines the format
-  ExportColours colours = ExportColours::element;
-};
 
 struct ExportSource {
   const EngineAnswer& answer;

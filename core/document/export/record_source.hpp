@@ -5,17 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "core/document/export/program_name.hpp"
 #include "core/geometry/lattice.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/selection/provenance.hpp"
 
 namespace alphascope {
-
-// The program that computed the results: "alphascope", "0.1.0", "0123456789ab".
-struct ProgramName {
-  std::string name, version, commit;
-  std::string text() const { return name + " " + version + " (" + commit + ")"; }
-};
 
 struct RecordSource {
   std::shared_ptr<const Molecule> molecule;       // with an assembly's copies

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "core/files/read_options.hpp"
 #include "core/molecule/sandbox.hpp"
-#include "core/read/read_molecule.hpp"
 #include "core/selection/ball_options.hpp"
 
 namespace alphascope {

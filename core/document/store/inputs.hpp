@@ -9,6 +9,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/key.hpp"
 #include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
@@ -56,18 +57,6 @@ struct Inputs {
 
  private:
   const std::shared_ptr<const void>& find(std::string_view id) const;
-};
-
-// Identifies the inputs of a result. Equal keys have equal results.
-struct Key {
-  std::uint64_t balls = 0;  // Inputs::balls_key; 0: the inputs do not suffice
-  std::uint64_t alpha = 0;  // differs between alphas; 0: the result has no alpha
-  std::uint64_t more = 0;   // identifies other choices that the definition uses
-
-  explicit operator bool() const { return balls != 0; }
-  friend bool operator==(const Key&, const Key&) = default;
-
-  std::uint64_t number() const;  // a hash; two keys share it with probability 2^-64
 };
 
 Key key_of_balls(const Inputs& inputs);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/document/reference/reference.hpp"
+#include "core/document/reference/ref_set.hpp"
 
 namespace alphascope {
 

@@ -12,6 +12,7 @@
 #include "ui/panels/channels/channel_memory.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/molecule/begin_anew.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"

@@ -4,6 +4,7 @@
 
 #include "core/document/session/settings_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "ui/panels/complex/paint_rows.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"

@@ -2,6 +2,7 @@
 // and choosing a format changes the ending.
 #include <imgui.h>
 
+#include "core/document/export/complex_export.hpp"
 #include "core/text/as_sentence.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/picture_path.hpp"

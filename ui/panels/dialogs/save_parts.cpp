@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "core/document/export/file_writer.hpp"
 #include "core/document/export/record_source.hpp"
 #include "core/document/export/shape_export.hpp"
+#include "core/document/store/definition.hpp"
 #include "ui/panels/dialogs/table_memory.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

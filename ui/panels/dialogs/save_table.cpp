@@ -11,6 +11,7 @@
 #include "ui/panels/dialogs/picture_path.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

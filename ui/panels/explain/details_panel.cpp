@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/document/explain/explanation_results.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/document/store/store.hpp"
 #include "core/molecule/element.hpp"
 #include "core/selection/atom_address.hpp"

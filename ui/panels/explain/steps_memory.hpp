@@ -1,16 +1,19 @@
 // The state of the page “Steps” between frames. Plain data.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 
-#include "core/document/explain/steps_results.hpp"
+#include "core/document/store/key.hpp"
+#include "core/explain/steps_engine.hpp"
 #include "ui/layer.hpp"
 
 namespace alphascope {
+
+struct BallSet;
+struct ToldSteps;
 
 inline constexpr const char* kStepsPage = "steps";  // id of the page
 
@@ -40,10 +43,9 @@ struct StepsMemory {
   } drawn;
   std::uint64_t layers_made = 0;
 
-  std::size_t count() const { return shown ? shown->steps.steps.size() : 0; }
-  std::size_t last() const { return std::max<std::size_t>(count(), 1) - 1; }
-  // Returns the index of the step on show.
-  std::size_t at() const { return count() == 0 ? step : std::min(step, last()); }
+  std::size_t count() const;  // of the steps of `shown`
+  std::size_t last() const;   // index of the last step; 0 if there are none
+  std::size_t at() const;     // index of the step on show
   void show(std::size_t wanted) {
     step = wanted;
     scroll_to = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/explain/steps_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/shortest_number.hpp"

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "core/document/explain/step_names.hpp"
+#include "core/document/explain/steps_results.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/steps_layer.hpp"

@@ -15,6 +15,7 @@
 #include "ui/panels/molecule/begin_anew.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/widgets/controls.hpp"
 #include "ui/widgets/curve_plot.hpp"
 #include "ui/widgets/format.hpp"
 

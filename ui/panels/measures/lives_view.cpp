@@ -14,6 +14,7 @@
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/widgets/controls.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot_axis.hpp"
 

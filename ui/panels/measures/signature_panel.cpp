@@ -9,6 +9,7 @@
 #include "core/document/store/store.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/widgets/controls.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

@@ -9,6 +9,7 @@
 #include "core/document/commands/number_input.hpp"
 #include "core/document/settings/radius_edits.hpp"
 #include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/radius_row.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "core/chart/flat_drawing.hpp"
-#include "core/document/store/answer.hpp"
 
 namespace alphascope {
+
+struct Answer;
 
 enum class FlatPart : std::uint8_t { none, centre, rim, paper };
 

@@ -1,0 +1,14 @@
+// The name of the program, as files that it writes state it.
+#pragma once
+
+#include <string>
+
+namespace alphascope {
+
+// The program that computed the results: "alphascope", "0.1.0", "0123456789ab".
+struct ProgramName {
+  std::string name, version, commit;
+  std::string text() const { return name + " " + version + " (" + commit + ")"; }
+};
+
+}  // namespace alphascope

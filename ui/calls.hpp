@@ -4,11 +4,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "core/geometry/real_point.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 
@@ -56,9 +56,6 @@ class ViewCalls {
   virtual void open_context_menu() = 0;  // the menu is about the thing under the mouse
 };
 
-// `computing` stands for opening, computing and comparing, and for saving if none of them runs.
-enum class Job : std::uint8_t { computing, comparing, saving, benchmark };
-
 // Calls that start or cancel jobs that take long.
 class JobCalls {
  public:
@@ -71,7 +68,9 @@ class JobCalls {
   virtual void compute_anew() = 0;  // with the set-up, so that its cold time is measured
   virtual void run_benchmark() = 0;
   virtual void export_benchmark() = 0;
-  virtual void cancel(Job job) = 0;
+  // Cancels the job of this kind, if one runs. Opening and computing are cancelled together, as the
+  // picture waits for both.
+  virtual void cancel(JobId job) = 0;
 };
 
 class LessonCalls {

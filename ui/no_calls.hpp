@@ -40,7 +40,7 @@ struct NoJobCalls : JobCalls {
   void compute_anew() override {}
   void run_benchmark() override {}
   void export_benchmark() override {}
-  void cancel(Job) override {}
+  void cancel(JobId) override {}
 };
 
 struct NoLessonCalls : LessonCalls {

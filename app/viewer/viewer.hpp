@@ -2,26 +2,28 @@
 // panels.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <future>
-#include <map>
 #include <memory>
 
 #include "app/session/machine.hpp"
 #include "app/session/session.hpp"
 #include "app/viewer/jobs/benchmark.hpp"
 #include "app/viewer/jobs/folder_reader.hpp"
+#include "app/viewer/jobs/job_list.hpp"
 #include "app/viewer/jobs/save_jobs.hpp"
-#include "app/viewer/lessons/lesson_files.hpp"
-#include "app/viewer/lessons/lesson_player.hpp"
+#include "app/viewer/lessons/window_lessons.hpp"
 #include "app/viewer/options.hpp"
-#include "app/viewer/parts/due_frames.hpp"
+#include "app/viewer/parts/frame_pace.hpp"
 #include "app/viewer/parts/history.hpp"
+#include "app/viewer/parts/memory_watch.hpp"
 #include "app/viewer/parts/opening.hpp"
+#include "app/viewer/parts/picture_inputs.hpp"
 #include "app/viewer/parts/playing.hpp"
 #include "app/viewer/parts/pointing.hpp"
+#include "app/viewer/parts/settings_sender.hpp"
+#include "app/viewer/parts/shown_file.hpp"
 #include "app/viewer/parts/shown_marks.hpp"
 #include "app/viewer/parts/window_preferences.hpp"
 #include "app/viewer/parts/work_status.hpp"
@@ -72,8 +74,6 @@ class Viewer {
     opening_.open_dropped(files);
   }
   bool quit_requested() const { return quit_; }
-
-  // The history holds molecule options, alpha, solvent radius, engine, display and selection.
   void undo() { history_.undo(); }
   void redo() { history_.redo(); }
 
@@ -88,54 +88,31 @@ class Viewer {
   std::uint64_t times_made(std::string_view id) const { return store_.times_made(id); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  void fill_constants();
-  class Stage;   // the window as a lesson's player sees it
   class Queued;  // the queued calls
   std::shared_ptr<Queued> make_queued();
-  std::unique_ptr<LessonStage> make_lesson_stage();
-  static std::vector<std::filesystem::path> lesson_folders(const ViewerOptions& options);
-  void take_lesson_files();
+  void begin_with(const ViewerOptions& options);
   // Runs `what` on the main thread. An exception is shown to the user, and the program goes on.
   void guarded(const std::function<void()>& what);
-  void take_error(bool only_the_model_changed);
-  void take_session();  // moves results and failures of the session into the state
+  float line_scale() const { return preferences_.line_scale(frame_.scale()); }
   // As busy(), without the benchmark. Frames drawn during a benchmark would be in its times.
-  bool working() const;
+  bool working() const { return all_but_saving() || saving_.busy(); }
   bool all_but_saving() const;  // working(), without files being saved
-  void take_machine();
-  void take_molecule();
-  void take_file();  // sets the state that begins with each new file
-  void close_dialogs_of_file();
-  void start_preset();
-  void take_answer();
   void take_results();
-  double seconds_to_next_frame() const;
-  void take_derived();
-  bool needs_filtration() const;
-  void want_of_all_balls();  // wants triangulation and filtration of all balls, in the background
-  void poll_store();
-  bool may_take_inputs(const Answer& shown) const;
-  void take_inputs(const std::shared_ptr<const Answer>& shown);
-  void note_large_objects();  // reports their bytes to the store's budget
-  void take_shown();          // updates the texts about the picture
-  void run_calls();           // makes the calls of the panels
-  void cancel_computing();
-  void send_controls();  // hands changed controls to session and scene
-  void send_look();      // hands the display settings to the scene
-  bool awaits_panels() const;
+  void take_machine();
+  void take_session();  // moves results and failures of the session into the state
+  void take_answer();
+  void take_error(bool only_the_model_changed);
+  void take_shown();  // updates the texts about the picture
   bool waits_for_tables();
-  void send_compute();
-  void send_selection();
-  bool settled() const;  // true when the latest request is answered
-  void colour_by_what_differs(const Molecule& molecule);
-  void read_memory();
-  void give_back_memory_when_due();
-  bool interacting() const;
+  void run_calls();      // makes the calls of the panels
+  void send_controls();  // hands changed controls to session and scene
+  void cancel_computing();
   void draw(ScriptedInput* input, bool patient,
             const std::function<void(unsigned)>& before_swap = {});
-  double idle_seconds() const;
+  void move_view();  // by the mouse
+  void act();        // does what the panels and the mouse ask for
+  void draw_scene(const ScriptedInput* input, bool patient);
+  bool frame_is_due() const;
 
   Host& host_;
   ViewState state_;
@@ -146,42 +123,37 @@ class Viewer {
   SceneController scene_;
   ShownMarks marks_{state_, scene_};
   Pointing pointing_{state_, scene_, marks_, frame_};
-  Request sent_compute_;
-  OpenOptions sent_open_;
-  std::shared_ptr<const Molecule> shown_file_;  // the molecule as deposited
-  std::optional<Clock::time_point> tooltip_due_;
-  Clock::time_point selection_sent_at_{};
-  ColourBy automatic_colour_ = ColourBy::chain;
   DueFrames due_;
+  FramePace pace_{due_};
+  MemoryWatch memory_{state_, due_};
   Playing playing_{state_, session_, scene_, due_};
   bool quit_ = false;
   bool patient_ = false;
   bool draw_shots_only_ = false;
-  bool must_render_ = false;          // state_.result is not yet in the picture
-  bool memory_to_give_back_ = false;  // a large object was freed
+  bool must_render_ = false;  // state_.result is not yet in the picture
+  bool picture_is_new_ = false;
+  JobList jobs_{state_, due_};
   FolderReader folder_reader_;
   std::shared_ptr<Queued> queued_;
   WindowPreferences preferences_;
-  LessonFiles lesson_files_;
-  std::unique_ptr<LessonStage> lesson_stage_;
-  LessonPlayer lessons_;
-  SaveJobs saving_;
   std::future<MachineInfo> machine_;  // in the background: the search for a GPU can take a second
   Benchmark benchmark_;
-  Inputs inputs_;  // inputs of derived results
-  Clock::time_point inputs_taken_at_{};
-  Clock::time_point frame_begun_at_{};
-  bool news_ = false;  // results have arrived that no frame shows yet
-  bool picture_is_new_ = false;
-  std::shared_ptr<const Answer> source_;  // the owner of the balls in inputs_; null: none
-  std::uint64_t balls_seen_ = 0, bodies_seen_ = 0, frames_key_ = 0;
-  std::shared_ptr<const PreparedBalls> body_;  // the body that bodies_seen_ counted last
   Store store_;
   Session session_;  // after what its threads wake; before the classes below, which use it
+  PictureInputs inputs_{state_, session_, scene_, marks_, store_, due_};
+  SettingsSender sender_{state_, session_, scene_, store_, inputs_, due_};
   History history_{state_, session_, scene_};
-  WorkStatus status_{state_, session_, scene_, store_};
+  WorkStatus status_{state_, session_, scene_, store_, jobs_, [this] { cancel_computing(); }};
   Opening opening_{host_,    state_,       scene_, session_,
                    history_, preferences_, due_,   [this] { return benchmark_.busy(); }};
+  ActivityJob reading_{
+      JobId::opening,
+      {[this] { return opening_.reading(); }, [] { return std::string("Opening the session"); },
+       [this] { cancel_computing(); }}};
+  ShownFile file_{
+      {host_, state_, session_, scene_, opening_, preferences_, history_, sender_, status_}};
+  WindowLessons lessons_;
+  SaveJobs saving_;
 };
 
 }  // namespace alphascope

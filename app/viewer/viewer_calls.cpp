@@ -1,6 +1,7 @@
 // The calls of panels and commands (ui/calls.hpp), queued while a frame is drawn.
 #include <imgui.h>
 
+#include <array>
 #include <utility>
 
 #include "app/viewer/parts/call_queue.hpp"
@@ -17,7 +18,7 @@ class Viewer::Queued {
 
  private:
   struct Part {
-    Part(Viewer& viewer, CallQueue& queue) : v(viewer), queue(queue) {}
+    Part(Viewer& viewer, CallQueue& calls) : v(viewer), queue(calls) {}
     Viewer& v;
     CallQueue& queue;
   };
@@ -47,10 +48,10 @@ class Viewer::Queued {
       queue.put("forget_recent", [this] { v.preferences_.forget_recent(); });
     }
     void undo() override {
-      queue.put("undo", [this] { v.undo(); });
+      queue.put("undo", [this] { v.history_.undo(); });
     }
     void redo() override {
-      queue.put("redo", [this] { v.redo(); });
+      queue.put("redo", [this] { v.history_.redo(); });
     }
     void copy(const std::string& text) override {
       queue.put("copy", [text] { ImGui::SetClipboardText(text.c_str()); });
@@ -130,28 +131,24 @@ class Viewer::Queued {
       queue.put("compute_anew", [this] { v.session_.compute_anew(); });
     }
     void run_benchmark() override {
-      queue.put("run_benchmark", [this] {
-        v.benchmark_.start(v.session_.state(), v.state_.benchmark_controls, v.state_.benchmark);
-      });
+      queue.put("run_benchmark",
+                [this] { v.benchmark_.start(v.session_.state(), v.state_.benchmark_controls); });
     }
     void export_benchmark() override {
-      queue.put("export_benchmark",
-                [this] { v.benchmark_.save(v.state_.benchmark_controls, v.state_.benchmark); });
+      queue.put("export_benchmark", [this] { v.benchmark_.save(v.state_.benchmark_controls); });
     }
-    void cancel(Job job) override {
-      switch (job) {
-        case Job::computing:
-          return queue.put("cancel_computing", [this] { v.cancel_computing(); });
-        case Job::comparing:
-          return queue.put("cancel_comparing", [this] { v.session_.cancel_comparison(); });
-        case Job::saving:
-          return queue.put("cancel_saving", [this] { v.saving_.cancel(); });
-        case Job::benchmark:
-          return queue.put("cancel_benchmark", [this] { v.benchmark_.cancel(); });
-      }
+    void cancel(JobId job) override {
+      queue.put(kCancel[static_cast<std::size_t>(job)], [this, job] { v.jobs_.cancel(job); });
     }
 
    private:
+    // Names of the calls, so that cancelling one job does not replace cancelling another.
+    static constexpr std::array kCancel = {
+        "cancel_opening", "cancel_computing", "cancel_comparing", "cancel_listing",
+        "cancel_lessons", "cancel_session",   "cancel_picture",   "cancel_table",
+        "cancel_export",  "cancel_benchmark"};
+    static_assert(kCancel.size() == static_cast<std::size_t>(JobId::benchmark) + 1);
+
     void of_the_view(std::string_view name, std::function<void()> job) {
       queue.put(name, [this, job = std::move(job)] {
         v.scene_.settle_view(v.state_.viewport);
@@ -163,22 +160,22 @@ class Viewer::Queued {
   struct Lessons : Part, LessonCalls {
     using Part::Part;
     void open(const std::string& lesson) override {
-      queue.put("lesson_open", [this, lesson] { v.lesson_files_.open(lesson); });
+      queue.put("lesson_open", [this, lesson] { v.lessons_.open(lesson); });
     }
     void next() override {
-      queue.put("lesson_next", [this] { v.lessons_.next(); });
+      queue.put("lesson_next", [this] { v.lessons_.player().next(); });
     }
     void back() override {
-      queue.put("lesson_back", [this] { v.lessons_.back(); });
+      queue.put("lesson_back", [this] { v.lessons_.player().back(); });
     }
     void again() override {
-      queue.put("lesson_again", [this] { v.lessons_.again(); });
+      queue.put("lesson_again", [this] { v.lessons_.player().again(); });
     }
     void reveal() override {
-      queue.put("lesson_reveal", [this] { v.lessons_.reveal(); });
+      queue.put("lesson_reveal", [this] { v.lessons_.player().reveal(); });
     }
     void close() override {
-      queue.put("lesson_close", [this] { v.lessons_.close(); });
+      queue.put("lesson_close", [this] { v.lessons_.player().close(); });
     }
   };
 
@@ -207,7 +204,6 @@ void Viewer::cancel_computing() {
   opening_.forget_waiting_session();
   session_.cancel_computing();
   session_.cancel_comparison();
-  if (!state_.busy.active) saving_.cancel();
 }
 
 }  // namespace alphascope

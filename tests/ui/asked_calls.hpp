@@ -42,8 +42,8 @@ class AskedCalls {
     void compute_anew() override { asked.compute_anew = true; }
     void run_benchmark() override { asked.run_benchmark = true; }
     void export_benchmark() override { asked.export_benchmark = true; }
-    void cancel(Job job) override {
-      (job == Job::benchmark ? asked.cancel_benchmark : asked.cancel) = true;
+    void cancel(JobId job) override {
+      (job == JobId::benchmark ? asked.cancel_benchmark : asked.cancel) = true;
     }
     Asked& asked;
   } jobs_;

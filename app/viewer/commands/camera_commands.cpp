@@ -16,7 +16,7 @@ constexpr Side kSides[] = {{"x", "From +x", {1, 0, 0}}, {"-x", "From −x", {-1,
                            {"y", "From +y", {0, 1, 0}}, {"-y", "From −y", {0, -1, 0}},
                            {"z", "From +z", {0, 0, 1}}, {"-z", "From −z", {0, 0, -1}}};
 
-Outcome look_along(const Arguments& arguments, ViewState& s, const Calls& ask) {
+Outcome look_along(const Arguments& arguments, const Calls& ask) {
   for (const Side& side : kSides) {
     if (arguments.text("side") == side.id) ask.view.look_from(side.towards_viewer);
   }
@@ -96,7 +96,7 @@ void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
        .line_above = true,
        .parameters = {from},
        .why_not = without_molecule(s),
-       .run = [&s, ask](const Arguments& arguments) { return look_along(arguments, s, ask); }});
+       .run = [&s, ask](const Arguments& arguments) { return look_along(arguments, ask); }});
   static constexpr NumberRule kZoomRule{"The factor", 0.01, 100};
   commands.add({.id = "view.zoom",
                 .title = "Zoom…",

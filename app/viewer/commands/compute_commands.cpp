@@ -3,6 +3,7 @@
 
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/session/setting_ids.hpp"
+#include "ui/widgets/controls.hpp"
 
 namespace alphascope {
 namespace {
@@ -227,17 +228,20 @@ Outcome stop(ViewState& s, const Calls& ask) {
   const bool playing = s.playback.alpha || s.playback.models || s.steps.playing;
   s.playback.alpha = s.playback.models = s.steps.playing = false;
   if (playing) return {};
-  if (!s.busy.active && !s.saving.active) {
+  const RunningJob* job = awaited_job(s.jobs);
+  if (job == nullptr) job = writing_job(s.jobs);
+  if (job != nullptr) {
+    ask.jobs.cancel(job->id);
+  } else {
     s.settings.selection.clear();
-    return {};
   }
-  ask.jobs.cancel(s.busy.active ? Job::computing : Job::saving);
   return {};
 }
 
 std::string nothing_to_stop(const ViewState& s) {
   const bool something = s.playback.alpha || s.playback.models || s.steps.playing ||
-                         s.busy.active || s.saving.active || !s.settings.selection.empty();
+                         awaited_job(s.jobs) != nullptr || writing_job(s.jobs) != nullptr ||
+                         !s.settings.selection.empty();
   return something ? ""
                    : "There is nothing to stop: nothing is playing, being read, computed, saved or "
                      "selected.";

@@ -55,7 +55,7 @@ std::vector<Choice> recent(const ViewState& s) {
   return choices;
 }
 
-Outcome open_recent(const Arguments& arguments, ViewState& s, const Calls& ask) {
+Outcome open_recent(const Arguments& arguments, const Calls& ask) {
   const std::string chosen = arguments.text("file");
   if (chosen == kClear) {
     ask.files.forget_recent();
@@ -118,7 +118,7 @@ CommandSpec recent_files_command(ViewState& s, const Calls& ask) {
                           .kind = Kind::choice,
                           .help = "Which one; clear empties the list",
                           .choices = [&s] { return recent(s); }}},
-          .run = [&s, ask](const Arguments& arguments) { return open_recent(arguments, s, ask); }};
+          .run = [&s, ask](const Arguments& arguments) { return open_recent(arguments, ask); }};
 }
 
 CommandSpec scale_command(ViewState& s) {

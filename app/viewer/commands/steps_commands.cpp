@@ -1,5 +1,6 @@
 // Commands of the page that shows an engine's steps for one ball.
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/explain/steps_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -112,11 +112,11 @@ std::vector<Alpha> parse_alphas(const std::string& text) {
   return alphas;
 }
 
-void Benchmark::start(const SessionState& session, const BenchmarkControls& controls,
-                      BenchmarkInfo& info) {
+void Benchmark::start(const SessionState& session, const BenchmarkControls& controls) {
   if (running_ || !session.opened || !session.prepared) return;
-  info = {};
-  info.columns = columns();
+  info_ = {};
+  info_.columns = columns();
+  since_ = std::chrono::steady_clock::now();
   try {
     const ThesisOptions options = to_options(controls, session.request.solvent_radius_angstrom);
     const ThesisMolecule molecule = to_molecule(session);
@@ -144,64 +144,71 @@ void Benchmark::start(const SessionState& session, const BenchmarkControls& cont
           if (!cancelled_) failure_ = failure.message;
           finished_ = true;
         });
-    running_ = info.running = true;
+    running_ = info_.running = true;
   } catch (const std::exception& e) {
-    info.error = e.what();
+    info_.error = e.what();
   }
 }
 
-bool Benchmark::poll(BenchmarkInfo& info) {
+JobNews Benchmark::poll() {
   worker_.poll();
-  if (!running_) return false;
-  bool changed = finished_;
+  if (!running_) return {};
+  JobNews news;
+  news.changed = news.frees_memory = finished_;
   {
     const std::lock_guard lock(arrived_->mutex);
-    changed |= !arrived_->rows.empty();
+    news.changed |= !arrived_->rows.empty();
     for (const ThesisRow& row : arrived_->rows) {
-      show(row, info);
+      show(row, info_);
       partial_->rows.push_back(row);
     }
     arrived_->rows.clear();
   }
   const Worker::Activity activity = worker_.activity();
-  changed |= info.progress != activity.stage;
-  info.running = !finished_;
-  info.progress = activity.stage;
-  info.share = activity.share;
-  if (finished_) finish(info);
-  return changed;
+  news.changed |= info_.progress != activity.stage;
+  info_.running = !finished_;
+  info_.progress = activity.stage;
+  info_.share = activity.share;
+  if (finished_) finish();
+  return news;
+}
+
+std::optional<RunningJob> Benchmark::running() const {
+  if (!running_) return std::nullopt;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since_;
+  return RunningJob{JobId::benchmark, "Benchmark", info_.progress, info_.share, seconds.count()};
 }
 
 // A run that was cancelled or has failed keeps its rows: they are valid and can be exported.
-void Benchmark::finish(BenchmarkInfo& info) {
+void Benchmark::finish() {
   running_ = false;
-  info.error = failure_;
-  info.complete = report_ != nullptr;
+  info_.error = failure_;
+  info_.complete = report_ != nullptr;
   if (!report_ && !partial_->rows.empty()) report_ = partial_;
   partial_ = nullptr;
   if (cancelled_) {
-    info.cancelled = report_ ? "Cancelled. These rows were measured before; they can be exported."
-                             : "Cancelled before the first row was measured.";
+    info_.cancelled = report_ ? "Cancelled. These rows were measured before; they can be exported."
+                              : "Cancelled before the first row was measured.";
   }
-  info.can_export = report_ != nullptr;
+  info_.can_export = report_ != nullptr;
   if (!report_) return;
-  info.charts = thesis_charts(*report_);
-  info.lines = lines(*report_);
+  info_.charts = thesis_charts(*report_);
+  info_.lines = lines(*report_);
 }
 
-void Benchmark::save(const BenchmarkControls& controls, BenchmarkInfo& info) const {
+void Benchmark::save(const BenchmarkControls& controls) {
   if (!report_) return;
-  info.error.clear();
-  info.exported.clear();
+  info_.error.clear();
+  info_.exported.clear();
   try {
     const std::filesystem::path folder = controls.folder;
     const auto figures = write_charts(thesis_charts(*report_), folder);
     write_csv(to_csv(thesis_table(*report_)), folder / "thesis.csv");
-    info.exported = "Wrote thesis.csv and " + std::to_string(figures.size()) + " figures to " +
-                    std::filesystem::absolute(folder).string() +
-                    (report_->complete ? "" : ". They say that the run is incomplete.");
+    info_.exported = "Wrote thesis.csv and " + std::to_string(figures.size()) + " figures to " +
+                     std::filesystem::absolute(folder).string() +
+                     (report_->complete ? "" : ". They say that the run is incomplete.");
   } catch (const std::exception& e) {
-    info.error = e.what();
+    info_.error = e.what();
   }
 }
 

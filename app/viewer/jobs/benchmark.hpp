@@ -2,11 +2,13 @@
 // measured.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <mutex>
 
 #include "app/bench/thesis_suite.hpp"
 #include "app/session/session.hpp"
+#include "app/viewer/jobs/job_list.hpp"
 #include "core/run/worker.hpp"
 #include "ui/panels/dialogs/benchmark_info.hpp"
 
@@ -16,30 +18,33 @@ namespace alphascope {
 // Throws std::invalid_argument that names the faulty part.
 std::vector<Alpha> parse_alphas(const std::string& text);
 
-class Benchmark {
+class Benchmark : public ViewerJob {
  public:
-  Benchmark(std::function<void()> wake, EngineFactory factory)
-      : factory_(std::move(factory)), worker_(std::move(wake)) {}
+  // `info` gets the rows as they are measured, and must outlive this. `wake` as in Worker.
+  Benchmark(std::function<void()> wake, EngineFactory factory, BenchmarkInfo& info)
+      : factory_(std::move(factory)), info_(info), worker_(std::move(wake)) {}
 
   // Measures the open molecule at the present solvent radius. A fault of the controls goes to
   // info.error.
-  void start(const SessionState& session, const BenchmarkControls& controls, BenchmarkInfo& info);
-  void cancel() { worker_.cancel(); }
+  void start(const SessionState& session, const BenchmarkControls& controls);
   // Saves thesis.csv and the figures. A failure goes to info.error.
-  void save(const BenchmarkControls& controls, BenchmarkInfo& info) const;
-
+  void save(const BenchmarkControls& controls);
   bool busy() const { return running_; }
-  // Call on the main thread when woken. True when `info` has changed.
-  bool poll(BenchmarkInfo& info);
+
+  std::optional<RunningJob> running() const override;
+  void cancel() override { worker_.cancel(); }
+  JobNews poll() override;
 
  private:
   struct Arrived {
     std::mutex mutex;
     std::vector<ThesisRow> rows;
   };
-  void finish(BenchmarkInfo& info);
+  void finish();
 
   EngineFactory factory_;
+  BenchmarkInfo& info_;
+  std::chrono::steady_clock::time_point since_;
   std::shared_ptr<Arrived> arrived_;
   // The report of the last run, perhaps of its first rows only, and the rows so far of the running
   // one. Either may be null.

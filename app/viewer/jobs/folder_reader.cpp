@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/text/printable.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -27,6 +29,13 @@ std::shared_ptr<const FolderListing> FolderReader::listing(
     read(!busy());
   }
   return listing_;
+}
+
+std::optional<RunningJob> FolderReader::running() const {
+  if (!busy() || !worker_.activity().busy) return std::nullopt;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - asked_;
+  return RunningJob{
+      JobId::listing, "Reading " + printable(wanted_->folder.string()), {}, -1, seconds.count()};
 }
 
 void FolderReader::read(bool only_if_changed) {

@@ -7,12 +7,13 @@
 #include <memory>
 #include <optional>
 
+#include "app/viewer/jobs/job_list.hpp"
 #include "core/run/worker.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
 
 namespace alphascope {
 
-class FolderReader {
+class FolderReader : public ViewerJob {
  public:
   explicit FolderReader(std::function<void()> wake) : worker_(std::move(wake)) {}
 
@@ -20,6 +21,10 @@ class FolderReader {
   std::shared_ptr<const FolderListing> listing(const std::optional<FolderQuery>& wanted);
   // True while the listing of the wanted folder is not ready.
   bool busy() const { return wanted_ && (!listing_ || listing_->query != *wanted_); }
+
+  std::optional<RunningJob> running() const override;
+  void cancel() override { worker_.cancel(); }
+  JobNews poll() override { return {}; }  // listing() takes in what was read
 
  private:
   void read(bool only_if_changed);

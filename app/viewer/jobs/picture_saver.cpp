@@ -114,7 +114,6 @@ void PictureSaver::begin() {
   try {
     studio_ = std::make_unique<Studio>(host_);
   } catch (...) {
-    outcome_.of_recording = job->recording;
     saving_.reset();
     throw;
   }
@@ -124,56 +123,57 @@ void PictureSaver::begin() {
         const std::string left_out = studio->draw(*job, c);
         return [this, job, left_out] {
           studio_.reset();
-          outcome_.ended = true;
-          outcome_.notice = "Saved " + printable(job->path.string());
-          if (!left_out.empty()) outcome_.notice += ". " + left_out;
+          news_.frees_memory = true;
+          news_.notice = "Saved " + printable(job->path.string());
+          if (!left_out.empty()) news_.notice += ". " + left_out;
           saving_.reset();
         };
       },
       [this, path = job->path, recording = job->recording](const Worker::Failure& failure) {
         studio_.reset();
-        outcome_.ended = true;
+        news_.frees_memory = true;
         if (failure.cancelled) {  // the user knows already, unless cancel() came too late
-          if (failure.too_late) outcome_.notice = "Saved " + printable(path.string());
+          if (failure.too_late) news_.notice = "Saved " + printable(path.string());
           return;
         }
         const bool names_it = failure.message.find(path.string()) != std::string::npos;
-        outcome_.error =
-            names_it ? failure.message : "Cannot save " + path.string() + ": " + failure.message;
-        outcome_.of_recording = recording;
+        news_.error_title = recording ? kNoRecording : kNoPicture;
+        news_.error = names_it ? failure.message
+                               : "Cannot save " + printable(path.string()) + ": " + failure.message;
         saving_.reset();
       });
 }
 
 void PictureSaver::cancel() {
   if (!busy()) return;
-  outcome_.notice = saving_->recording && recording_format(saving_->path) == RecordingFormat::frames
-                        ? "Cancelled: the frames that were finished are there."
-                        : "Cancelled: " + saving_->path.string() + " was not written.";
+  news_.notice = saving_->recording && recording_format(saving_->path) == RecordingFormat::frames
+                     ? "Cancelled: the frames that were finished are there."
+                     : "Cancelled: " + saving_->path.string() + " was not written.";
   saving_.reset();
   waiting_.reset();
   worker_.cancel();
 }
 
-PictureSaver::Outcome PictureSaver::poll() {
+JobNews PictureSaver::poll() {
   worker_.poll();
+  const bool recording = waiting_ && waiting_->recording;
   try {
     begin();
   } catch (const std::exception& error) {
-    outcome_.error = error.what();
+    news_.error_title = recording ? kNoRecording : kNoPicture;
+    news_.error = error.what();
   }
-  return std::exchange(outcome_, {});
+  return std::exchange(news_, {});
 }
 
-void PictureSaver::describe(BusyInfo& info) const {
-  info = {};
-  if (!busy()) return;
+std::optional<RunningJob> PictureSaver::running() const {
+  if (!saving_) return std::nullopt;
   const Worker::Activity activity = worker_.activity();
-  info.active = true;
-  info.what = (saving_->recording ? "Recording " : "Saving ") + saving_->path.filename().string();
-  info.step = activity.stage;
-  info.share = activity.share > 0 ? activity.share : -1;
-  info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since_;
+  return RunningJob{
+      JobId::picture,
+      (saving_->recording ? "Recording " : "Saving ") + saving_->path.filename().string(),
+      activity.stage, activity.share > 0 ? activity.share : -1, seconds.count()};
 }
 
 }  // namespace alphascope

@@ -10,14 +10,18 @@
 #include <string>
 #include <vector>
 
+#include "app/viewer/jobs/job_list.hpp"
 #include "core/run/worker.hpp"
 #include "ui/panels/dialogs/picture_memory.hpp"
-#include "ui/panels/view_info.hpp"
 #include "ui/scene/picture/picture.hpp"
 #include "ui/scene/picture/record_frames.hpp"
 #include "ui/window/host.hpp"
 
 namespace alphascope {
+
+// Titles of the dialogs that tell a failure.
+inline constexpr const char* kNoPicture = "The picture cannot be saved";
+inline constexpr const char* kNoRecording = "The recording cannot be made";
 
 struct PictureToSave : Picture {
   std::filesystem::path path;
@@ -35,31 +39,22 @@ SceneJob picture_job(PictureToSave picture);
 // request, and WriteError where the file cannot be created.
 SceneJob recording_job(const RecordRequest& request, FrameSource source, PictureTexts texts);
 
-class PictureSaver {
+class PictureSaver : public ViewerJob {
  public:
   // `wake` as in Worker. The host's own context must be current at each call.
   PictureSaver(Host& host, std::function<void()> wake);
-  ~PictureSaver();
+  ~PictureSaver() override;
 
   // Starts one job. Throws std::runtime_error while another job runs, or if OpenGL gives no second
   // context.
   void start(SceneJob job);
   // Ends the job at once for the user; its thread ends when it can. The file stays unchanged, and
   // finished frames of a recording stay.
-  void cancel();
+  void cancel() override;
   bool busy() const { return saving_.has_value(); }
 
-  // Events since the last call. Call poll() on the main thread.
-  struct Outcome {
-    std::string notice;         // a picture was saved, or its job was cancelled
-    std::string error;          // why the picture could not be saved
-    bool of_recording = false;  // the error is that of a recording
-    bool ended = false;         // a job ended, perhaps cancelled: its memory is free
-    bool any() const { return ended || !notice.empty() || !error.empty(); }
-  };
-  Outcome poll();
-  // Fills `info` for the line of progress.
-  void describe(BusyInfo& info) const;
+  std::optional<RunningJob> running() const override;
+  JobNews poll() override;
 
  private:
   struct Studio;
@@ -73,7 +68,7 @@ class PictureSaver {
   std::optional<Saving> saving_;     // the job that is not cancelled
   std::optional<SceneJob> waiting_;  // waits for the end of a cancelled job
   std::chrono::steady_clock::time_point since_;
-  Outcome outcome_;
+  JobNews news_;
   std::unique_ptr<Studio> studio_;  // draws the running job; destroyed on the main thread only
   Worker worker_;                   // last member, so that its thread is joined first
 };

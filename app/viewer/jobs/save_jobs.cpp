@@ -1,16 +1,16 @@
-// Starts the jobs that save pictures, recordings, tables and exports, and collects their outcomes.
+// Starts the jobs that save pictures, recordings, tables and exports.
 #include "app/viewer/jobs/save_jobs.hpp"
 
 #include <stdexcept>
 
+#include "core/document/export/complex_export.hpp"
 #include "ui/widgets/controls.hpp"
 
 namespace alphascope {
 namespace {
 
-constexpr const char* kNoPicture = "The picture cannot be saved";
 constexpr const char* kNoTable = "The table cannot be saved";
-constexpr const char* kNoRecording = "The recording cannot be made";
+constexpr const char* kNoExport = "The complex cannot be exported";
 
 // Moves the camera back until the picture shows as much width as the window. A lesson's view was
 // chosen in the window, and the picture beside its text is narrower.
@@ -25,44 +25,68 @@ Picture with_sides(Picture picture, const ViewportInfo& window, const PictureOpt
   return picture;
 }
 
+// Writes all files of an export or none. Returns a text on their content.
+std::string write_complex(const Answer& answer, const ComplexHeader& header,
+                          const ExportRequest& request, const RunContext& context) {
+  const ExportFormatInfo* const format = export_format_of(request.path);
+  if (format == nullptr) throw std::runtime_error("No format has this ending.");
+  const ExportSource source{answer, *answer.molecule, *answer.prepared, header, request.colours};
+  std::vector<std::string> lines;
+  write_together(
+      export_files(*format, request.path),
+      [&](const std::vector<AtomicFile*>& files) {
+        lines = write_export(source, *format, request.path, files, context);
+      },
+      context.cancel);
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? ": " : "; ") + line;
+  return text;
+}
+
 }  // namespace
 
-SaveJobs::SaveJobs(Host& host, ViewState& state, SceneController& scene, Session& session,
-                   Store& store, LessonPlayer& lessons, DueFrames& due)
-    : state_(state),
-      scene_(scene),
-      session_(session),
-      store_(store),
-      due_(due),
-      pictures_(host, [&host] { host.wake(); }),
-      tables_([&host] { host.wake(); }),
-      complexes_([&host] { host.wake(); }),
-      lesson_(lessons, state.lessons, pictures_,
+SaveJobs::SaveJobs(const Parts& parts, JobList& jobs)
+    : p_(parts),
+      pictures_(parts.host, [&host = parts.host] { host.wake(); }),
+      tables_([&host = parts.host] { host.wake(); }, parts.store, parts.inputs),
+      lesson_(parts.lessons, parts.state.lessons, pictures_,
               [this](const ScreenshotRequest& r) {
-                return with_sides(scene_.picture(r), state_.viewport, r.options);
+                return with_sides(p_.scene.picture(r), p_.state.viewport, r.options);
               }),
-      sweep_(pictures_, swept_window()) {}
+      sweep_(pictures_, swept_window()) {
+  jobs.add(pictures_);
+  jobs.add(tables_);
+  jobs.add(exports_);
+}
+
+bool SaveJobs::busy() const {
+  return pictures_.busy() || tables_.running() || exports_.busy() || records_window();
+}
+
+void SaveJobs::tell(const char* title, const std::exception& error) {
+  p_.state.tell(title, error.what());
+}
 
 void SaveJobs::save_picture(const ScreenshotRequest& request) {
   try {
-    pictures_.start(picture_job(scene_.picture(request)));
-    state_.notice.clear();
+    pictures_.start(picture_job(p_.scene.picture(request)));
+    p_.state.notice.clear();
   } catch (const std::exception& error) {
-    state_.tell(kNoPicture, error.what());
+    tell(kNoPicture, error);
   }
-  due_.ask();
+  p_.due.ask();
 }
 
 SweepRecorder::Window SaveJobs::swept_window() {
-  return {[this](const ScreenshotRequest& r) { return scene_.picture(r); },
-          [this](const Alpha& angstrom2) { set_alpha(state_.settings.request, angstrom2); },
-          [this] { return state_.settings.request.alpha_angstrom2; },
+  return {[this](const ScreenshotRequest& r) { return p_.scene.picture(r); },
+          [this](const Alpha& angstrom2) { set_alpha(p_.state.settings.request, angstrom2); },
+          [this] { return p_.state.settings.request.alpha_angstrom2; },
           [this]() -> std::optional<Alpha> {
-            const auto& answer = scene_.drawn_answer();
+            const auto& answer = p_.scene.drawn_answer();
             if (!answer) return std::nullopt;
             return answer->request.alpha_angstrom2;
           },
-          [this]() -> const void* { return session_.state().opened.get(); }};
+          [this]() -> const void* { return p_.session.state().opened.get(); }};
 }
 
 // Records molecule, radii, display and view that are on screen; a sweep sets alpha itself. The
@@ -70,81 +94,54 @@ SweepRecorder::Window SaveJobs::swept_window() {
 void SaveJobs::record(const RecordRequest& request) {
   try {
     if (request.lesson_seconds) {
-      lesson_.start(request, state_.window.theme);
+      lesson_.start(request, p_.state.window.theme);
     } else if (request.recording.kind == RecordingKind::sweep &&
-               !scene_.picture({request.path, request.options}).layers.empty()) {
-      sweep_.start(request, scene_.texts());
+               !p_.scene.picture({request.path, request.options}).layers.empty()) {
+      sweep_.start(request, p_.scene.texts());
     } else {
-      pictures_.start(recording_job(request, scene_.frames(request), scene_.texts()));
+      pictures_.start(recording_job(request, p_.scene.frames(request), p_.scene.texts()));
     }
-    state_.notice.clear();
+    p_.state.notice.clear();
   } catch (const std::exception& error) {
-    state_.tell(kNoRecording, error.what());
+    tell(kNoRecording, error);
   }
-  due_.ask();
+  p_.due.ask();
 }
 
 void SaveJobs::go_on_recording(bool quiet) {
   if (!lesson_.busy() && !sweep_.busy()) return;
   const std::string no_lesson = lesson_.step(quiet);
-  if (!no_lesson.empty()) state_.tell("The lesson was not recorded", no_lesson);
+  if (!no_lesson.empty()) p_.state.tell("The lesson was not recorded", no_lesson);
   const std::string no_sweep = sweep_.step(quiet);
-  if (!no_sweep.empty()) state_.tell("The sweep was not recorded", no_sweep);
-  due_.ask();
+  if (!no_sweep.empty()) p_.state.tell("The sweep was not recorded", no_sweep);
+  p_.due.ask();
 }
 
 void SaveJobs::save_table(const SaveTableRequest& request) {
   try {
     tables_.start(request);
-    state_.notice.clear();
+    p_.state.notice.clear();
   } catch (const std::exception& error) {
-    state_.tell(kNoTable, error.what());
+    tell(kNoTable, error);
   }
-  due_.ask();
+  p_.due.ask();
 }
 
 // Exports the complex on screen, not one that is being computed.
 void SaveJobs::export_complex(const ExportRequest& request) {
   try {
-    if (!scene_.drawn_answer()) throw std::runtime_error("There is no complex yet.");
-    complexes_.start(scene_.drawn_answer(), scene_.header(), request);
-    session_.let_engines_rest();
-    state_.notice.clear();
+    const std::shared_ptr<const Answer> answer = p_.scene.drawn_answer();
+    if (!answer) throw std::runtime_error("There is no complex yet.");
+    exports_.start({request.path, "Exporting " + request.path.filename().string(), kNoExport,
+                    [answer, header = p_.scene.header(), request](const RunContext& context) {
+                      return write_complex(*answer, header, request, context);
+                    }});
+    p_.session.let_engines_rest();
+    p_.state.notice.clear();
   } catch (const std::exception& error) {
-    state_.tell("The complex cannot be exported", error.what());
+    tell(kNoExport, error);
   }
-  due_.ask();
-}
-
-// Cancels the job whose line of progress is shown.
-void SaveJobs::cancel() {
-  if (pictures_.busy()) return pictures_.cancel();
-  if (tables_.busy()) return tables_.cancel(store_);
-  complexes_.cancel();
-}
-
-bool SaveJobs::poll() {
-  const PictureSaver::Outcome outcome = pictures_.poll();
-  const ComplexSaver::Outcome exported = complexes_.poll();
-  if (!outcome.notice.empty()) state_.notice = outcome.notice;
-  if (!exported.notice.empty()) state_.notice = exported.notice;
-  if (!outcome.error.empty()) {
-    state_.tell(outcome.of_recording ? kNoRecording : kNoPicture, outcome.error);
-  }
-  if (!exported.error.empty()) state_.tell("The complex cannot be exported", exported.error);
-  pictures_.describe(state_.saving);
-  if (!state_.saving.active) tables_.describe(state_.saving);
-  if (!state_.saving.active) complexes_.describe(state_.saving);
-  if (!outcome.any() && !exported.any()) return false;
-  due_.ask();
-  return true;
-}
-
-void SaveJobs::poll_tables(const Inputs& inputs) {
-  const TableSaver::Outcome saved = tables_.poll(store_, inputs);
-  if (!saved.notice.empty()) state_.notice = saved.notice;
-  if (!saved.error.empty()) state_.tell(kNoTable, saved.error);
-  if (saved.any()) due_.ask();
+  p_.due.ask();
 }
 
 }  // namespace alphascope

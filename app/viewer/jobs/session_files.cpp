@@ -88,27 +88,23 @@ void SessionFiles::open_with(std::shared_ptr<const FoundSession> session,
       });
 }
 
-void SessionFiles::save(const SessionDocument& session, const fs::path& file) {
-  writer_.submit(
-      [this, session, file](const RunContext& context) -> Worker::Delivery {
-        SessionDocument whole = session;
-        const fs::path& table = session.settings.open.radii_table;
-        if (session.settings.open.balls.radii == RadiiSet::user && !table.empty()) {
-          whole.radii_table = refer_to(table, hash_of_file(table, context), file.parent_path());
-        }
-        write_session(whole, file);
-        return [this, file] { outcome_.saved = file; };
-      },
-      [this](const Worker::Failure& failure) {
-        if (failure.cancelled) return;
-        outcome_.error_title = "The session cannot be saved";
-        outcome_.error = failure.message;
-      });
+void SessionFiles::save(const SessionDocument& session, const fs::path& file,
+                        std::function<void()> when_saved) {
+  const auto write = [session, file](const RunContext& context) {
+    SessionDocument whole = session;
+    const fs::path& table = session.settings.open.radii_table;
+    if (session.settings.open.balls.radii == RadiiSet::user && !table.empty()) {
+      whole.radii_table = refer_to(table, hash_of_file(table, context), file.parent_path());
+    }
+    write_session(whole, file);
+    return std::string();
+  };
+  writer_.start({file, "Saving " + file.filename().string(), "The session cannot be saved", write,
+                 std::move(when_saved)});
 }
 
 SessionFiles::Outcome SessionFiles::poll() {
   reader_.poll();
-  writer_.poll();
   return std::exchange(outcome_, {});
 }
 

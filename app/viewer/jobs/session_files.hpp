@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/viewer/jobs/file_job.hpp"
 #include "core/document/session/session_file.hpp"
 #include "core/run/worker.hpp"
 
@@ -27,7 +28,8 @@ struct FoundSession {
 
 class SessionFiles {
  public:
-  explicit SessionFiles(std::function<void()> wake) : reader_(wake), writer_(std::move(wake)) {}
+  explicit SessionFiles(std::function<void()> wake)
+      : reader_(wake), writer_(JobId::session, std::move(wake)) {}
 
   void open(const std::filesystem::path& file);
   // Opens `session` with another molecule.
@@ -35,21 +37,25 @@ class SessionFiles {
                  const std::filesystem::path& molecule);
   void cancel() { reader_.cancel(); }
   // The hash of the molecule must be set. The hash of a table of radii is computed here.
-  void save(const SessionDocument& session, const std::filesystem::path& file);
+  // `when_saved` runs on the main thread. Throws std::runtime_error (a sentence) while another
+  // session is being written.
+  void save(const SessionDocument& session, const std::filesystem::path& file,
+            std::function<void()> when_saved);
+  ViewerJob& writer() { return writer_; }
 
   Worker::Activity reading() const { return reader_.activity(); }
-  bool busy() const { return reader_.activity().busy || writer_.activity().busy; }
+  bool busy() const { return reader_.activity().busy || writer_.busy(); }
 
   struct Outcome {
     std::shared_ptr<const FoundSession> read;
-    std::optional<std::filesystem::path> saved;
     std::string error_title, error;
   };
-  Outcome poll();  // events since the last call; on the main thread
+  Outcome poll();  // what was read since the last call; on the main thread
 
  private:
   Outcome outcome_;
-  Worker reader_, writer_;  // last members, so that their threads are joined first
+  Worker reader_;  // last but one, so that its thread is joined before what it uses goes
+  FileJob writer_;
 };
 
 }  // namespace alphascope

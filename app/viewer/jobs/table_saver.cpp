@@ -1,18 +1,17 @@
-// Requests the text of a table as a derived result, and writes its file in a worker's job.
+// Requests the text of a table as a derived result, and writes its file in a job.
 #include "app/viewer/jobs/table_saver.hpp"
 
-#include <list>
 #include <stdexcept>
 #include <utility>
 
 #include "core/files/atomic_file.hpp"
-#include "core/run/work_threads.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
 
 namespace alphascope {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr const char* kNoTable = "The table cannot be saved";
 
 // Size of a written piece. Cancelling is possible between two pieces.
 constexpr std::size_t kPiece = 1 << 20;  // bytes
@@ -28,127 +27,106 @@ void write_text(const std::filesystem::path& path, const std::string& text,
   file.commit();
 }
 
-// Writes all of the files or none.
-void write_files(const fs::path& path, const std::vector<fs::path>& names, const FileWriter& writer,
-                 const RunContext& context) {
-  std::list<AtomicFile> files;
-  std::vector<AtomicFile*> open;
-  for (const fs::path& name : names) open.push_back(&files.emplace_back(name));
-  WorkThreads threads(1);  // all other threads stay free for the slider
-  threads.run([&] { writer.write(path, open, context); });
-  context.cancel.throw_if_cancelled();
-  commit_together(open);
-}
-
 }  // namespace
 
-TableSaver::TableSaver(std::function<void()> wake) : worker_(std::move(wake)) {}
-
 void TableSaver::start(SaveTableRequest request) {
-  if (busy()) {
-    throw std::runtime_error("Cannot save " + request.path.string() + ": " +
-                             saving_->path.string() +
-                             " is still being saved. Wait until it is finished, or cancel it.");
+  if (running()) {
+    throw std::runtime_error("Cannot save " + printable(request.path.string()) +
+                             ": another table is still being saved. Wait until it is finished, "
+                             "or cancel it.");
   }
   AtomicFile{request.path};  // an unwritable path must fail before the computation
-  saving_ = std::move(request);
-  begun_ = writing_ = false;
+  wanted_ = std::move(request);
+  begun_ = false;
   since_ = std::chrono::steady_clock::now();
 }
 
-void TableSaver::cancel(Store& store) {
-  if (!busy()) return;
-  if (writing_) return worker_.cancel();  // its outcome tells how the job ended
-  store.cancel(definition().id);
-  outcome_.notice = "Cancelled: " + saving_->path.string() + " was not written.";
-  saving_.reset();
+std::optional<RunningJob> TableSaver::running() const {
+  if (!wanted_) return file_.running();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since_;
+  return RunningJob{JobId::table, title(), {}, -1, seconds.count()};
+}
+
+void TableSaver::cancel() {
+  if (!wanted_) return file_.cancel();  // its outcome tells how the job ended
+  store_.cancel(definition().id);
+  news_.notice = "Cancelled: " + printable(wanted_->path.string()) + " was not written.";
+  wanted_.reset();
 }
 
 const FormatToSave* TableSaver::other_format() const {
-  if (saving_->format < kFirstOfMore) return nullptr;
-  return &saving_->table->more.at(static_cast<std::size_t>(saving_->format - kFirstOfMore));
+  if (wanted_->format < kFirstOfMore) return nullptr;
+  return &wanted_->table->more.at(static_cast<std::size_t>(wanted_->format - kFirstOfMore));
 }
 
 const AnyDefinition& TableSaver::definition() const {
   if (const FormatToSave* other = other_format()) return other->writer;
-  const TableToSave& table = *saving_->table;
-  return saving_->format == kJsonFormat ? *table.json : table.csv;
+  const TableToSave& table = *wanted_->table;
+  return wanted_->format == kJsonFormat ? *table.json : table.csv;
 }
 
 void TableSaver::fail(const std::string& why) {
-  outcome_.error = why;
-  saving_.reset();
-  writing_ = false;
+  news_.error_title = kNoTable;
+  news_.error = why;
+  wanted_.reset();
 }
 
 // Wants the table's text. Fails if the picture changed before all its numbers were ready.
-void TableSaver::want(Store& store, const Inputs& inputs) {
-  const TableToSave& table = *saving_->table;
-  const bool other = inputs.balls_key != table.inputs.balls_key ||
-                     inputs.alpha_angstrom2 != table.inputs.alpha_angstrom2 || !inputs.complex;
+void TableSaver::want() {
+  const TableToSave& table = *wanted_->table;
+  const bool other = inputs_.balls_key != table.inputs.balls_key ||
+                     inputs_.alpha_angstrom2 != table.inputs.alpha_angstrom2 || !inputs_.complex;
   if (table.of_the_picture && other) {
-    return fail(saving_->path.string() +
+    return fail(printable(wanted_->path.string()) +
                 " was not written: the picture has changed before all numbers were there. Save "
                 "the table again.");
   }
   // Needed after cancel() of an earlier request.
-  if (!std::exchange(begun_, true)) store.begin_again(definition().id);
-  const Inputs& of = table.of_the_picture ? inputs : table.inputs;
-  if (const FormatToSave* other = other_format()) return want_as(other->writer, store, of);
-  want_as(saving_->format == kJsonFormat ? *table.json : table.csv, store, of);
+  if (!std::exchange(begun_, true)) store_.begin_again(definition().id);
+  const Inputs& of = table.of_the_picture ? inputs_ : table.inputs;
+  if (const FormatToSave* other_one = other_format()) return want_as(other_one->writer, of);
+  want_as(wanted_->format == kJsonFormat ? *table.json : table.csv, of);
 }
 
 template <class T>
-void TableSaver::want_as(const Definition<T>& definition, Store& store, const Inputs& inputs) {
-  const Derived<T> made = store.want(definition, inputs);
+void TableSaver::want_as(const Definition<T>& definition, const Inputs& inputs) {
+  const Derived<T> made = store_.want(definition, inputs);
   if (made.ready()) return write(made.value);
   if (made.state == DerivedState::waiting || made.state == DerivedState::running) return;
-  fail("Cannot save " + saving_->path.string() + ": " +
+  fail("Cannot save " + printable(wanted_->path.string()) + ": " +
        (made.why.empty() ? "its numbers are not there. Save it again." : made.why));
 }
 
 void TableSaver::write(const Text& text) {
-  submit([path = saving_->path, text](const RunContext& context) {
+  write([path = wanted_->path, text](const RunContext& context) {
     write_text(path, *text, context.cancel);
   });
 }
 
 void TableSaver::write(const std::shared_ptr<const FileWriter>& writer) {
-  submit([path = saving_->path, names = other_format()->files(saving_->path),
-          writer](const RunContext& context) { write_files(path, names, *writer, context); });
+  write([path = wanted_->path, names = other_format()->files(wanted_->path),
+         writer](const RunContext& context) {
+    write_together(
+        names, [&](const std::vector<AtomicFile*>& files) { writer->write(path, files, context); },
+        context.cancel);
+  });
 }
 
-void TableSaver::submit(std::function<void(const RunContext&)> write) {
-  writing_ = true;
-  worker_.submit(
-      [this, path = saving_->path,
-       write = std::move(write)](const RunContext& context) -> Worker::Delivery {
-        write(context);
-        return [this, path] {
-          outcome_.notice = "Saved " + printable(path.string());
-          saving_.reset();
-        };
-      },
-      [this, path = saving_->path](const Worker::Failure& failure) {
-        if (!failure.cancelled) return fail(failure.message);
-        outcome_.notice = failure.too_late
-                              ? "Saved " + printable(path.string())
-                              : "Cancelled: " + printable(path.string()) + " was not written.";
-        saving_.reset();
-      });
+void TableSaver::write(std::function<void(const RunContext&)> how) {
+  FileJob::Task task{wanted_->path, title(), kNoTable,
+                     [how = std::move(how)](const RunContext& context) {
+                       how(context);
+                       return std::string();
+                     }};
+  wanted_.reset();
+  file_.start(std::move(task));
 }
 
-TableSaver::Outcome TableSaver::poll(Store& store, const Inputs& inputs) {
-  worker_.poll();
-  if (busy() && !writing_) want(store, inputs);
-  return std::exchange(outcome_, {});
-}
-
-void TableSaver::describe(BusyInfo& info) const {
-  if (!busy()) return;
-  info.active = true;
-  info.what = "Saving " + saving_->path.filename().string();
-  info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count();
+JobNews TableSaver::poll() {
+  JobNews news = file_.poll();
+  if (wanted_) want();
+  if (!news_.notice.empty() || !news_.error.empty()) news = std::exchange(news_, {});
+  return news;
 }
 
 }  // namespace alphascope

@@ -8,50 +8,48 @@
 #include <optional>
 #include <string>
 
+#include "app/viewer/jobs/file_job.hpp"
+#include "core/document/export/file_writer.hpp"
 #include "core/document/store/store.hpp"
-#include "core/run/worker.hpp"
 #include "ui/panels/dialogs/table_memory.hpp"
-#include "ui/panels/view_info.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
 
 namespace alphascope {
 
-class TableSaver {
+class TableSaver : public ViewerJob {
  public:
-  explicit TableSaver(std::function<void()> wake);  // as in Worker
+  // `wake` as in Worker. `inputs` are those of the picture; they and the store must outlive this.
+  TableSaver(std::function<void()> wake, Store& store, const Inputs& inputs)
+      : store_(store), inputs_(inputs), file_(JobId::table, std::move(wake)) {}
 
-  // Throws std::runtime_error while another table is being saved.
+  // Throws std::runtime_error (a sentence) while another table is being saved.
   void start(SaveTableRequest request);
-  // The file stays unchanged, unless it is already written.
-  void cancel(Store& store);
-  bool busy() const { return saving_.has_value(); }
 
-  struct Outcome {
-    std::string notice;  // the table was saved, or its job was cancelled
-    std::string error;   // why the table could not be saved
-    bool any() const { return !notice.empty() || !error.empty(); }
-  };
-  // Call in each frame on the main thread. `inputs` are those of the picture.
-  Outcome poll(Store& store, const Inputs& inputs);
-  // Fills `info` for the line of progress while a table is being saved.
-  void describe(BusyInfo& info) const;
+  std::optional<RunningJob> running() const override;
+  // The file stays unchanged, unless it is already written.
+  void cancel() override;
+  JobNews poll() override;
 
  private:
   using Text = std::shared_ptr<const std::string>;
   const AnyDefinition& definition() const;
   const FormatToSave* other_format() const;  // null: the file is a table
   template <class T>
-  void want_as(const Definition<T>& definition, Store& store, const Inputs& inputs);
-  void want(Store& store, const Inputs& inputs);
+  void want_as(const Definition<T>& definition, const Inputs& inputs);
+  void want();
   void write(const Text& text);
   void write(const std::shared_ptr<const FileWriter>& writer);
-  void submit(std::function<void(const RunContext&)> write);
+  void write(std::function<void(const RunContext&)> how);
   void fail(const std::string& why);
+  std::string title() const { return "Saving " + wanted_->path.filename().string(); }
 
-  std::optional<SaveTableRequest> saving_;
-  bool begun_ = false, writing_ = false;
+  Store& store_;
+  const Inputs& inputs_;
+  std::optional<SaveTableRequest> wanted_;  // its text is being made; none: no text is wanted
+  bool begun_ = false;
   std::chrono::steady_clock::time_point since_;
-  Outcome outcome_;
-  Worker worker_;  // last member, so that its thread is joined first
+  JobNews news_;
+  FileJob file_;  // writes the text when it is there
 };
 
 }  // namespace alphascope

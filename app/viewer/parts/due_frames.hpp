@@ -8,8 +8,13 @@ struct DueFrames {
   // settled.
   static constexpr int kSettling = 3;
   int count = kSettling;
+  bool news = false;  // results have arrived that no frame shows yet
   bool any() const { return count > 0; }
   void ask() { count = kSettling; }  // for a change that is to be seen
+  void ask_for_news() {              // for a result, which the next frame shows at once
+    ask();
+    news = true;
+  }
 };
 
 }  // namespace alphascope

@@ -5,7 +5,15 @@
 
 #include <algorithm>
 
+#include "ui/panels/view_state.hpp"
+
 namespace alphascope {
+
+bool interacting(const ViewState& state) {
+  const ImGuiIO& io = ImGui::GetIO();
+  return state.playback.alpha || state.playback.models || io.MouseDown[0] || io.MouseDown[1] ||
+         io.MouseDown[2];
+}
 
 Gesture Gestures::in_this_frame() {
   const ImGuiIO& io = ImGui::GetIO();

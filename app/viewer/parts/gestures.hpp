@@ -6,6 +6,11 @@
 
 namespace alphascope {
 
+struct ViewState;
+
+// Whether the user holds a mouse button, or alpha or the models are playing.
+bool interacting(const ViewState& state);
+
 class Gestures {
  public:
   // Call once a frame, after ImGui has begun it. Returns the current gesture, or 0 soon after all

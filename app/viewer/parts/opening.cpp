@@ -73,11 +73,6 @@ void Opening::forget_waiting_session() {
 void Opening::poll() {
   const SessionFiles::Outcome outcome = files_.poll();
   if (!outcome.error.empty()) state_.tell(outcome.error_title, outcome.error);
-  if (outcome.saved) {
-    state_.session_file = *outcome.saved;
-    state_.notice = "Saved " + printable(outcome.saved->string());
-    preferences_.note_recent_file(*outcome.saved);
-  }
   if (awaits_gpu_ && state_.gpu && waiting_) start_session();
   if (outcome.read) {
     waiting_ = outcome.read;
@@ -89,7 +84,7 @@ void Opening::poll() {
                                 waiting_->can_open()};
     }
   }
-  if (outcome.read || outcome.saved || !outcome.error.empty()) due_.ask();
+  if (outcome.read || !outcome.error.empty()) due_.ask();
 }
 
 // Replaces an engine that this machine lacks. All engines give the same complex.
@@ -180,7 +175,16 @@ void Opening::go_on(const std::filesystem::path& molecule) {
 }
 
 void Opening::save(const std::filesystem::path& file) {
-  if (const auto written = document(file)) files_.save(*written, file);
+  const auto written = document(file);
+  if (!written) return;
+  try {
+    files_.save(*written, file, [this, file] {
+      state_.session_file = file;
+      preferences_.note_recent_file(file);
+    });
+  } catch (const std::exception& error) {
+    state_.tell("The session cannot be saved", error.what());
+  }
 }
 
 void Opening::start(FoundSession session) {

@@ -61,7 +61,8 @@ class Opening {
   std::optional<SessionDocument> document(const std::filesystem::path& file) const;
   SessionView window_of_session() const;  // all but the camera
   Worker::Activity reading() const { return files_.reading(); }
-  bool busy() const { return files_.busy(); }  // a session is read or written
+  ViewerJob& writer() { return files_.writer(); }  // the job that writes a session
+  bool busy() const { return files_.busy(); }      // a session is read or written
   bool opens_session() const { return files_.reading().busy || waiting_ || starting_; }
 
  private:

@@ -1,4 +1,4 @@
-// Updates three texts about work: the line of progress, the badge of CGAL's comparison, and the
+// Updates texts about work: the badge of CGAL's comparison, the line on background work, and the
 // picture's stages.
 #include "app/viewer/parts/work_status.hpp"
 
@@ -42,6 +42,28 @@ BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
 
 }  // namespace
 
+WorkStatus::WorkStatus(ViewState& state, Session& session, const SceneController& scene,
+                       const Store& store, JobList& jobs, const std::function<void()>& cancel)
+    : state_(state),
+      session_(session),
+      scene_(scene),
+      store_(store),
+      opening_(JobId::opening, {[this] { return session_.activity().opening; },
+                                [this] {
+                                  const auto path = session_.activity().opening_path;
+                                  return path.empty()
+                                             ? state_.molecule.name
+                                             : "Opening " + printable(path.filename().string());
+                                },
+                                cancel}),
+      computing_(JobId::computing, {[this] { return session_.activity().computing; },
+                                    [] { return std::string("Computing"); }, cancel}),
+      comparing_(JobId::comparing, {[this] { return session_.activity().comparing; },
+                                    [] { return std::string("Comparing with CGAL"); },
+                                    [this] { session_.cancel_comparison(); }}) {
+  for (ActivityJob* const job : {&opening_, &computing_, &comparing_}) jobs.add(*job);
+}
+
 void WorkStatus::compare() {
   compared_ = session_.state().ours;
   session_.request_comparison();
@@ -50,45 +72,19 @@ void WorkStatus::compare() {
 void WorkStatus::update_badge() {
   state_.badge =
       describe_agreement(session_.state(), state_.result.get(), session_.activity().comparing.busy);
-  const bool comparing = session_.activity().comparing.busy;
-  if (!comparing) comparing_since_.reset();
-  if (comparing && !comparing_since_) comparing_since_ = Clock::now();
   const SessionState& s = session_.state();
   if (state_.badge.state == BadgeInfo::State::not_compared &&
       s.error_source == SessionState::Source::comparing) {
     state_.badge = {BadgeInfo::State::failed, s.last_error};
   }
-  if (comparing) {
-    state_.badge.seconds = std::chrono::duration<double>(Clock::now() - *comparing_since_).count();
-  }
+  if (const auto comparing = comparing_.running()) state_.badge.seconds = comparing->seconds;
   if (state_.badge.state == BadgeInfo::State::not_compared && compares_by_itself() &&
       compared_ != session_.state().ours) {
     state_.badge = {BadgeInfo::State::comparing, "waiting for the comparison with CGAL…"};
   }
 }
 
-void WorkStatus::update_busy(const Worker::Activity& reading_session) {
-  const SessionActivity a = session_.activity();
-  BusyInfo busy;
-  const auto take = [&busy](const Worker::Activity& activity, const std::string& what) {
-    if (busy.active || !activity.busy) return;
-    busy.active = true;
-    busy.what = what + (activity.stage.empty() ? "" : ": " + activity.stage);
-    busy.share = activity.share > 0 ? activity.share : -1;
-  };
-  take(a.opening, a.opening_path.empty()
-                      ? state_.molecule.name
-                      : "Opening " + printable(a.opening_path.filename().string()));
-  take(reading_session, "Opening the session");
-  take(a.computing, "Computing");
-  // The badge shows a comparison in the background, which delays nothing.
-  if (busy.active) {
-    if (!busy_since_) busy_since_ = Clock::now();
-    busy.seconds = std::chrono::duration<double>(Clock::now() - *busy_since_).count();
-  } else {
-    busy_since_.reset();
-  }
-  state_.busy = busy;
+void WorkStatus::update_background() {
   state_.background = background_text(store_.jobs());
 }
 

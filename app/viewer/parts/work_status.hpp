@@ -1,11 +1,11 @@
 // Describes the running work in words, and starts the comparisons with CGAL.
 #pragma once
 
-#include <chrono>
+#include <functional>
 #include <memory>
-#include <optional>
 
 #include "app/session/session.hpp"
+#include "app/viewer/jobs/activity_job.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/view_state.hpp"
@@ -14,10 +14,11 @@ namespace alphascope {
 
 class WorkStatus {
  public:
-  WorkStatus(ViewState& state, Session& session, const SceneController& scene, const Store& store)
-      : state_(state), session_(session), scene_(scene), store_(store) {}
+  // Adds the session's work to `jobs`. `cancel` cancels all work that the picture waits for.
+  WorkStatus(ViewState& state, Session& session, const SceneController& scene, const Store& store,
+             JobList& jobs, const std::function<void()>& cancel);
 
-  void update_busy(const Worker::Activity& reading_session);
+  void update_background();  // the line on work that nothing waits for
   void update_badge();
   // Appends the picture's stages to the timings of the run that made its complex.
   void add_picture_stages();
@@ -26,15 +27,14 @@ class WorkStatus {
   void forget_compared() { compared_ = nullptr; }
 
  private:
-  using Clock = std::chrono::steady_clock;
   bool compares_by_itself() const;
 
   ViewState& state_;
   Session& session_;
   const SceneController& scene_;
   const Store& store_;
+  ActivityJob opening_, computing_, comparing_;
   std::shared_ptr<const Answer> compared_;  // the last answer whose comparison was requested
-  std::optional<Clock::time_point> busy_since_, comparing_since_;
 };
 
 }  // namespace alphascope

@@ -9,6 +9,7 @@
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/dialogs/picture_path.hpp"
+#include "ui/widgets/controls.hpp"
 
 namespace alphascope {
 namespace {

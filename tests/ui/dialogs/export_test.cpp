@@ -82,7 +82,7 @@ TEST_F(ExportFromTheWindow, WhatCannotBeWrittenIsTold) {
 TEST_F(ExportFromTheWindow, CancelLeavesNoFile) {
   open_crambin();
   viewer_->calls().jobs.export_complex(ExportRequest{folder_ / "c.vtu", ExportColours::element});
-  viewer_->calls().jobs.cancel(Job::saving);  // in the same frame, before the worker is done
+  viewer_->calls().jobs.cancel(JobId::complex);  // in the same frame, before the worker is done
   run("wait-idle\n");
   const bool written = fs::exists(folder_ / "c.vtu");
   const std::string& notice = viewer_->state().notice;

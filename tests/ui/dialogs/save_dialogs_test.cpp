@@ -7,6 +7,7 @@
 
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -1,5 +1,6 @@
 // Tests the player of lessons on a stage that only records requests.
 #include "app/viewer/lessons/lesson_player.hpp"
+#include "core/document/store/answer.hpp"
 
 #include <gtest/gtest.h>
 

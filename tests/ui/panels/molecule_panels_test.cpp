@@ -4,6 +4,7 @@
 #include "tests/ui/panel_memory.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/radius_row.hpp"
 
 namespace alphascope {
 namespace {
@@ -281,7 +282,7 @@ TEST_F(MoleculePanel, AnEmptySelectionIsExplainedInTheView) {
 }
 
 TEST_F(MoleculePanel, EscapeStopsPlayingBeforeItCancels) {
-  p.state.busy = {true, "Computing", 0.4, 0.01};
+  p.state.jobs = {{JobId::computing, "Computing", "", 0.4, 0.01}};
   p.state.playback.models = true;
   p.tap(key::kEscape);
   EXPECT_FALSE(p.state.playback.models);

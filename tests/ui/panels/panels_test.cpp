@@ -4,6 +4,7 @@
 
 #include "tests/ui/panel_memory.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
+#include "ui/colour_legend.hpp"
 #include "ui/panels/complex/timings_memory.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panel_list.hpp"
@@ -130,10 +131,10 @@ TEST(PanelsTest, ErrorIsShownUntilDismissed) {
 TEST(PanelsTest, LongWorkShowsProgressAndCancel) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
-  p.state.busy = {true, "Computing: kernel II", 0.4, 0.05};
+  p.state.jobs = {{JobId::computing, "Computing", "kernel II", 0.4, 0.05}};
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("view.cancel"));  // too short to be shown without a flicker
-  p.state.busy.seconds = 1;
+  p.state.jobs[0].seconds = 1;
   p.frame(2);
   p.click("view.cancel");
   EXPECT_TRUE(p.asked.cancel);
@@ -155,10 +156,10 @@ TEST(PanelsTest, AViewWithoutAtomsSaysThatTheyAreHidden) {
 TEST(PanelsTest, WorkOfUnknownLengthHasNoBarThatLooksLikeAShare) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
-  p.state.busy = {true, "Computing", -1, 1.3};
+  p.state.jobs = {{JobId::computing, "Computing", "", -1, 1.3}};
   p.frame(2);
   EXPECT_TRUE(p.rects.contains("view.busy_bar"));
-  p.state.busy.share = 0.4;
+  p.state.jobs[0].share = 0.4;
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("view.busy_bar"));
 }
@@ -213,7 +214,7 @@ TEST(PanelsTest, MissingTimesSayWhyAndHowToGetThem) {
   EXPECT_NE(missing_times(s, true)[0].find("Open a molecule"), std::string::npos);
   s.molecule.loaded = true;
   EXPECT_EQ(missing_times(s, true)[0], "Nothing is computed yet: move alpha.");
-  s.busy.active = true;
+  s.jobs = {{JobId::computing, "Computing"}};
   EXPECT_NE(missing_times(s, true)[0].find("when the computation is done"), std::string::npos);
   s = loaded_state();  // cold times of both engines, no warm ones
   EXPECT_TRUE(missing_times(s, true).empty());

@@ -308,8 +308,8 @@ TEST_F(ViewerTest, TheWindowGoesOnWhileAPictureIsSaved) {
     run("frames 1\n");
   };
   save();
-  ASSERT_TRUE(viewer_->state().saving.active);
-  EXPECT_NE(viewer_->state().saving.what.find("Saving picture.png"), std::string::npos);
+  ASSERT_NE(writing_job(viewer_->state().jobs), nullptr);
+  EXPECT_EQ(writing_job(viewer_->state().jobs)->title, "Saving picture.png");
   run("frames 3\n");
   EXPECT_TRUE(viewer_->widgets().contains("view.cancel_save"));
   save();  // one at a time
@@ -317,7 +317,7 @@ TEST_F(ViewerTest, TheWindowGoesOnWhileAPictureIsSaved) {
       << viewer_->state().error;
   viewer_->state().error.clear();
   run("wait-idle\n");
-  EXPECT_FALSE(viewer_->state().saving.active);
+  EXPECT_EQ(writing_job(viewer_->state().jobs), nullptr);
   EXPECT_TRUE(fs::exists(folder_ / "picture.png"));
 }
 
@@ -327,7 +327,7 @@ TEST_F(ViewerTest, ACancelledPictureLeavesTheOldFile) {
   viewer_->state().settings.display.samples = 16;  // else it may be done before the click
   viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false});
   run("frames 3\nclick view.cancel_save\nframes 2\n");
-  EXPECT_FALSE(viewer_->state().saving.active) << "at once";
+  EXPECT_EQ(writing_job(viewer_->state().jobs), nullptr) << "at once";
   EXPECT_NE(viewer_->state().notice.find("was not written"), std::string::npos);
   EXPECT_EQ(bytes("picture.png"), "older");
   // The next picture waits for the last one.

@@ -9,6 +9,7 @@
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/scene/picture/step_text.hpp"
+#include "ui/widgets/controls.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -139,7 +140,7 @@ TEST_F(WindowWords, ASavedPictureSaysItsSamples) {
   std::string said;
   while (viewer_->busy()) {
     viewer_->step(&none);
-    if (state().saving.active) said += state().saving.step + "\n";
+    if (const RunningJob* job = writing_job(state().jobs)) said += job->step + "\n";
   }
   EXPECT_NE(said.find(" of 4, "), std::string::npos) << said;
   EXPECT_NE(said.find(" s left"), std::string::npos) << said;

@@ -114,7 +114,7 @@ void compare_button(PanelContext& ctx) {
   if (s.badge.state == BadgeInfo::State::comparing) {
     if (s.badge.seconds < kCancelAfterSeconds) return;
     ImGui::SameLine();
-    if (button(ctx, "timings.cancel", "Cancel")) ctx.calls.jobs.cancel(Job::comparing);
+    if (button(ctx, "timings.cancel", "Cancel")) ctx.calls.jobs.cancel(JobId::comparing);
     return;
   }
   if (s.badge.state == BadgeInfo::State::identical) return;

@@ -48,7 +48,8 @@ std::string incomparable(const ViewState& state, bool cold) {
 
 std::vector<std::string> missing_times(const ViewState& state, bool cold) {
   if (!state.ours.any()) {
-    return {state.busy.active ? "The time of each stage appears here when the computation is done."
+    return {awaited_job(state.jobs) != nullptr
+                ? "The time of each stage appears here when the computation is done."
             : state.molecule.loaded
                 ? "Nothing is computed yet: move alpha."
                 : "Open a molecule: the time of each stage appears here, beside CGAL's."};

@@ -127,7 +127,7 @@ void missing(PanelContext& ctx, bool cold) {
   for (const std::string& sentence : sentences) muted_wrapped(ctx, sentence);
   record(ctx, "timings.missing");
   if (!cold || !lacks_cold_time(s)) return;
-  ImGui::BeginDisabled(s.busy.active);
+  ImGui::BeginDisabled(awaited_job(s.jobs) != nullptr);
   if (button(ctx, "timings.compute_anew", "Measure cold times")) ctx.calls.jobs.compute_anew();
   ImGui::EndDisabled();
   tooltip(ctx,

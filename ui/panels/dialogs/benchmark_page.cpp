@@ -146,7 +146,7 @@ void run_row(PanelContext& ctx) {
   // Cancel has a place of its own, so that a second click on Run does not cancel.
   ImGui::BeginDisabled(!b.running);
   if (button(ctx, "benchmark.cancel", "Cancel", {ctx.px(100), 0})) {
-    ctx.calls.jobs.cancel(Job::benchmark);
+    ctx.calls.jobs.cancel(JobId::benchmark);
   }
   ImGui::EndDisabled();
   ImGui::SameLine();

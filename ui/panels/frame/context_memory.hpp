@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/document/reference/reference.hpp"
+#include "core/document/reference/ref_set.hpp"
 
 namespace alphascope {
 

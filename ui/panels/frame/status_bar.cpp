@@ -2,6 +2,7 @@
 // one line.
 #include <algorithm>
 
+#include "core/complex/alpha_complex.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 

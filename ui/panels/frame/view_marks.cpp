@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/colour_legend.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/flat_view.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/picture_marks.hpp"
 
 namespace alphascope {
 namespace {

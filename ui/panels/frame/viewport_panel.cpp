@@ -8,6 +8,7 @@
 #include "core/read/file_format.hpp"
 #include "ui/caption.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
+#include "ui/panels/frame/running_jobs.hpp"
 #include "ui/panels/frame/view_marks.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/flat_view.hpp"
@@ -88,7 +89,7 @@ void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const ViewState& s = ctx.state;
   const std::string text = caption_text(*s.result);
   // At the right there must be room for progress.
-  const float room = size.x - ctx.px(s.busy.active || s.saving.active ? 260 : 32);
+  const float room = size.x - ctx.px(s.jobs.empty() ? 32 : 260);
   ImVec2 place{corner.x + ctx.px(16), corner.y + ctx.px(14)};
   for (const std::string& line : {text, s.pending}) {
     const std::string fitted = fitted_text(line, room);
@@ -96,23 +97,6 @@ void caption(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
     ImGui::GetWindowDrawList()->AddText(place, to_u32(ctx.palette.text_muted), fitted.c_str());
     place.y += ImGui::GetTextLineHeightWithSpacing();
   }
-}
-
-void begin_overlay(PanelContext& ctx, const char* id, ImVec2 position, ImVec2 pivot) {
-  ImGui::SetNextWindowPos(position, ImGuiCond_Always, pivot);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ctx.px(8));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui(ctx.palette.panel_raised, 0.96f));
-  ImGui::Begin(id, nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-}
-
-void end_overlay() {
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
 }
 
 // Says that atoms are hidden, since the picture lacks them. The note is below the caption and the
@@ -132,71 +116,6 @@ float hidden_note(PanelContext& ctx, ImVec2 corner, float top) {
   const float height = ImGui::GetWindowHeight();
   end_overlay();
   return y + height + ctx.px(6);
-}
-
-// Progress of work whose share done is unknown. A piece moves to and fro, so that nobody takes it
-// for a share.
-void busy_bar(PanelContext& ctx, float width, double seconds) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFrameHeight(), piece = width / 5;
-  constexpr double kPeriod = 2;  // seconds, to and fro
-  const double phase = std::fmod(seconds, kPeriod) / kPeriod;
-  const float at = static_cast<float>(1 - std::fabs(2 * phase - 1)) * (width - piece);
-  const float rounding = ImGui::GetStyle().FrameRounding;
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(corner, {corner.x + width, corner.y + height}, to_u32(ctx.palette.field),
-                      rounding);
-  draw->AddRectFilled({corner.x + at, corner.y + ctx.px(2)},
-                      {corner.x + at + piece, corner.y + height - ctx.px(2)},
-                      to_u32(ctx.palette.accent, 0.55f), rounding);
-  const std::string text = number_text(seconds, 1) + " s";
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  draw->AddText({corner.x + (width - size.x) / 2, corner.y + (height - size.y) / 2},
-                to_u32(ctx.palette.text), text.c_str());
-  ImGui::Dummy({width, height});
-  record(ctx, "view.busy_bar");
-}
-
-// Shows progress of work that takes long enough to read it; short work would flicker.
-void progress(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
-  const BusyInfo& b = ctx.state.busy;
-  constexpr double kShowAfterSeconds = 0.25;
-  if (!b.active || b.seconds < kShowAfterSeconds) return;
-  begin_overlay(ctx, "##progress", {corner.x + size.x - ctx.px(14), corner.y + ctx.px(12)}, {1, 0});
-  ImGui::TextUnformatted(fitted_text(b.what, ctx.px(250)).c_str());
-  if (b.share >= 0) {
-    ImGui::SameLine();  // the text would be hard to read on the bar's colour
-    ImGui::TextUnformatted((number_text(b.share * 100, 0) + " %").c_str());
-    ImGui::ProgressBar(static_cast<float>(b.share), {ctx.px(220), 0}, "");
-  } else {
-    busy_bar(ctx, ctx.px(220), b.seconds);
-  }
-  ImGui::SameLine();
-  if (button(ctx, "view.cancel", "Cancel")) ctx.calls.jobs.cancel(Job::computing);
-  end_overlay();
-}
-
-// Progress of saving. It leaves room for the line of progress() above, which may come and go.
-void saving(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
-  const BusyInfo& b = ctx.state.saving;
-  if (!b.active) return;
-  const float row = ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y;
-  begin_overlay(ctx, "##saving",
-                {corner.x + size.x - ctx.px(14), corner.y + ctx.px(24) + 1.7f * row}, {1, 0});
-  // A fixed width, else the window would jump with each step.
-  const float width = ctx.px(220), left = ImGui::GetCursorPosX();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(fitted_text(b.what, width).c_str());
-  record(ctx, "view.saving");
-  ImGui::SameLine(left + width + ctx.px(8));
-  if (button(ctx, "view.cancel_save", "Cancel")) ctx.calls.jobs.cancel(Job::saving);
-  tooltip(ctx, "Nothing half is left; an existing file stays as it is.");
-  const std::string so_far = number_text(b.seconds, 1) + " s";
-  muted_text(ctx, fitted_text(b.step.empty() ? so_far : b.step, width));
-  record(ctx, "view.saving_step");
-  const float share = static_cast<float>(std::max(0.0, b.share));
-  ImGui::ProgressBar(share, {width, ctx.px(4)}, "");
-  end_overlay();
 }
 
 // Explains a view that shows nothing, which would look broken. Placed below `top`, pixels of the
@@ -243,7 +162,7 @@ void drop_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_heig
 
 void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ViewState& s = ctx.state;
-  if (s.molecule.loaded || s.busy.active) return;
+  if (s.molecule.loaded || awaited_job(s.jobs) != nullptr) return;
   begin_overlay(ctx, "##empty", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
   ImGui::Dummy({ctx.px(460), ctx.px(2)});
   ImGui::PushFont(ctx.fonts.large);
@@ -276,7 +195,7 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 // Says that the selection left no atom. Returns whether it does.
 bool nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const MoleculeInfo& m = ctx.state.molecule;
-  if (!m.loaded || m.balls > 0 || ctx.state.busy.active) return false;
+  if (!m.loaded || m.balls > 0 || awaited_job(ctx.state.jobs) != nullptr) return false;
   begin_overlay(ctx, "##nothing", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
   ImGui::TextUnformatted("No atom is left by this selection, so there is nothing to show.");
   muted_text(ctx, "Keep more kinds of atoms or chains at the left, or clear the expression.");
@@ -302,7 +221,7 @@ void outdated_note(PanelContext& ctx, ImVec2 corner) {
 float compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const ViewState& s = ctx.state;
   const float top = ctx.px(18) + ImGui::GetTextLineHeight();
-  if (s.compute_error.empty() || s.busy.active || s.viewport.outdated) return 0;
+  if (s.compute_error.empty() || awaited_job(s.jobs) != nullptr || s.viewport.outdated) return 0;
   ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + top});
   const std::string text = broken_lines(s.compute_error, size.x - ctx.px(32));
   draw_rim(ctx, ImGui::GetCursorScreenPos(), text);
@@ -382,8 +301,7 @@ void draw_viewport(PanelContext& ctx) {
     outdated_note(ctx, corner);
     top = hidden_note(ctx, corner, compute_error_note(ctx, corner, size));
   }
-  progress(ctx, corner, size);
-  saving(ctx, corner, size);
+  draw_running_jobs(ctx, {corner.x + size.x - ctx.px(14), corner.y + ctx.px(12)});
   if (!flat) problem(ctx, corner, size, top);
   drop_note(ctx, corner, size, legends_height);
   empty_state(ctx, corner, size);

@@ -1,11 +1,12 @@
-// Lessons in the window: reads their files, and gives the player the window as its stage. The
-// previous molecule is kept as a session in memory, and is restored as a session is.
+// Gives the player the window as its stage. The previous molecule is kept as a session in memory, and
+// is restored as a session is.
+#include "app/viewer/lessons/window_lessons.hpp"
+
 #include <utility>
 
 #include "app/options/did_you_mean.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
-#include "app/viewer/viewer.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/files/read_error.hpp"
 
@@ -68,71 +69,69 @@ Settings lesson_settings(const Settings& now) {
 
 }  // namespace
 
-class Viewer::Stage : public LessonStage {
+class WindowLessons::Stage : public LessonStage {
  public:
-  explicit Stage(Viewer& viewer) : v_(viewer) {}
+  explicit Stage(const Parts& parts) : p_(parts) {}
 
   std::shared_ptr<const void> file() const override {
-    const auto& opened = v_.session_.state().opened;
+    const auto& opened = p_.session.state().opened;
     return opened ? opened->deposited : nullptr;
   }
   std::filesystem::path path() const override {
-    const auto& opened = v_.session_.state().opened;
+    const auto& opened = p_.session.state().opened;
     return opened ? opened->deposited->source : std::filesystem::path();
   }
   bool opening() const override {
-    const SessionActivity a = v_.session_.activity();
-    return a.opening.busy || !a.opening_path.empty() || v_.opening_.opens_session();
+    const SessionActivity a = p_.session.activity();
+    return a.opening.busy || !a.opening_path.empty() || p_.opening.opens_session();
   }
   bool at_rest() const override {
-    const SessionActivity a = v_.session_.activity();
-    const bool sent =
-        v_.state_.settings.request == v_.sent_compute_ && v_.state_.settings.open == v_.sent_open_;
-    const bool shown = v_.session_.state().ours == v_.state_.result ||
-                       !v_.state_.compute_error.empty() || v_.state_.playback.alpha;
-    return sent && shown && !a.opening.busy && !a.computing.busy && !v_.scene_.busy();
+    const SessionActivity a = p_.session.activity();
+    const bool shown = p_.session.state().ours == p_.state.result ||
+                       !p_.state.compute_error.empty() || p_.state.playback.alpha;
+    return p_.sender.all_is_sent() && shown && !a.opening.busy && !a.computing.busy && !p_.scene.busy();
   }
 
   void keep() override {
-    kept_ = Kept{v_.opening_.document({}), v_.state_.session_file, v_.history_.settings(),
-                 v_.history_.editor(), file()};
+    kept_ = Kept{p_.opening.document({}), p_.state.session_file, p_.history.settings(),
+                 p_.history.editor(), file()};
     settled_.reset();
   }
 
   void open(const std::filesystem::path& molecule) override {
     SessionDocument document;
     document.settings = next_settings();
-    document.view = v_.opening_.window_of_session();
+    document.view = p_.opening.window_of_session();
     document.view.panels.alpha_slider = {};
     start({}, std::move(document), molecule);
   }
 
   void reset() override {
-    v_.history_.restart(next_settings());
-    v_.scene_.reset_view();  // as for a molecule that the step opens
+    p_.history.restart(next_settings());
+    p_.scene.reset_view();  // as for a molecule that the step opens
   }
 
-  Outcome run(const std::string& command) override { return v_.commands_.run_line(command); }
+  Outcome run(const std::string& command) override { return p_.commands.run_line(command); }
 
   void settle() override {
-    settled_ = v_.history_.settings();
-    v_.history_.restart();
-    v_.preferences_.take_as_seen();  // the changes are the lesson's, not the user's
-    v_.due_.ask();
+    settled_ = p_.history.settings();
+    p_.history.restart();
+    p_.preferences.take_as_seen();  // the changes are the lesson's, not the user's
+    p_.due.ask();
   }
 
   void bring_back() override {
     if (!kept_) return;
     Kept kept = *std::exchange(kept_, std::nullopt);
     if (!kept.document || kept.file == file()) {
-      v_.session_.cancel_opening();
-      v_.opening_.forget_waiting_session();
+      p_.session.cancel_opening();
+      p_.opening.forget_waiting_session();
       return take_over(kept);
     }
-    kept.document->view.light_theme = v_.state_.window.theme == Theme::light;
+    kept.document->view.light_theme = p_.state.window.theme == Theme::light;
     const std::filesystem::path molecule = kept.document->molecule.absolute;
     start(kept.session_file, *std::move(kept.document), molecule);
-    v_.history_.set_to_come_back(std::move(kept.history));
+    p_.history.set_to_come_back(std::move(kept.history));
   }
 
   void forget() override {
@@ -151,7 +150,7 @@ class Viewer::Stage : public LessonStage {
   // The start settings of the next step, with the user's present choices and without those of the
   // last step.
   Settings next_settings() {
-    const Settings now = lesson_settings(v_.history_.settings());
+    const Settings now = lesson_settings(p_.history.settings());
     if (!settled_ || !(now == lesson_settings(*settled_))) of_user_ = now;
     return of_user_;
   }
@@ -159,15 +158,15 @@ class Viewer::Stage : public LessonStage {
   // Restores all settings and their history if the kept molecule is still open. Otherwise restores
   // request and display only.
   void take_over(const Kept& kept) {
-    ViewState& s = v_.state_;
+    ViewState& s = p_.state;
     if (kept.document && kept.file == file()) {
-      v_.history_.put(kept.history);
+      p_.history.put(kept.history);
     } else {
       s.settings.request = kept.settings.request;
       s.settings.display = kept.settings.display;
-      v_.history_.restart();
+      p_.history.restart();
     }
-    v_.preferences_.take_as_seen();
+    p_.preferences.take_as_seen();
   }
 
   void start(const std::filesystem::path& file, SessionDocument document,
@@ -178,41 +177,46 @@ class Viewer::Stage : public LessonStage {
     found.read.session = std::move(document);
     found.molecule.state = FoundFile::State::same;
     found.molecule.path = molecule;
-    v_.opening_.start(std::move(found));
+    p_.opening.start(std::move(found));
   }
 
-  Viewer& v_;
+  Parts p_;
   std::optional<Kept> kept_;
   // The settings at the end of the last step. Later differences are the user's.
   std::optional<Settings> settled_;
   Settings of_user_;
 };
 
-std::unique_ptr<LessonStage> Viewer::make_lesson_stage() {
-  return std::make_unique<Stage>(*this);
-}
+WindowLessons::WindowLessons(const Parts& parts, std::function<void()> wake,
+                             std::vector<std::filesystem::path> folders)
+    : p_(parts),
+      files_(std::move(wake), std::move(folders)),
+      stage_(std::make_unique<Stage>(parts)),
+      player_(*stage_, parts.state.lessons) {}
 
-std::vector<std::filesystem::path> Viewer::lesson_folders(const ViewerOptions& options) {
+WindowLessons::~WindowLessons() = default;
+
+std::vector<std::filesystem::path> WindowLessons::folders(const std::filesystem::path& of_user) {
   std::vector<std::filesystem::path> folders{lessons_folder()};
-  if (!options.preferences.empty()) folders.push_back(options.preferences / "lessons");
+  if (!of_user.empty()) folders.push_back(of_user / "lessons");
   return folders;
 }
 
-void Viewer::take_lesson_files() {
-  LessonMemory& memory = state_.lessons;
-  LessonFiles::News news = lesson_files_.poll();
+void WindowLessons::poll() {
+  LessonMemory& memory = p_.state.lessons;
+  LessonFiles::News news = files_.poll();
   if (news.shelf) memory.shelf = news.shelf;
-  if (memory.shown && !memory.shelf && !lesson_files_.busy()) lesson_files_.read_shelf();
+  if (memory.shown && !memory.shelf && !files_.busy()) files_.read_shelf();
   if (news.opened) {
     try {
-      check_commands(*news.opened, commands_);
-      lessons_.begin(news.opened);
+      check_commands(*news.opened, p_.commands);
+      player_.begin(news.opened);
     } catch (const ReadError& error) {
       news.error = error.what();
     }
   }
-  if (!news.error.empty()) state_.tell("The lesson cannot be opened", news.error);
-  if (news.shelf || news.opened || !news.error.empty()) due_.ask();
+  if (!news.error.empty()) p_.state.tell("The lesson cannot be opened", news.error);
+  if (news.shelf || news.opened || !news.error.empty()) p_.due.ask();
 }
 
 }  // namespace alphascope

@@ -1,7 +1,9 @@
-// Derived results of the picture: their inputs, and the memory of all large objects.
+// Takes the picture on screen as the inputs of derived results.
+#include "app/viewer/parts/picture_inputs.hpp"
+
 #include <utility>
 
-#include "app/viewer/viewer.hpp"
+#include "app/viewer/parts/gestures.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
 #include "core/document/store/derived.hpp"
 
@@ -10,15 +12,15 @@ namespace alphascope {
 // Whether derived results may take the balls of the new picture as inputs. While the solvent radius
 // is dragged, results that panels wait for are finished first. Otherwise each new picture would
 // cancel the work for the last one, and panels would stay empty.
-bool Viewer::may_take_inputs(const Answer& shown) const {
+bool PictureInputs::may_take(const Answer& shown) const {
   if (shown.balls == inputs_.balls) return false;
   const bool same_atoms = source_ && source_->prepared == shown.prepared;
-  return !same_atoms || !interacting() || !store_.busy(Lane::interactive);
+  return !same_atoms || !interacting(state_) || !store_.busy(Lane::interactive);
 }
 
-void Viewer::take_inputs(const std::shared_ptr<const Answer>& shown) {
+void PictureInputs::take(const std::shared_ptr<const Answer>& shown) {
   source_ = shown;
-  inputs_taken_at_ = Clock::now();
+  taken_at_ = Clock::now();
   inputs_ = {};
   inputs_.balls = shown->balls;
   inputs_.balls_key = ++balls_seen_;
@@ -33,14 +35,14 @@ void Viewer::take_inputs(const std::shared_ptr<const Answer>& shown) {
 }
 
 // Derived results are those of the picture, so they need a first picture.
-void Viewer::take_derived() {
+void PictureInputs::follow_picture() {
   const SessionState& s = session_.state();
   const auto& shown = state_.result;
   if (!s.ours || !shown || shown->prepared != s.prepared) {
     inputs_ = {};
     source_ = nullptr;
-  } else if (may_take_inputs(*shown)) {
-    take_inputs(shown);
+  } else if (may_take(*shown)) {
+    take(shown);
   }
   if (inputs_.balls) {
     inputs_.split_networks = state_.settings.cavity_choices.split_networks;
@@ -53,41 +55,37 @@ void Viewer::take_derived() {
       give_of_all_balls(store_, inputs_, std::exchange(*shown->made, {}));
     }
   }
-  saving_.poll_tables(inputs_);
   note_large_objects();
   poll_store();
 }
 
 // A GPU computes each alpha anew and needs no filtration. A large one (0.6 GB for a million balls)
 // would serve panels alone. These ask for it when they are open.
-bool Viewer::needs_filtration() const {
+bool PictureInputs::needs_filtration() const {
   constexpr std::size_t kSmall = 100'000;  // balls
   const EngineChoice engine = state_.settings.request.engine;
   const bool on_gpu = needs_gpu(engine) || (engine == EngineChoice::automatic && has_gpu(state_));
   return !on_gpu || inputs_.balls->size() <= kSmall;
 }
 
-// Wants the whole filtration, so that on the CPU each later alpha is a threshold of it. Call after
-// the panels, so that the store knows their wishes before it starts background work.
-void Viewer::want_of_all_balls() {
+void PictureInputs::want_of_all_balls() {
   if (inputs_.balls) {
     if (needs_filtration()) store_.want(whole_filtration(), inputs_, Priority::background);
     store_.want(whole_triangulation(), inputs_, Priority::background);
   }
   // Background work for balls that change in each frame would never be finished.
   constexpr std::chrono::milliseconds kSettled{300};
-  store_.hold_background(interacting() && Clock::now() - inputs_taken_at_ < kSettled);
+  store_.hold_background(interacting(state_) && Clock::now() - taken_at_ < kSettled);
   poll_store();
 }
 
-void Viewer::poll_store() {
+void PictureInputs::poll_store() {
   if (!store_.poll()) return;
-  due_.ask();
-  news_ = true;
+  due_.ask_for_news();
 }
 
 // The complex on screen may differ from the session's last one, so both count.
-void Viewer::note_large_objects() {
+void PictureInputs::note_large_objects() {
   const SessionState& s = session_.state();
   const auto& shown = state_.result;
   std::uint64_t complexes = session_.held_bytes();

@@ -1,0 +1,46 @@
+// A job of another owner, such as the session, in the list of jobs.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <utility>
+
+#include "app/viewer/jobs/job_list.hpp"
+#include "core/run/worker.hpp"
+
+namespace alphascope {
+
+class ActivityJob : public ViewerJob {
+ public:
+  struct Owner {
+    std::function<Worker::Activity()> activity;
+    std::function<std::string()> title;  // called while the job runs
+    std::function<void()> cancel;
+  };
+  ActivityJob(JobId id, Owner owner) : id_(id), owner_(std::move(owner)) {}
+
+  std::optional<RunningJob> running() const override {
+    const Worker::Activity activity = owner_.activity();
+    if (!activity.busy) return std::nullopt;
+    const std::chrono::duration<double> seconds = Clock::now() - since_.value_or(Clock::now());
+    return RunningJob{id_, owner_.title(), activity.stage,
+                      activity.share > 0 ? activity.share : -1, seconds.count()};
+  }
+  void cancel() override { owner_.cancel(); }
+  JobNews poll() override {
+    if (!owner_.activity().busy) {
+      since_.reset();
+    } else if (!since_) {
+      since_ = Clock::now();
+    }
+    return {};  // the owner tells the outcome
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  JobId id_;
+  Owner owner_;
+  std::optional<Clock::time_point> since_;  // none: it does not run
+};
+
+}  // namespace alphascope

@@ -1,0 +1,73 @@
+// Runs the job that writes files, and words its outcome.
+#include "app/viewer/jobs/file_job.hpp"
+
+#include <list>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "core/run/background.hpp"
+#include "core/run/work_threads.hpp"
+#include "core/text/printable.hpp"
+
+namespace alphascope {
+
+void FileJob::start(Task task) {
+  if (busy()) {
+    throw std::runtime_error("Cannot write " + printable(task.file.string()) + ": " +
+                             printable(task_->file.string()) +
+                             " is still being saved. Wait until it is finished, or cancel it.");
+  }
+  task_ = std::move(task);
+  since_ = std::chrono::steady_clock::now();
+  const auto text = std::make_shared<std::string>();  // the job writes it until it has ended
+  worker_.submit(
+      [this, text, write = task_->write](const RunContext& context) -> Worker::Delivery {
+        give_way_to_others(Share::third);
+        *text = write(context);
+        return [this, text] { end(*text, nullptr); };
+      },
+      [this, text](const Worker::Failure& failure) { end(*text, &failure); });
+}
+
+void FileJob::end(const std::string& text, const Worker::Failure* failure) {
+  const Task task = *std::exchange(task_, std::nullopt);
+  const std::string file = printable(task.file.string());
+  news_.frees_memory = true;
+  if (failure == nullptr || failure->too_late) {
+    news_.notice = "Saved " + file + text;
+    if (task.when_saved) task.when_saved();
+  } else if (failure->cancelled) {
+    news_.notice = "Cancelled: " + file + " was not written.";
+  } else {
+    news_.error_title = task.error_title;
+    news_.error = failure->message;
+  }
+}
+
+std::optional<RunningJob> FileJob::running() const {
+  if (!task_) return std::nullopt;
+  const Worker::Activity activity = worker_.activity();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since_;
+  return RunningJob{id_, task_->title, activity.stage, activity.share > 0 ? activity.share : -1,
+                    seconds.count()};
+}
+
+JobNews FileJob::poll() {
+  worker_.poll();
+  return std::exchange(news_, {});
+}
+
+void write_together(const std::vector<std::filesystem::path>& names,
+                    const std::function<void(const std::vector<AtomicFile*>& files)>& write,
+                    const CancelToken& cancel) {
+  std::list<AtomicFile> files;
+  std::vector<AtomicFile*> open;
+  for (const std::filesystem::path& name : names) open.push_back(&files.emplace_back(name));
+  WorkThreads threads(1);
+  threads.run([&] { write(open); });
+  cancel.throw_if_cancelled();
+  commit_together(open);
+}
+
+}  // namespace alphascope

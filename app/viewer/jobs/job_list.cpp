@@ -1,0 +1,39 @@
+// Collects the outcomes of all jobs, and lists those that run.
+#include "app/viewer/jobs/job_list.hpp"
+
+#include <algorithm>
+
+namespace alphascope {
+
+bool JobList::poll() {
+  bool frees_memory = false;
+  for (ViewerJob* const job : jobs_) {
+    const JobNews news = job->poll();
+    if (!news.notice.empty()) state_.notice = news.notice;
+    if (!news.error.empty()) state_.tell(news.error_title, news.error);
+    const bool any =
+        news.changed || news.frees_memory || !news.notice.empty() || !news.error.empty();
+    if (any) due_.ask();
+    frees_memory |= news.frees_memory;
+  }
+  describe();
+  return frees_memory;
+}
+
+void JobList::describe() {
+  state_.jobs.clear();
+  for (const ViewerJob* const job : jobs_) {
+    if (auto running = job->running()) state_.jobs.push_back(*std::move(running));
+  }
+  std::stable_sort(state_.jobs.begin(), state_.jobs.end(),
+                   [](const RunningJob& a, const RunningJob& b) { return a.id < b.id; });
+}
+
+void JobList::cancel(JobId id) {
+  for (ViewerJob* const job : jobs_) {
+    const auto running = job->running();
+    if (running && running->id == id) job->cancel();
+  }
+}
+
+}  // namespace alphascope

@@ -1,0 +1,25 @@
+// Memory that large objects leave behind goes back to the machine.
+#include "app/viewer/parts/memory_watch.hpp"
+
+#include "app/session/system_memory.hpp"
+#include "app/viewer/parts/gestures.hpp"
+#include "core/run/freed_elsewhere.hpp"
+#include "core/run/freed_memory.hpp"
+
+namespace alphascope {
+
+void MemoryWatch::read() {
+  state_.memory_bytes = resident_bytes();
+  state_.free_bytes = available_bytes().value_or(0);
+}
+
+void MemoryWatch::give_back_when_due(bool busy) {
+  if (!to_give_back_ || busy || interacting(state_)) return;
+  to_give_back_ = false;
+  wait_until_freed();
+  give_back_freed_memory();
+  read();
+  due_.ask();
+}
+
+}  // namespace alphascope

@@ -1,0 +1,24 @@
+// Reads the memory of the program and of the machine, and gives freed memory back when nothing runs.
+#pragma once
+
+#include "app/viewer/parts/due_frames.hpp"
+#include "ui/panels/view_state.hpp"
+
+namespace alphascope {
+
+class MemoryWatch {
+ public:
+  MemoryWatch(ViewState& state, DueFrames& due) : state_(state), due_(due) {}
+
+  void read();  // into the state
+  void note_freed(bool freed = true) { to_give_back_ |= freed; }  // a large object was freed
+  // Waits for the end of a computation, which would allocate the memory again.
+  void give_back_when_due(bool busy);
+
+ private:
+  ViewState& state_;
+  DueFrames& due_;
+  bool to_give_back_ = false;
+};
+
+}  // namespace alphascope

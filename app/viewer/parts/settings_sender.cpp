@@ -1,0 +1,87 @@
+// Decides when a changed setting is sent: a slider must not get ahead of what it shows.
+#include "app/viewer/parts/settings_sender.hpp"
+
+#include "app/viewer/molecule_info.hpp"
+#include "app/viewer/parts/gestures.hpp"
+#include "app/viewer/state_bridge.hpp"
+#include "core/document/store/derived.hpp"
+
+namespace alphascope {
+namespace {
+
+// While the slider of models moves, a model that is being computed may finish, so that pictures
+// keep coming. The next request waits for it no longer than this.
+constexpr std::chrono::milliseconds kModelGrace{300};
+
+}  // namespace
+
+void SettingsSender::begin() {
+  request_ = state_.settings.request;
+  options_ = state_.settings.open;
+  session_.set_request(canonical(request_));
+  session_.set_open_options(options_);
+}
+
+bool SettingsSender::settled() const {
+  const SessionActivity a = session_.activity();
+  return !a.opening.busy && !a.computing.busy && session_.state().up_to_date();
+}
+
+// While the solvent radius is dragged, the engine runs at most one step ahead of the tables of all
+// balls. Otherwise the computations would take all cores, and the tables would fall behind.
+bool SettingsSender::awaits_panels() const {
+  const auto& ours = session_.state().ours;
+  const bool other_balls =
+      state_.settings.request.solvent_radius_angstrom != request_.solvent_radius_angstrom;
+  const bool ahead =
+      session_.activity().computing.busy || (ours && ours->balls != inputs_.now().balls);
+  return other_balls && ahead && interacting(state_) && store_.busy(Lane::interactive);
+}
+
+void SettingsSender::send_request() {
+  if (state_.settings.request == request_ || awaits_panels()) return;
+  request_ = state_.settings.request;
+  session_.set_request(canonical(request_), of_all_balls(store_, inputs_.now()));
+  state_.compute_error.clear();  // the message was about another alpha
+  const SessionState& s = session_.state();
+  if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, request_);
+  due_.ask();
+}
+
+void SettingsSender::send_look(float line_scale) {
+  scene_.set_display(state_.settings.display, state_.window.theme, line_scale);
+  scene_.set_clip(state_.settings.clip);
+  scene_.set_appearance(state_.settings.appearance);
+}
+
+void SettingsSender::send_selection() {
+  OpenOptions& wanted = state_.settings.open;
+  if (wanted.balls.selection != options_.balls.selection) {
+    state_.expression_error = fault_of_selection(wanted.balls.selection);
+    if (state_.expression_error) {
+      wanted.balls.selection = options_.balls.selection;
+      // The typed expression stays in its field, so that it can be corrected.
+      state_.memory.expression_shown = wanted.balls.selection;
+    }
+  }
+  if (wanted == options_) return;
+  OpenOptions as_frames = options_;  // a slider or a dragged ball changes model and sandbox often
+  as_frames.balls.model = wanted.balls.model;
+  as_frames.sandbox = wanted.sandbox;
+  const bool may_wait = wanted == as_frames && !settled() && state_.error.empty() &&
+                        Clock::now() - options_sent_at_ < kModelGrace;
+  if (may_wait) return;
+  // Copies of chains have other names in another assembly, and copies of models hold other atoms.
+  if (wanted.assembly != options_.assembly) wanted.balls.without_chains.clear();
+  options_ = wanted;
+  options_sent_at_ = Clock::now();
+  session_.set_open_options(wanted);
+  due_.ask();
+}
+
+void SettingsSender::take_options() {
+  options_ = session_.open_options();
+  state_.settings.open = options_;
+}
+
+}  // namespace alphascope

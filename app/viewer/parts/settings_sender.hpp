@@ -1,0 +1,57 @@
+// Sends changed settings of the panels to session and scene.
+#pragma once
+
+#include <chrono>
+
+#include "app/session/session.hpp"
+#include "app/viewer/parts/due_frames.hpp"
+#include "app/viewer/parts/picture_inputs.hpp"
+#include "app/viewer/scene/scene_controller.hpp"
+#include "core/document/store/store.hpp"
+#include "ui/panels/view_state.hpp"
+
+namespace alphascope {
+
+class SettingsSender {
+ public:
+  SettingsSender(ViewState& state, Session& session, SceneController& scene, Store& store,
+                 const PictureInputs& inputs, DueFrames& due)
+      : state_(state),
+        session_(session),
+        scene_(scene),
+        store_(store),
+        inputs_(inputs),
+        due_(due) {}
+
+  void begin();  // call once, when the state holds the first settings
+  // Call twice a frame: before the panels for changes by commands, after them for changes by
+  // panels.
+  void send_request();
+  // Sends the options that choose the balls. An expression that is not understood is refused.
+  void send_selection();
+  void send_look(float line_scale);  // `line_scale` as in SceneStyle
+
+  // Calls for settings that the session already has.
+  void take_options();  // the session's options become those of the panels
+  void take_request() { request_ = state_.settings.request; }
+
+  bool options_are_sent() const { return state_.settings.open == options_; }
+  bool all_is_sent() const { return state_.settings.request == request_ && options_are_sent(); }
+  bool settled() const;  // whether the latest request is answered
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool awaits_panels() const;
+
+  ViewState& state_;
+  Session& session_;
+  SceneController& scene_;
+  Store& store_;
+  const PictureInputs& inputs_;
+  DueFrames& due_;
+  Request request_;      // sent last
+  OpenOptions options_;  // sent last
+  Clock::time_point options_sent_at_{};
+};
+
+}  // namespace alphascope

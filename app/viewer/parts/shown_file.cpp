@@ -1,0 +1,102 @@
+// Settings, colours, title and dialogs at the opening of a file.
+#include "app/viewer/parts/shown_file.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/viewer/molecule_info.hpp"
+
+namespace alphascope {
+
+bool ShownFile::take_molecule(float line_scale) {
+  const SessionState& s = p_.session.state();
+  ViewState& state = p_.state;
+  const bool another = p_.scene.molecule() != s.molecule;
+  state.molecule = describe_molecule(*s.opened);
+  state.molecule.radii = grown_radii(*s.prepared, state.settings.request);
+  p_.status.forget_compared();
+  if (another) {
+    colour_by_what_differs(*s.molecule);
+    if (file_ != s.opened->deposited) take_file();
+    // Colours and looks that the molecule decides, before its first picture.
+    p_.sender.send_look(line_scale);
+  }
+  // A new selection of the same molecule keeps the last result on screen until its own is there.
+  p_.scene.set_molecule(s.opened);
+  return another;
+}
+
+void ShownFile::take_file() {
+  const SessionState& s = p_.session.state();
+  ViewState& state = p_.state;
+  file_ = s.opened->deposited;
+  state.drop_note = p_.opening.take_drop_note();
+  p_.host.set_title(state.molecule.name + " – Alphascope");
+  close_dialogs();
+  state.cavities.wanted_row.reset();
+  state.playback.models = false;
+  state.steps.playing = false;
+  Settings fresh;  // keeps what is no matter of one file
+  fresh.request = state.settings.request;
+  fresh.display = state.settings.display;
+  state.settings = fresh;
+  p_.sender.take_options();
+  state.expression_error.reset();
+  state.memory.expression_typed = state.memory.expression_shown =
+      state.settings.open.balls.selection;
+  const auto session = p_.opening.starting();
+  const std::filesystem::path& source = file_->source;
+  const bool of_session = session && session->molecule.path == source;
+  state.session_file.clear();
+  if (!of_session || session->is_recent) {
+    p_.preferences.note_recent_file(of_session && !session->file.empty() ? session->file : source);
+  }
+  if (of_session) {
+    p_.opening.show_session();
+    p_.sender.take_request();
+  }
+  start_preset();
+  p_.history.restart();
+  if (of_session) p_.history.take_back();
+}
+
+// Closes dialogs about the previous file.
+void ShownFile::close_dialogs() {
+  PanelMemory& m = p_.state.memory;
+  m.saving.names.clear();
+  const bool any = m.show_save || m.show_export || m.show_save_session || m.record.show ||
+                   m.save_table.table || !m.confirm_assembly.empty();
+  if (!any) return;
+  m.show_save = m.show_export = m.show_save_session = m.record.show = false;
+  m.save_table.table = nullptr;
+  m.save_path.clear();
+  m.export_path.clear();
+  m.record.path.clear();
+  if (m.browser_purpose == BrowserPurpose::save) m.show_browser = false;
+  m.confirm_assembly.clear();
+  p_.state.notice = "The dialog was closed, for another file was opened.";
+}
+
+// Colours by element where there is only one chain. A colour that the user has chosen stays.
+void ShownFile::colour_by_what_differs(const Molecule& molecule) {
+  DisplayControls& d = p_.state.settings.display;
+  const Paint automatic{automatic_colour_, {}, {}, {}};
+  if (d.ball_paint != automatic || d.complex_paint != automatic) return;
+  const bool one_chain =
+      std::all_of(molecule.atoms.begin(), molecule.atoms.end(),
+                  [&](const Atom& a) { return a.chain == molecule.atoms.front().chain; });
+  automatic_colour_ = one_chain ? ColourBy::element : ColourBy::chain;
+  d.ball_paint = d.complex_paint = {automatic_colour_, {}, {}, {}};
+}
+
+// Starts editing the preset of the sandbox that was opened for it.
+void ShownFile::start_preset() {
+  SandboxMemory& m = p_.state.memory.sandbox;
+  m.pixels_per_angstrom = 0;
+  const std::filesystem::path wanted = std::exchange(m.edit_when_open, {});
+  if (wanted.empty() || wanted != file_->source) return;
+  auto& sandbox = p_.state.settings.open.sandbox;
+  if (!sandbox) sandbox = sandbox_of(*p_.session.state().prepared->balls);
+}
+
+}  // namespace alphascope

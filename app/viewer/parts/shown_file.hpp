@@ -1,0 +1,49 @@
+// The file that the window shows: sets the state that begins with each new molecule.
+#pragma once
+
+#include <memory>
+
+#include "app/session/session.hpp"
+#include "app/viewer/parts/history.hpp"
+#include "app/viewer/parts/opening.hpp"
+#include "app/viewer/parts/settings_sender.hpp"
+#include "app/viewer/parts/window_preferences.hpp"
+#include "app/viewer/parts/work_status.hpp"
+#include "app/viewer/scene/scene_controller.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/window/host.hpp"
+
+namespace alphascope {
+
+class ShownFile {
+ public:
+  struct Parts {  // of the window; they must outlive this
+    Host& host;
+    ViewState& state;
+    Session& session;
+    SceneController& scene;
+    Opening& opening;
+    WindowPreferences& preferences;
+    History& history;
+    SettingsSender& sender;
+    WorkStatus& status;
+  };
+  explicit ShownFile(const Parts& parts) : p_(parts) {}
+
+  // Call when the session has new balls. `line_scale` as in SceneStyle. Returns whether they are of
+  // another molecule, so that the memory of the last one is free.
+  bool take_molecule(float line_scale);
+  bool any() const { return file_ != nullptr; }
+
+ private:
+  void take_file();
+  void close_dialogs();
+  void start_preset();
+  void colour_by_what_differs(const Molecule& molecule);
+
+  Parts p_;
+  std::shared_ptr<const Molecule> file_;  // the molecule as deposited; null: none
+  ColourBy automatic_colour_ = ColourBy::chain;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,54 @@
+// Jobs that run beside the window, as panels show them: one list for all that takes long.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace alphascope {
+
+enum class JobId : std::uint8_t {
+  opening,    // a molecule or a session is read
+  computing,  // a complex
+  comparing,  // with CGAL
+  listing,    // a folder is read for the file dialog
+  lessons,    // lessons are looked for
+  session,    // a session is written
+  picture,    // a picture or a recording is drawn and written
+  table,
+  complex,  // a complex is exported
+  benchmark
+};
+
+struct RunningJob {
+  JobId id = JobId::computing;
+  std::string title;      // "Opening 1aon.pdb.gz", "Saving figure.png"
+  std::string step = {};  // "sample 3 of 16, 5 s left"; empty: unknown
+  double share = -1;      // share done, 0 to 1; negative: unknown
+  double seconds = 0;     // since its start
+};
+
+using RunningJobs = std::vector<RunningJob>;  // in the order of JobId
+
+// Whether the picture waits for such a job. The user goes on working beside all others.
+inline bool delays_picture(JobId id) {
+  return id == JobId::opening || id == JobId::computing;
+}
+
+// The job that the picture waits for; null: none.
+inline const RunningJob* awaited_job(const RunningJobs& jobs) {
+  const auto at = std::find_if(jobs.begin(), jobs.end(),
+                               [](const RunningJob& job) { return delays_picture(job.id); });
+  return at == jobs.end() ? nullptr : &*at;
+}
+
+// The first job that writes a file; null: none.
+inline const RunningJob* writing_job(const RunningJobs& jobs) {
+  const auto at = std::find_if(jobs.begin(), jobs.end(), [](const RunningJob& job) {
+    return job.id >= JobId::session && job.id <= JobId::complex;
+  });
+  return at == jobs.end() ? nullptr : &*at;
+}
+
+}  // namespace alphascope

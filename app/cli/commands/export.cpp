@@ -45,7 +45,7 @@ ExportColours colours_of(const ExportOptions& options) {
 // Opens the files before the computation.
 std::vector<AtomicFile*> open_files(const ExportFormatInfo& format, const fs::path& path,
                                     Outputs& outputs) {
-  if (format.script && path == "-") {
+  if (format.surface != nullptr && path == "-") {
     throw UsageError("--output -: a script opens files that are written beside it. Name a file.");
   }
   std::vector<AtomicFile*> files;

@@ -1,4 +1,4 @@
-// The table of formats, and one Exporter that writes them all.
+// One Exporter that writes all formats, and their list.
 #include "core/document/export/complex_export.hpp"
 
 #include <algorithm>
@@ -29,26 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
-using enum ExportFormat;
-
-constexpr std::array kFormats{
-    ExportFormatInfo{ply, "ply", "PLY", "boundary with colours, binary: MeshLab, CloudCompare",
-                     true},
-    ExportFormatInfo{obj, "obj", "OBJ", "boundary with colours, as text: Blender, MeshLab", true},
-    ExportFormatInfo{stl, "stl", "STL", "boundary, each solid a piece by itself: 3D printers"},
-    ExportFormatInfo{off, "off", "OFF", "boundary with colours, as text: CGAL, MeshLab", true},
-    ExportFormatInfo{glb, "glb", "GLB", "boundary with colours: web pages, slides, Blender", true},
-    ExportFormatInfo{vtu, "vtu", "VTU", "all simplices with alpha values and classes: ParaView"},
-    ExportFormatInfo{vtp, "vtp", "VTP", "vertices, edges and triangles likewise: ParaView"},
-    ExportFormatInfo{xyzr, "xyzr", "XYZR", "balls: x y z r"},
-    ExportFormatInfo{pqr, "pqr", "PQR", "balls as atoms with names and radii"},
-    ExportFormatInfo{alpha, "alpha", "Alphascope text", "all simplices with alpha values, as text"},
-    ExportFormatInfo{parallelac, "txt", "ParallelAC text", "balls and simplices in its layout"},
-    ExportFormatInfo{svg, "svg", "SVG", "flat drawing, of balls in the plane z = 0 only"},
-    ExportFormatInfo{csv, "csv", "CSV", "counts, measures of the boundary and times"},
-    ExportFormatInfo{chimerax, "cxc", "ChimeraX script", "balls and boundary", true, true},
-    ExportFormatInfo{pymol, "pml", "PyMOL script", "balls and boundary", true, true},
-    ExportFormatInfo{vmd, "tcl", "VMD script", "balls and boundary", true, true}};
 
 // Most objects in a GLB or OBJ file, since viewers draw each object by itself. A large molecule at
 // a small alpha has hundreds of thousands of solids.
@@ -69,65 +49,61 @@ class Exporter {
   Exporter(const ExportSource& source, const RunContext& context)
       : source_(source), own_(*source.answer.balls, source.answer.complex), context_(context) {}
 
-  Lines write(ExportFormat format, AtomicFile& file) {
-    const BallSet& balls = *source_.answer.balls;
-    const auto& atoms = source_.prepared.atom_of_ball;
-    const VtkSource vtk{balls, complex_, source_.molecule, atoms, source_.header};
-    switch (format) {
-      case ply:
-        return with_unit(write_boundary(write_ply, file));
-      case obj:
-        return with_unit(write_boundary(write_obj, file, kMostObjects));
-      case stl:
-        return with_unit(with_pieces(write_boundary(write_stl, file)));
-      case off:
-        return with_unit(write_boundary(write_off, file));
-      case glb:
-        return with_unit(write_boundary(write_glb, file, kMostObjects));
-      case vtu:
-        write_vtu(vtk, file, context_);
-        return simplices_text();
-      case vtp:
-        write_vtp(vtk, file, context_);
-        return simplices_text();
-      case alpha:
-        write_complex_text(balls, complex_, source_.header, file, context_);
-        return simplices_text();
-      case parallelac:
-        require_faces("ParallelAC's layout");
-        write_parallelac_text(balls, complex_, file, context_);
-        return simplices_text();
-      case xyzr:
-        write_xyzr(balls, source_.header, file, context_);
-        return balls_text();
-      case pqr:
-        write_pqr(balls, source_.molecule, atoms, source_.header, file, context_);
-        return balls_text();
-      case svg:
-        return write_drawing(file);
-      case csv:
-        write_counts(file);
-        return {"counts and times of " + balls_counted()};
-      default:
-        throw std::invalid_argument("a script is written with its files");
-    }
+  // A function for each format, listed in kFormats.
+  Lines ply(AtomicFile& file) { return with_unit(write_boundary(write_ply, file)); }
+  Lines obj(AtomicFile& file) { return with_unit(write_boundary(write_obj, file, kMostObjects)); }
+  Lines stl(AtomicFile& file) { return with_unit(with_pieces(write_boundary(write_stl, file))); }
+  Lines off(AtomicFile& file) { return with_unit(write_boundary(write_off, file)); }
+  Lines glb(AtomicFile& file) { return with_unit(write_boundary(write_glb, file, kMostObjects)); }
+  Lines vtu(AtomicFile& file) {
+    write_vtu(vtk_source(), file, context_);
+    return simplices_text();
+  }
+  Lines vtp(AtomicFile& file) {
+    write_vtp(vtk_source(), file, context_);
+    return simplices_text();
+  }
+  Lines xyzr(AtomicFile& file) {
+    write_xyzr(balls(), source_.header, file, context_);
+    return {balls_counted()};
+  }
+  Lines pqr(AtomicFile& file) {
+    write_pqr(balls(), source_.molecule, source_.prepared.atom_of_ball, source_.header, file,
+              context_);
+    return {balls_counted()};
+  }
+  Lines alpha(AtomicFile& file) {
+    write_complex_text(balls(), complex_, source_.header, file, context_);
+    return simplices_text();
+  }
+  Lines parallelac(AtomicFile& file) {
+    require_faces("ParallelAC's layout");
+    write_parallelac_text(balls(), complex_, file, context_);
+    return simplices_text();
+  }
+  Lines svg(AtomicFile& file) { return write_drawing(file); }
+  Lines csv(AtomicFile& file) {
+    write_counts(file);
+    return {"counts and times of " + balls_counted()};
   }
 
-  Lines write_script(ExportFormat format, const std::vector<fs::path>& names,
-                     const std::vector<AtomicFile*>& files) {
-    ComplexScript script{fs::absolute(names[1]), fs::absolute(names[2]), groups(),
-                         source_.colours == ExportColours::chain, source_.header};
-    const auto text = format == chimerax ? chimerax_complex_script
-                      : format == pymol  ? pymol_complex_script
-                                         : vmd_complex_script;
-    files[0]->write(text(script));
-    Lines lines = write(pqr, *files[1]);
-    const Lines more = write(format == chimerax ? glb : obj, *files[2]);
+  // Writes a script, and the balls and the surface that it opens.
+  Lines script(std::string (*text)(const ComplexScript&), Lines (Exporter::*surface)(AtomicFile&),
+               const std::vector<fs::path>& names, const std::vector<AtomicFile*>& files) {
+    files[0]->write(text({fs::absolute(names[1]), fs::absolute(names[2]), groups(),
+                          source_.colours == ExportColours::chain, source_.header}));
+    Lines lines = pqr(*files[1]);
+    const Lines more = (this->*surface)(*files[2]);
     lines.insert(lines.end(), more.begin(), more.end());
     return lines;
   }
 
  private:
+  const BallSet& balls() const { return *source_.answer.balls; }
+  VtkSource vtk_source() const {
+    return {balls(), complex_, source_.molecule, source_.prepared.atom_of_ball, source_.header};
+  }
+
   void require_faces(const char* what) const {
     if (!complex_.tetrahedra_only) return;
     throw std::invalid_argument(std::string(what) +
@@ -240,20 +216,18 @@ class Exporter {
   std::string balls_counted() const {
     return counted(source_.answer.balls->size(), "ball", "balls");
   }
-  Lines balls_text() const { return {balls_counted()}; }
 
   Lines write_drawing(AtomicFile& file) const {
     require_faces("A flat drawing");
-    const BallSet& balls = *source_.answer.balls;
-    const FlatBox box = box_of(balls, complex_.alpha_angstrom2());
+    const FlatBox box = box_of(balls(), complex_.alpha_angstrom2());
     const std::string text = grouped(complex_.vertices.size()) + " of " +
-                             counted(balls.size(), "centre", "centres") + ", " +
+                             counted(balls().size(), "centre", "centres") + ", " +
                              counted(complex_.edges.size(), "edge", "edges") + ", " +
                              counted(complex_.triangles.size(), "triangle", "triangles");
     const std::string alpha =
         "α = " + shortest_number(source_.answer.request.alpha_angstrom2) + " Å²";
     FlatPage page{.box = box, .caption = {alpha + ": " + text}, .origin = source_.header};
-    file.write(flat_svg(flat_shapes(balls, complex_, box), page));
+    file.write(flat_svg(flat_shapes(balls(), complex_, box), page));
     return {text};
   }
 
@@ -329,16 +303,60 @@ class Exporter {
   std::optional<Boundary> boundary_;
 };
 
+// A format is one entry. Exactly one of `write` and `script` is set; `surface` belongs to a script.
+struct Format {
+  ExportFormatInfo info;
+  Lines (Exporter::*write)(AtomicFile& file) = nullptr;
+  std::string (*script)(const ComplexScript& script) = nullptr;
+  Lines (Exporter::*surface)(AtomicFile& file) = nullptr;
+};
+
+constexpr Format kFormats[] = {
+    {{"ply", "PLY", "boundary with colours, binary: MeshLab, CloudCompare", true}, &Exporter::ply},
+    {{"obj", "OBJ", "boundary with colours, as text: Blender, MeshLab", true}, &Exporter::obj},
+    {{"stl", "STL", "boundary, each solid a piece by itself: 3D printers"}, &Exporter::stl},
+    {{"off", "OFF", "boundary with colours, as text: CGAL, MeshLab", true}, &Exporter::off},
+    {{"glb", "GLB", "boundary with colours: web pages, slides, Blender", true}, &Exporter::glb},
+    {{"vtu", "VTU", "all simplices with alpha values and classes: ParaView"}, &Exporter::vtu},
+    {{"vtp", "VTP", "vertices, edges and triangles likewise: ParaView"}, &Exporter::vtp},
+    {{"xyzr", "XYZR", "balls: x y z r"}, &Exporter::xyzr},
+    {{"pqr", "PQR", "balls as atoms with names and radii"}, &Exporter::pqr},
+    {{"alpha", "Alphascope text", "all simplices with alpha values, as text"}, &Exporter::alpha},
+    {{"txt", "ParallelAC text", "balls and simplices in its layout"}, &Exporter::parallelac},
+    {{"svg", "SVG", "flat drawing, of balls in the plane z = 0 only"}, &Exporter::svg},
+    {{"csv", "CSV", "counts, measures of the boundary and times"}, &Exporter::csv},
+    {{"cxc", "ChimeraX script", "balls and boundary", true, "-boundary.glb"},
+     nullptr,
+     chimerax_complex_script,
+     &Exporter::glb},
+    {{"pml", "PyMOL script", "balls and boundary", true, "-boundary.obj"},
+     nullptr,
+     pymol_complex_script,
+     &Exporter::obj},
+    {{"tcl", "VMD script", "balls and boundary", true, "-boundary.obj"},
+     nullptr,
+     vmd_complex_script,
+     &Exporter::obj}};
+
+const std::vector<ExportFormatInfo>& infos() {
+  static const std::vector<ExportFormatInfo> all = [] {
+    std::vector<ExportFormatInfo> found;
+    for (const Format& format : kFormats) found.push_back(format.info);
+    return found;
+  }();
+  return all;
+}
+
 }  // namespace
 
 std::span<const ExportFormatInfo> export_formats() {
-  return kFormats;
+  return infos();
 }
 
 const ExportFormatInfo* export_format_from_id(const std::string& id) {
-  const auto found = std::find_if(kFormats.begin(), kFormats.end(),
+  const auto found = std::find_if(infos().begin(), infos().end(),
                                   [&](const ExportFormatInfo& info) { return id == info.id; });
-  return found == kFormats.end() ? nullptr : &*found;
+  return found == infos().end() ? nullptr : &*found;
 }
 
 const ExportFormatInfo* export_format_of(const fs::path& path) {
@@ -350,26 +368,29 @@ const ExportFormatInfo* export_format_of(const fs::path& path) {
 
 std::string export_endings() {
   std::string text;
-  for (const ExportFormatInfo& info : kFormats)
+  for (const ExportFormatInfo& info : infos())
     text += (text.empty() ? "." : ", .") + std::string(info.id);
   return text;
 }
 
 std::vector<fs::path> export_files(const ExportFormatInfo& format, const fs::path& path) {
-  if (!format.script) return {path};
+  if (format.surface == nullptr) return {path};
   const auto beside = [&](const char* ending) {
     return path.parent_path() / (path.stem().string() + ending);
   };
-  return {path, beside("-balls.pqr"),
-          beside(format.format == chimerax ? "-boundary.glb" : "-boundary.obj")};
+  return {path, beside("-balls.pqr"), beside(format.surface)};
 }
 
 std::vector<std::string> write_export(const ExportSource& source, const ExportFormatInfo& format,
                                       const fs::path& path, const std::vector<AtomicFile*>& files,
                                       const RunContext& context) {
   Exporter exporter(source, context);
-  if (!format.script) return exporter.write(format.format, *files.at(0));
-  return exporter.write_script(format.format, export_files(format, path), files);
+  for (const Format& known : kFormats) {
+    if (std::string_view(known.info.id) != format.id) continue;
+    if (known.write != nullptr) return (exporter.*known.write)(*files.at(0));
+    return exporter.script(known.script, known.surface, export_files(format, path), files);
+  }
+  throw std::invalid_argument("There is no such format.");
 }
 
 }  // namespace alphascope

@@ -58,7 +58,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
 Viewer::~Viewer() = default;
 
 void Viewer::begin_with(const ViewerOptions& options) {
-  add_program_commands(commands_, state_, calls());
+  add_program_commands(commands_, state_, calls(), panels_);
   state_.version = ALPHASCOPE_VERSION;
   state_.program = program_named("alphascope");
   state_.samples = sample_files();

@@ -58,6 +58,10 @@ PanelSet::PanelSet() {
   for (const PanelSpec& spec : kPanels) panels_.push_back(spec.make());
 }
 
+void PanelSet::add_commands(Commands& commands, ViewState& state) {
+  for (const auto& panel : panels_) panel->add_commands(commands, state);
+}
+
 Panel& PanelSet::of(std::string_view id) {
   for (std::size_t k = 0; k < panels_.size(); ++k) {
     if (kPanels[k].id == id) return *panels_[k];

@@ -31,7 +31,8 @@ class PanelSet {
  public:
   PanelSet();
   Panel& of(const PanelSpec& spec) { return of(std::string_view(spec.id)); }
-  Panel& of(std::string_view id);  // throws if panels() has no such id
+  Panel& of(std::string_view id);                           // throws if panels() has no such id
+  void add_commands(Commands& commands, ViewState& state);  // those of all panels
 
  private:
   std::vector<std::unique_ptr<Panel>> panels_;  // in the order of panels()

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/export/complex_export.hpp"
 #include "core/files/output_ending.hpp"
 #include "core/read/file_format.hpp"
 #include "core/text/as_sentence.hpp"
@@ -389,7 +390,8 @@ void add_help_commands(Commands& commands, ViewState& s) {
 
 }  // namespace
 
-void add_program_commands(Commands& commands, ViewState& state, const Calls& ask) {
+void add_program_commands(Commands& commands, ViewState& state, const Calls& ask,
+                          PanelSet& panels) {
   add_file_commands(commands, state, ask);
   add_edit_commands(commands, state, ask);
   add_selection_commands(commands, state, ask);
@@ -406,6 +408,7 @@ void add_program_commands(Commands& commands, ViewState& state, const Calls& ask
   add_steps_commands(commands, state);
   add_sandbox_commands(commands, state, ask);
   add_lesson_commands(commands, state, ask);
+  panels.add_commands(commands, state);
   add_help_commands(commands, state);
 }
 

@@ -7,8 +7,10 @@
 
 namespace alphascope {
 
-// Adds all commands. They change settings in `state`, as panels do, or make calls of `ask`. Both
-// must outlive the commands.
-void add_program_commands(Commands& commands, ViewState& state, const Calls& ask);
+class PanelSet;
+
+// Adds all commands, with those of the panels. They change settings in `state`, as panels do, or
+// make calls of `ask`. All arguments must outlive the commands.
+void add_program_commands(Commands& commands, ViewState& state, const Calls& ask, PanelSet& panels);
 
 }  // namespace alphascope

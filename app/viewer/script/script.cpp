@@ -450,7 +450,8 @@ std::string script_help() {
     state.samples.push_back({sample.name, "", {}});
   Commands commands;
   NoCalls nobody;
-  add_program_commands(commands, state, nobody.calls());
+  PanelSet panels;
+  add_program_commands(commands, state, nobody.calls(), panels);
   for (const CommandSpec& spec : commands.all()) print_help(out, spec);
   out << "\nMouse, keys, waiting and pictures of the window:\n";
   for (const ScriptRunner::Verb& verb : ScriptRunner::all_verbs()) print_help(out, verb.spec);

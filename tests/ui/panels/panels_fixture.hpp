@@ -34,7 +34,7 @@ class Panels {
     io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
     io.KeyMap[ImGuiKey_A] = key::kA;
     io.KeyMap[ImGuiKey_Escape] = key::kEscape;
-    add_program_commands(commands, state, calls_);
+    add_program_commands(commands, state, calls_, panels);
     apply_style(Theme::dark, size.scale);
     fonts_ = load_fonts(size.scale);
     frame(3);

@@ -28,7 +28,8 @@ std::vector<CommandSpec> program_commands() {
   static ViewState state = loaded_state();
   Commands commands;
   NoCalls nobody;
-  add_program_commands(commands, state, nobody.calls());
+  PanelSet panels;
+  add_program_commands(commands, state, nobody.calls(), panels);
   return commands.all();
 }
 
@@ -76,7 +77,8 @@ TEST(CommandList, WhatPeopleCallThingsIsFound) {
   static ViewState state = loaded_state();
   Commands commands;
   NoCalls nobody;
-  add_program_commands(commands, state, nobody.calls());
+  PanelSet panels;
+  add_program_commands(commands, state, nobody.calls(), panels);
   const std::pair<const char*, const char*> expected[] = {
       {"pocket", "view.page cavities"}, {"hole", "view.page cavities"},
       {"tunnel", "view.page channels"}, {"volume", "view.page measures"},

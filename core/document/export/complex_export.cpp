@@ -21,6 +21,7 @@
 #include "core/write/complex_script.hpp"
 #include "core/write/csv.hpp"
 #include "core/write/write_balls.hpp"
+#include "core/write/write_medit.hpp"
 #include "core/write/write_mesh.hpp"
 #include "core/write/write_vtk.hpp"
 
@@ -61,6 +62,10 @@ class Exporter {
   }
   Lines vtp(AtomicFile& file) {
     write_vtp(vtk_source(), file, context_);
+    return simplices_text();
+  }
+  Lines medit(AtomicFile& file) {
+    write_medit(balls(), complex_, source_.header, file, context_);
     return simplices_text();
   }
   Lines xyzr(AtomicFile& file) {
@@ -319,6 +324,7 @@ constexpr Format kFormats[] = {
     {{"glb", "GLB", "boundary with colours: web pages, slides, Blender", true}, &Exporter::glb},
     {{"vtu", "VTU", "all simplices with alpha values and classes: ParaView"}, &Exporter::vtu},
     {{"vtp", "VTP", "vertices, edges and triangles likewise: ParaView"}, &Exporter::vtp},
+    {{"mesh", "Medit mesh", "all simplices, for finite elements: Gmsh, MMG"}, &Exporter::medit},
     {{"xyzr", "XYZR", "balls: x y z r"}, &Exporter::xyzr},
     {{"pqr", "PQR", "balls as atoms with names and radii"}, &Exporter::pqr},
     {{"alpha", "Alphascope text", "all simplices with alpha values, as text"}, &Exporter::alpha},

@@ -11,6 +11,7 @@
   COMMAND(export)                    \
   COMMAND(explain)                   \
   COMMAND(steps)                     \
+  COMMAND(formats)                   \
   COMMAND(verify)                    \
   COMMAND(bench)                     \
   COMMAND(screenshot)                \

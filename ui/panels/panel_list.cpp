@@ -17,6 +17,7 @@ std::unique_ptr<Panel> timings_panel();
 std::unique_ptr<Panel> cavities_panel();
 std::unique_ptr<Panel> channels_panel();
 std::unique_ptr<Panel> measures_panel();
+std::unique_ptr<Panel> contacts_panel();
 std::unique_ptr<Panel> curves_panel();
 std::unique_ptr<Panel> signature_panel();
 std::unique_ptr<Panel> why_panel();
@@ -39,6 +40,7 @@ constexpr PanelSpec kPanels[] = {
     {"cavities", "Cavities", Place::bottom, cavities_panel, "cavity pocket void hole"},
     {"channels", "Channels", Place::bottom, channels_panel, "tunnel pore"},
     {"measures", "Measures", Place::bottom, measures_panel, "volume area surface"},
+    {"contacts", "Contacts", Place::bottom, contacts_panel, "interface chains touch"},
     {"curves", "Curves", Place::bottom, curves_panel, "chart Betti lives"},
     {"signature", "Signature", Place::bottom, signature_panel},
     {"why", "Why?", Place::bottom, why_panel, "explain reason"},

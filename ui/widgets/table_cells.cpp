@@ -4,18 +4,10 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
 
-#include "core/chart/readable_number.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
-
-std::string measure_text(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return separated_number(text);
-}
 
 float title_width(const char* title) {
   constexpr float kArrow = 0.65f;  // of the font's size, as ImGui draws it

@@ -3,11 +3,11 @@
 
 #include <string>
 
+#include "core/document/tables/cell_value.hpp"
+
 namespace alphascope {
 
 struct PanelContext;
-
-std::string measure_text(double value);  // Å³ or Å²: "12,345.67"
 
 // Width of a column's title in pixels, with the arrow of the sorted column.
 float title_width(const char* title);

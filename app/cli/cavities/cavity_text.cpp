@@ -1,11 +1,14 @@
 // Prints the table of cavities for people.
+#include <algorithm>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "app/cli/cavities/cavity_answer.hpp"
-#include "app/cli/text/table.hpp"
+#include "app/cli/text/printed_columns.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
-#include "core/text/fixed_digits.hpp"
+#include "core/document/cavities/cavity_columns.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -20,45 +23,31 @@ std::string totals_text(const CavityTable& table) {
          "mouths      " + grouped(table.mouths) + "\n";
 }
 
-Table cavity_columns() {
-  return Table({{"#", 4},
-                {"kind", 6, true},
-                {"SA vol Å³", 11},
-                {"SA area Å²", 11},
-                {"clipped Å³", 11},
-                {"", 1, true},
-                {"rank", 4},
-                {"MS vol Å³", 11},
-                {"MS area Å²", 11},
-                {"mouths", 6},
-                {"mouth Å²", 9},
-                {"depth Å", 7},
-                {"residues", 8},
-                {"name (atoms of the deepest sink)", 0, true}});
-}
-
-std::string line(const Table& columns, const CavityAnswer& answer, std::size_t row) {
-  const CavityMeasures& m = answer.table().measure(row);
-  const auto number = [](double value) { return fixed_digits(value, 3); };
-  const std::string held = answer.contents_text(row);
-  const bool exact = answer.exact != nullptr;
-  return columns.line(
-      {std::to_string(row + 1), answer.kind(row), number(m.volume_sa_angstrom3),
-       number(m.area_sa_angstrom2), exact ? number(answer.clipped(row).volume_sa_angstrom3) : "-",
-       exact && answer.is_doubtful(row) ? "*" : "",
-       exact ? std::to_string(answer.clipped_rank[row]) : "-", number(m.volume_ms_angstrom3),
-       number(m.area_ms_angstrom2), std::to_string(m.mouths.size()),
-       number(m.all_mouths().area_angstrom2), format_text("%.1f", answer.depths->of_angstrom[row]),
-       std::to_string(lining_counts(*answer.atoms, answer.table(), row).residues),
-       answer.name(row) + (held.empty() ? "" : "  holds " + held)});
-}
+constexpr PrintedColumn kPrinted[] = {{"id", 4},
+                                      {"kind", 6, true},
+                                      {"volume_sa_angstrom3", 11},
+                                      {"area_sa_angstrom2", 11},
+                                      {"volume_sa_clipped_angstrom3", 11},
+                                      {.id = "doubtful", .width = 1, .left = true, .none = ""},
+                                      {"rank_by_clipped_volume", 4},
+                                      {"volume_ms_angstrom3", 11},
+                                      {"area_ms_angstrom2", 11},
+                                      {"mouths", 6},
+                                      {"mouth_area_angstrom2", 9},
+                                      {.id = "depth_angstrom", .width = 7, .decimals = 1},
+                                      {"lining_residues", 8},
+                                      {"name", 0, true}};
 
 void print_rows(const CavityAnswer& answer, std::size_t shown) {
   if (answer.rows.empty() || shown == 0) return;
-  const Table columns = cavity_columns();
-  std::cout << columns.heading();
+  const PrintedTable<CavityRow> table(cavity_columns(), kPrinted);
+  std::cout << table.heading();
   for (std::size_t k = 0; k < std::min(shown, answer.rows.size()); ++k) {
-    std::cout << line(columns, answer, answer.rows[k]);
+    const std::size_t row = answer.rows[k];
+    std::vector<std::string> cells = table.cells({answer, row, &answer});
+    const std::string held = answer.contents_text(row);
+    if (!held.empty()) cells.back() += "  holds " + held;
+    std::cout << table.line(cells);
   }
   if (answer.rows.size() > shown) {
     std::cout << "… and " << grouped(answer.rows.size() - shown)
@@ -66,8 +55,8 @@ void print_rows(const CavityAnswer& answer, std::size_t shown) {
   }
   if (verbosity() != Verbosity::quiet) {
     std::cout << "SA: of the region of the probe's centre, MS: of what the probe reaches; CASTp's "
-                 "sums. clipped: of the tetrahedra outside all balls, exact, and its rank. "
-                 "* below 1 Å³, or SA and clipped differ by more than a tenth\n";
+                 "sums. exact: of the tetrahedra outside all balls, and its rank. "
+                 "* below 1 Å³, or SA and exact volume differ by more than a tenth\n";
   }
 }
 

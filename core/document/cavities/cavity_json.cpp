@@ -1,6 +1,8 @@
 // Converts CavityFacts into JSON.
 #include "core/document/cavities/cavity_json.hpp"
 
+#include "core/document/cavities/cavity_columns.hpp"
+#include "core/document/tables/column_json.hpp"
 #include "core/selection/atom_address.hpp"
 
 namespace alphascope {
@@ -76,50 +78,24 @@ Json split_networks_json(const CavityTable& table) {
   return networks;
 }
 
-// Numbers that do not exist are null in JSON.
+// Flat keys come from the columns; lists are written here. Their order is that of earlier versions.
 Json cavity_json(const CavityFacts& facts, std::size_t row) {
   const Cavity& cavity = facts.table().cavity(row);
   const CavityMeasures& m = facts.table().measure(row);
-  const CavityFacts::Life life = facts.life(row);
-  const bool exact = facts.exact != nullptr;
-  const MouthMeasures mouths = m.all_mouths();
-  return {
-      {"id", row + 1},
-      {"name", facts.name(row)},
-      {"kind", facts.kind(row)},
-      {"mouths", cavity.mouths.size()},
-      {"network", cavity.is_network()},
-      {"falls_apart", falls_apart_json(facts.network_end(row))},
-      {"part_of", cavity.is_part() ? Json(cavity.network + 1) : Json()},
-      {"passages", cavity.passages.size()},
-      {"tetrahedra", cavity.tetrahedra.size()},
-      {"volume_sa_angstrom3", m.volume_sa_angstrom3},
-      {"area_sa_angstrom2", m.area_sa_angstrom2},
-      {"volume_sa_clipped_angstrom3",
-       exact ? Json(facts.clipped(row).volume_sa_angstrom3) : Json()},
-      {"area_sa_clipped_angstrom2", exact ? Json(facts.clipped(row).area_sa_angstrom2) : Json()},
-      {"rank_by_clipped_volume", exact ? Json(facts.clipped_rank[row]) : Json()},
-      {"doubtful", exact ? Json(facts.is_doubtful(row)) : Json()},
-      {"volume_ms_angstrom3", m.volume_ms_angstrom3},
-      {"area_ms_angstrom2", m.area_ms_angstrom2},
-      {"area_ms_steiner_angstrom2", m.area_ms_steiner_angstrom2},
-      {"volume_of_tetrahedra_angstrom3", m.volume_of_tetrahedra_angstrom3},
-      {"mouth_triangles", cavity.mouth_triangles()},
-      {"mouth_area_angstrom2", mouths.area_angstrom2},
-      {"mouth_length_angstrom", mouths.length_angstrom},
-      {"mouth_list", mouths_json(cavity, m)},
-      {"depth_angstrom", facts.depths->of_angstrom[row]},
-      {"born_alpha_angstrom2", life.born},
-      {"closed_alpha_angstrom2", life.closes ? Json(life.closed) : Json()},
-      {"gone_alpha_angstrom2", life.gone},
-      {"arc_length_angstrom", m.arc_length_angstrom},
-      {"corners", m.corners},
-      {"sinks", cavity.sinks},
-      {"sink_atoms", facts.table().sink(row)},
-      {"atoms", cavity.atoms},
-      {"lining_atoms", m.lining},
-      {"residues", residues_json(facts, row)},
-      {"holds", holds_json(facts, row)}};
+  const CavityRow of{facts, row, &facts};
+  Json json = Json::object();
+  add_keys(json, cavity_columns(), of, {"id", "name", "kind", "mouths", "network"});
+  json["falls_apart"] = falls_apart_json(facts.network_end(row));
+  add_keys(json, cavity_columns(), of, {"part_of", "passages", "tetrahedra"});
+  add_keys_up_to(json, cavity_columns(), of, "mouth_length_angstrom");
+  json["mouth_list"] = mouths_json(cavity, m);
+  add_keys_up_to(json, cavity_columns(), of);
+  json["sink_atoms"] = facts.table().sink(row);
+  json["atoms"] = cavity.atoms;
+  json["lining_atoms"] = m.lining;
+  json["residues"] = residues_json(facts, row);
+  json["holds"] = holds_json(facts, row);
+  return json;
 }
 
 }  // namespace

@@ -3,15 +3,12 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/cavity_identity/network_radius.hpp"
-#include "core/document/cavities/cavity_contents.hpp"
-#include "core/document/cavities/cavity_names.hpp"
-#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/export/record_source.hpp"
 #include "core/document/settings/request.hpp"
 #include "core/write/csv.hpp"
@@ -19,44 +16,23 @@
 namespace alphascope {
 
 // All facts that are reported on cavities. Vectors are indexed by rows of the table unless their
-// comment states otherwise. No pointer is null except `exact`, if exact volumes are not wanted.
-struct CavityFacts {
+// comment states otherwise. Only `exact` may be null, if exact volumes are not wanted, and the
+// results of the window alone.
+struct CavityFacts : KnownCavities {
   RecordSource source;
   Request request;
-  std::shared_ptr<const BallReferences> atoms;
-  std::shared_ptr<const CavityTable> all;
-  std::shared_ptr<const ExactVolumes> exact;  // if null: no clipped() and no is_doubtful()
-  std::shared_ptr<const CavityDepths> depths;
-  std::shared_ptr<const CavityLives> lives;  // empty if there is no cavity
-  std::shared_ptr<const CavityContents> contents;
   std::vector<std::string> differences;   // from CASTp's choices
   std::vector<std::size_t> clipped_rank;  // 1: the largest clipped volume; empty without `exact`
   std::vector<std::size_t> rows;          // rows to report
   std::map<std::size_t, NetworkEnd> network_ends;  // of rows that are networks, if known
 
-  const CavityTable& table() const { return *all; }
   // The source with the lattice of the computation.
   RecordSource computed_source() const { return source.on(table().ground->balls->lattice); }
-  const ClippedMeasures& clipped(std::size_t row) const { return exact->of[table().order[row]]; }
-  bool is_doubtful(std::size_t row) const;
-  const char* kind(std::size_t row) const {
-    const Cavity& cavity = table().cavity(row);
-    return cavity.is_void() ? "void" : cavity.is_part() ? "part" : "pocket";
-  }
   // Null if it is unknown, or if the cavity is not a network.
   const NetworkEnd* network_end(std::size_t row) const {
     const auto at = network_ends.find(row);
     return at == network_ends.end() ? nullptr : &at->second;
   }
-  std::string name(std::size_t row) const { return cavity_name(*atoms, table(), row); }
-  // "A:HEM 142 (41 of 43 atoms)"; empty for an empty cavity.
-  std::string contents_text(std::size_t row) const;
-  // Alphas in Å², at the same solvent radius.
-  struct Life {
-    double born, closed, gone;
-    bool closes;  // the cavity is a void from `closed` on
-  };
-  Life life(std::size_t row) const;
 };
 
 // Ranks by row; 1 is the largest. Equal volumes rank in the order of rows.

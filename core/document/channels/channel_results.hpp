@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "core/cavity_shape/cavity_places.hpp"
-#include "core/channel/bottlenecks.hpp"
 #include "core/channel/channel.hpp"
 #include "core/channel/ways_through.hpp"
-#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
 
 namespace alphascope {
 
@@ -70,12 +69,6 @@ struct FoundWays {
 // for found_channel(). Requires Inputs::atoms. Throws as find_ways_through() does.
 const Definition<FoundWays>& found_ways();
 
-// The bottlenecks on the ways out of the cavities on screen, computed in the background.
-struct CavityBottlenecks {
-  // More rows would take minutes: each new value needs two triangulations.
-  static constexpr std::size_t kMostRows = 100;
-  std::vector<Bottleneck> rows;  // for the first rows of the CavityTable
-};
 const Definition<CavityBottlenecks>& cavity_bottlenecks();
 
 // Balls without solvent: the inverse of with_solvent().

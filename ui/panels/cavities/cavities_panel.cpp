@@ -5,6 +5,7 @@
 
 #include "core/document/cavities/cavity_export.hpp"
 #include "core/document/cavities/cavity_tables.hpp"
+#include "core/document/channels/channel_results.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/document/store/store.hpp"
 #include "core/text/grouped_number.hpp"
@@ -35,24 +36,20 @@ void take(CavityPage& page, std::shared_ptr<const T>& to, const Derived<T>& from
   page.rows_are_old = true;
 }
 
-bool is_shown(const CavityPage& page, CavityColumn column) {
-  return page.columns[static_cast<std::size_t>(column)];
-}
-
 // Takes the results that come after the lines, for the columns that are shown.
 void take_what_follows(PanelContext& ctx, CavityPage& page) {
-  const auto shown = [&](CavityColumn column) { return is_shown(page, column); };
+  const auto shown = [&](const char* column) { return is_shown(page, column); };
   take(page, page.rows.exact, ctx.store.want(cavity_volumes(), ctx.inputs));
-  if (shown(CavityColumn::holds)) {
+  if (shown("holds")) {
     take(page, page.rows.contents, ctx.store.want(cavity_contents(), ctx.inputs));
   }
-  if (shown(CavityColumn::depth)) {
+  if (shown("depth_angstrom")) {
     take(page, page.rows.depths, ctx.store.want(cavity_depths(), ctx.inputs));
   }
-  if (shown(CavityColumn::born) || shown(CavityColumn::gone)) {
+  if (shown("born_alpha_angstrom2") || shown("gone_alpha_angstrom2")) {
     take(page, page.rows.lives, ctx.store.want(whole_cavity_lives(), ctx.inputs));
   }
-  if (shown(CavityColumn::bottleneck)) {
+  if (shown("bottleneck_angstrom")) {
     take(page, page.rows.bottlenecks, ctx.store.want(cavity_bottlenecks(), ctx.inputs));
   }
 }
@@ -258,7 +255,7 @@ void draw_cavities(PanelContext& ctx) {
   if (current) {
     take_what_follows(ctx, page);
     choose_wanted_row(ctx, page);
-  } else if (is_shown(page, CavityColumn::holds)) {
+  } else if (is_shown(page, "holds")) {
     // Made in one job with the lines, so that both come together.
     ctx.store.want(cavity_contents(), ctx.inputs);
   }

@@ -1,8 +1,8 @@
 // The table of cavities. The user chooses its columns, and only rows in sight are drawn.
 #include <algorithm>
 #include <string>
+#include <string_view>
 
-#include "core/document/cavities/cavity_names.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
@@ -10,43 +10,57 @@
 namespace alphascope {
 namespace {
 
-const int kColumnCount = static_cast<int>(cavity_columns().size());
+int column_count() {
+  return static_cast<int>(cavity_page_columns().size());
+}
 
 // Returns the first width of a column, pixels.
-float column_width(const PanelContext& ctx, const CavityColumnSpec& spec) {
-  return std::max(ctx.px(spec.width), title_width(spec.title));
+float column_width(const PanelContext& ctx, const CavityPageColumn& placed) {
+  return std::max(ctx.px(placed.width), title_width(placed.column->heading().c_str()));
 }
 
 void set_up_columns(PanelContext& ctx) {
   ImGui::TableSetupScrollFreeze(1, 1);
-  for (const CavityColumnSpec& spec : cavity_columns()) {
+  for (const CavityPageColumn& placed : cavity_page_columns()) {
     ImGuiTableColumnFlags flags = ImGuiTableColumnFlags_WidthFixed;
-    if (spec.column == CavityColumn::rank) {
+    if (placed.is("id")) {
       flags |= ImGuiTableColumnFlags_DefaultSort | ImGuiTableColumnFlags_NoHide;
-    } else if (spec.column == CavityColumn::name || spec.column == CavityColumn::holds) {
+    } else if (placed.is("name") || placed.is("holds")) {
       flags = ImGuiTableColumnFlags_WidthStretch;
-    } else if (spec.column != CavityColumn::kind) {
+    } else if (!placed.is("kind")) {
       flags |= ImGuiTableColumnFlags_PreferSortDescending;
     }
-    if (!spec.shown_first) flags |= ImGuiTableColumnFlags_DefaultHide;
-    ImGui::TableSetupColumn(spec.title, flags, column_width(ctx, spec));
+    if (!placed.shown_first) flags |= ImGuiTableColumnFlags_DefaultHide;
+    ImGui::TableSetupColumn(placed.column->heading().c_str(), flags, column_width(ctx, placed));
   }
+}
+
+// Explains the marks of the page as well, which files do not have.
+std::string help_text(const Column<CavityRow>& column) {
+  std::string text = column.help;
+  if (std::string_view(column.id) == "kind") {
+    text +=
+        " ↔: it lies between separate bodies, or two chains line it and no other, each with a "
+        "fifth of the residues or more. ↕: it has split off or merged while a slider moved last.";
+  }
+  return text;
 }
 
 void draw_headers(PanelContext& ctx) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  for (const CavityColumnSpec& spec : cavity_columns()) {
-    if (!ImGui::TableSetColumnIndex(static_cast<int>(spec.column))) continue;
-    ImGui::TableHeader(spec.title);
-    record(ctx, (std::string("cavities.column.") + spec.id).c_str());
-    tooltip(ctx, spec.help);
+  for (int n = 0; n < column_count(); ++n) {
+    if (!ImGui::TableSetColumnIndex(n)) continue;
+    const Column<CavityRow>& column = *cavity_page_columns()[static_cast<std::size_t>(n)].column;
+    ImGui::TableHeader(column.heading().c_str());
+    record(ctx, (std::string("cavities.column.") + column.id).c_str());
+    tooltip(ctx, help_text(column).c_str());
   }
 }
 
 // Exchanges the choice of columns with the table, whose own menu opens by a right click on a title.
 void follow_columns(CavityPage& page) {
   const bool tell = std::exchange(page.columns_changed, false);
-  for (int n = 0; n < kColumnCount; ++n) {
+  for (int n = 0; n < column_count(); ++n) {
     const auto at = static_cast<std::size_t>(n);
     if (tell) {
       ImGui::TableSetColumnEnabled(n, page.columns[at]);
@@ -102,11 +116,6 @@ void text_cell(PanelContext& ctx, const std::string& text) {
   if (fitted != text) tooltip(ctx, text.c_str());
 }
 
-void name_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
-  const std::string name = cavity_name(*page.rows.lines->atoms, page.rows.table(), row);
-  text_cell(ctx, name);
-}
-
 // Draws a row. Returns whether it was clicked.
 bool draw_row(PanelContext& ctx, CavityPage& page, std::size_t row) {
   ImGui::TableNextRow();
@@ -119,16 +128,15 @@ bool draw_row(PanelContext& ctx, CavityPage& page, std::size_t row) {
       ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
   record(ctx, ("cavities.row." + number).c_str());
   ImGui::PopID();
-  for (const CavityColumnSpec& spec : cavity_columns().subspan(1)) {
-    if (!ImGui::TableSetColumnIndex(static_cast<int>(spec.column))) continue;
-    if (spec.column == CavityColumn::kind) {
+  for (int n = 1; n < column_count(); ++n) {
+    if (!ImGui::TableSetColumnIndex(n)) continue;
+    const CavityPageColumn& placed = cavity_page_columns()[static_cast<std::size_t>(n)];
+    if (placed.is("kind")) {
       kind_cell(ctx, page, row);
-    } else if (spec.column == CavityColumn::name) {
-      name_cell(ctx, page, row);
-    } else if (spec.column == CavityColumn::holds) {
-      text_cell(ctx, cavity_text(page.rows, spec.column, row));
+    } else if (placed.is("name") || placed.is("holds")) {
+      text_cell(ctx, placed.column->shown_text({page.rows, row}));
     } else {
-      right_text(cavity_text(page.rows, spec.column, row));
+      right_text(placed.column->shown_text({page.rows, row}));
     }
   }
   return clicked;
@@ -143,9 +151,9 @@ HowChosen how_chosen() {
 // Returns the width of the columns on show, at their first widths.
 float least_width(PanelContext& ctx, const CavityPage& page) {
   float width = 0;
-  for (const CavityColumnSpec& spec : cavity_columns()) {
-    const auto at = static_cast<std::size_t>(spec.column);
-    if (page.columns[at]) width += column_width(ctx, spec) + 2 * ImGui::GetStyle().CellPadding.x;
+  for (std::size_t n = 0; n < page.columns.size(); ++n) {
+    if (!page.columns[n]) continue;
+    width += column_width(ctx, cavity_page_columns()[n]) + 2 * ImGui::GetStyle().CellPadding.x;
   }
   return width;
 }
@@ -157,14 +165,15 @@ void cavity_columns_button(PanelContext& ctx, CavityPage& page) {
   tooltip(ctx, "Which columns the table has. A right click on a title opens a list, too.");
   if (!ImGui::BeginPopup("cavities.columns")) return;
   close_on_escape();
-  for (const CavityColumnSpec& spec : cavity_columns().subspan(1)) {
-    bool shown = page.columns[static_cast<std::size_t>(spec.column)];
-    const std::string name = std::string("cavities.columns.") + spec.id;
-    if (checkbox(ctx, name.c_str(), spec.title, shown)) {
-      page.columns[static_cast<std::size_t>(spec.column)] = shown;
+  for (std::size_t n = 1; n < page.columns.size(); ++n) {
+    const Column<CavityRow>& column = *cavity_page_columns()[n].column;
+    bool shown = page.columns[n];
+    const std::string name = std::string("cavities.columns.") + column.id;
+    if (checkbox(ctx, name.c_str(), column.heading().c_str(), shown)) {
+      page.columns[n] = shown;
       page.columns_changed = true;
     }
-    tooltip(ctx, spec.help);
+    tooltip(ctx, help_text(column).c_str());
   }
   ImGui::EndPopup();
 }
@@ -174,7 +183,7 @@ void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool cu
                                      ImGuiTableFlags_ScrollX | ImGuiTableFlags_RowBg |
                                      ImGuiTableFlags_Resizable | ImGuiTableFlags_Hideable;
   const float inner = std::max(least_width(ctx, page), width - ImGui::GetStyle().ScrollbarSize);
-  if (!ImGui::BeginTable("cavities", kColumnCount, kFlags, {width, 0}, inner)) return;
+  if (!ImGui::BeginTable("cavities", column_count(), kFlags, {width, 0}, inner)) return;
   set_up_columns(ctx);
   draw_headers(ctx);
   follow_columns(page);

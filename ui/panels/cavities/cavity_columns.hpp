@@ -1,52 +1,31 @@
-// The columns of the table of cavities: their titles, their help, and the values of their cells.
+// The columns of the table of cavities that the page offers, and the order of its rows.
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "core/document/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 
 namespace alphascope {
 
-enum class CavityColumn : std::uint8_t {
-  rank,
-  kind,
-  volume,
-  exact,
-  area,
-  ms_volume,
-  ms_area,
-  mouths,
-  mouth_area,
-  residues,
-  depth,
-  born,
-  gone,
-  bottleneck,
-  holds,
-  name
-};
-
-struct CavityColumnSpec {
-  CavityColumn column;
-  const char* id;     // part of its widgets' names: "cavities.column.volume"
-  const char* title;  // with its unit
-  const char* help;   // one sentence or two
-  float width;        // pixels at scale 1; for the name, the least width
+// A column's place in the table. Its widgets are named by the column's id:
+// "cavities.column.volume_sa_angstrom3".
+struct CavityPageColumn {
+  const Column<CavityRow>* column;
+  float width;  // pixels at scale 1; for the name, the least width
   bool shown_first;
+
+  bool is(std::string_view id) const { return column->id == id; }
 };
-std::span<const CavityColumnSpec> cavity_columns();  // in the order of CavityColumn
+const std::vector<CavityPageColumn>& cavity_page_columns();  // in the order of the table
 
-// Returns the value by which rows are sorted. Unknown values are less than all others. Names are
-// not sorted by it.
-double cavity_value(const CavityRows& rows, CavityColumn column, std::size_t row);
-
-// Returns the text of a cell; "…" while its value is unknown. Rank, kind and name have no such
-// text.
-std::string cavity_text(const CavityRows& rows, CavityColumn column, std::size_t row);
+bool is_shown(const CavityPage& page, std::string_view id);
+std::string cavity_text(const KnownCavities& rows, std::string_view id, std::size_t row);
 
 // Returns the rows that the filter lets through, in its order.
-std::vector<std::size_t> ordered_rows(const CavityRows& rows, const CavityFilter& filter);
+std::vector<std::size_t> ordered_rows(const KnownCavities& rows, const CavityFilter& filter);
 
 }  // namespace alphascope

@@ -26,7 +26,7 @@ void begin_page(CavityPage& page, const std::string& molecule) {
     return fresh;
   });
   if (!page.columns.empty()) return;
-  for (const CavityColumnSpec& spec : cavity_columns()) page.columns.push_back(spec.shown_first);
+  for (const CavityPageColumn& c : cavity_page_columns()) page.columns.push_back(c.shown_first);
 }
 
 // Notes splits and merges of cavities. They stay marked until the next movement of a slider.
@@ -50,6 +50,8 @@ void take_lines(CavityPage& page, const std::shared_ptr<const CavityLines>& line
   const bool listed_anew = page.rows.lines && page.rows.table().question.split_networks !=
                                                   lines->table->question.split_networks;
   page.rows = {};
+  page.rows.all = lines->table;
+  page.rows.atoms = lines->atoms;
   page.rows.lines = lines;
   page.rows.lives = lives;
   page.rows_are_old = true;

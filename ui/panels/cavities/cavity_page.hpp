@@ -8,35 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/chosen_cavities.hpp"
-#include "core/document/channels/channel_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/settings/display.hpp"
 #include "ui/layer.hpp"
 
 namespace alphascope {
 
-// All values of the rows of one table.
-struct CavityRows {
-  std::shared_ptr<const CavityLines> lines;  // null: no table yet
-  // Results that come after the lines. Each is null until it is ready.
-  std::shared_ptr<const ExactVolumes> exact;
-  std::shared_ptr<const CavityDepths> depths;
-  std::shared_ptr<const CavityLives> lives;
-  std::shared_ptr<const CavityBottlenecks> bottlenecks;
-  std::shared_ptr<const CavityContents> contents;
-
-  const CavityTable& table() const { return *lines->table; }
-  std::size_t size() const { return lines ? lines->of.size() : 0; }
-};
-
 // The filter of rows, and their order.
 struct CavityFilter {
   int kind = 0;  // 0 all, 1 voids, 2 pockets
   // SA volume; 0 shows all cavities, also those of negative volume.
   double least_volume_angstrom3 = 0;
-  int sort_column = 0;  // CavityColumn
+  int sort_column = 0;  // index in cavity_page_columns()
   bool descending = false;
   friend bool operator==(const CavityFilter&, const CavityFilter&) = default;
 
@@ -56,7 +41,7 @@ struct CavityPage {
   CavityParts parts;            // the parts of chosen cavities that are drawn
   bool fades_rest = true;       // balls and simplices are pale
 
-  CavityRows rows;
+  KnownCavities rows;               // without a table: there is none yet
   bool rows_are_old = true;         // `order` belongs to earlier rows
   CavityFilter ordered_by;          // the filter by which `order` was made
   std::vector<std::size_t> order;   // rows that are shown, in order

@@ -175,7 +175,7 @@ void sentences(PanelContext& ctx, const CavityPage& page) {
   if (page.chosen_rows.size() != 1) return;
   const std::size_t row = page.chosen_rows.front();
   const CavityLine& line = page.rows.lines->of[row];
-  const std::string holds = cavity_text(page.rows, CavityColumn::holds, row);
+  const std::string holds = cavity_text(page.rows, "holds", row);
   if (page.rows.contents && !holds.empty()) wrapped_text("Holds " + holds);
   muted_wrapped(ctx, "Name, of the four atoms around its deepest point: " +
                          cavity_name(*page.rows.lines->atoms, page.rows.table(), row));

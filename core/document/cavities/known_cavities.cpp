@@ -1,0 +1,31 @@
+// Facts on a cavity that follow from several results.
+#include "core/document/cavities/known_cavities.hpp"
+
+namespace alphascope {
+
+bool KnownCavities::is_doubtful(std::size_t row) const {
+  return alphascope::is_doubtful(table().measure(row).volume_sa_angstrom3,
+                                 clipped(row).volume_sa_angstrom3);
+}
+
+const char* KnownCavities::kind(std::size_t row) const {
+  const Cavity& cavity = table().cavity(row);
+  return cavity.is_void() ? "void" : cavity.is_part() ? "part" : "pocket";
+}
+
+std::size_t KnownCavities::lining_residues(std::size_t row) const {
+  return lines ? lines->of[row].lining.residues : lining_counts(*atoms, table(), row).residues;
+}
+
+std::string KnownCavities::contents_text(std::size_t row) const {
+  return alphascope::contents_text(atoms->molecule(), *contents, table().order[row]);
+}
+
+KnownCavities::Life KnownCavities::life(std::size_t row) const {
+  const CavityLife& life = lives->of(table().cavity(row).deepest_sink);
+  const Lattice& lattice = table().ground->balls->lattice;
+  return {lattice.square_angstrom(life.born), lattice.square_angstrom(life.closed),
+          lattice.square_angstrom(life.gone), life.closed < life.gone};
+}
+
+}  // namespace alphascope

@@ -1,8 +1,9 @@
 // Writes areas and volumes as CSV and JSON; also the function of measure_json.hpp.
 #include "core/document/measures/measure_records.hpp"
 
+#include "core/document/measures/measure_columns.hpp"
 #include "core/document/measures/measure_json.hpp"
-#include "core/geometry/shortest_number.hpp"
+#include "core/document/tables/column_json.hpp"
 
 namespace alphascope {
 namespace {
@@ -10,8 +11,8 @@ namespace {
 Json rows_json(const MeasureRows& table) {
   Json groups = Json::array();
   for (const MeasureRow& row : table.rows) {
-    Json group{{"name", row.name}, {"atoms", row.atoms}};
-    for (const auto& [name, value] : measure_values(table, row)) group[name] = value;
+    Json group;
+    add_keys_up_to(group, measure_columns(), {table, row});
     groups.push_back(std::move(group));
   }
   return groups;
@@ -58,18 +59,7 @@ Provenance provenance_of(const MeasureFacts& facts) {
 
 CsvRow measure_csv_row(const MeasureFacts& facts, const MeasureRows& rows, const MeasureRow& row,
                        const Provenance& provenance) {
-  const Request& request = facts.answer->request;
-  CsvRow cells{{"model", model_text(facts.source.options.model)},
-               {"group", row.name},
-               {"atoms", std::to_string(row.atoms)}};
-  for (const auto& [name, value] : measure_values(rows, row)) {
-    cells.emplace_back(name, all_digits(value));
-  }
-  cells.emplace_back("surface", surface_name(request));
-  cells.emplace_back("measured_by", facts.measured->by->device);
-  cells.emplace_back("alpha_angstrom2", shortest_number(request.alpha_angstrom2));
-  cells.emplace_back("solvent_radius_angstrom", shortest_number(request.solvent_radius_angstrom));
-  cells.emplace_back("hash", hash_text(facts.answer->complex.hash));
+  CsvRow cells = csv_row_of(measure_columns(), {rows, row, &facts});
   for (const auto& [key, value] : provenance) {
     if (key != "model") cells.emplace_back(key, value);
   }

@@ -2,9 +2,10 @@
 #include "core/document/measures/measure_rows.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
+#include <utility>
 
+#include "core/document/measures/measure_columns.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
 
@@ -39,9 +40,6 @@ std::string row_name(MeasuredPer per, const Molecule& molecule, std::size_t atom
 
 double share(double part, double whole) {
   return whole > 0 ? part / whole : 0;
-}
-double length(const Gradient& g) {
-  return std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z);
 }
 
 // Rows in the order of the molecule, complete except for names.
@@ -81,59 +79,30 @@ bool contains(const std::string& name, const std::string& part) {
 }
 
 void sort_rows(MeasureRows& table) {
-  const MeasureQuery& query = table.query;
-  const auto before = [&](const MeasureRow& a, const MeasureRow& b) {
-    if (query.column == MeasureColumn::name) return a.name < b.name;
-    return table.value(a, query.column) < table.value(b, query.column);
-  };
-  if (query.descending) {
-    std::stable_sort(table.rows.begin(), table.rows.end(),
-                     [&](const MeasureRow& a, const MeasureRow& b) { return before(b, a); });
-  } else {
-    std::stable_sort(table.rows.begin(), table.rows.end(), before);
+  const Column<MeasuredRow>& column = column_of(measure_columns(), table.query.column);
+  std::vector<CellValue> values;
+  std::vector<std::size_t> order;
+  for (const MeasureRow& row : table.rows) {
+    order.push_back(values.size());
+    values.push_back(column.value({table, row}));
   }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (table.query.descending) std::swap(a, b);
+    return values[a] < values[b];
+  });
+  std::vector<MeasureRow> sorted;
+  for (const std::size_t row : order) sorted.push_back(std::move(table.rows[row]));
+  table.rows = std::move(sorted);
 }
 
 std::uint64_t number_of(const MeasureQuery& query) {
   const std::string text = query.filter + '\n' + std::to_string(static_cast<int>(query.per)) + ' ' +
-                           std::to_string(static_cast<int>(query.column)) + ' ' +
-                           (query.descending ? 'd' : '-') + (query.derivatives ? 'c' : '-');
+                           query.column + ' ' + (query.descending ? 'd' : '-') +
+                           (query.derivatives ? 'c' : '-');
   return std::hash<std::string>()(text) | 1;
 }
 
 }  // namespace
-
-double MeasureRows::value(const MeasureRow& row, MeasureColumn column) const {
-  const UnionDerivatives* d = derivatives.get();
-  const std::size_t ball = row.first_ball;
-  switch (column) {
-    case MeasureColumn::number:
-      return row.group;
-    case MeasureColumn::name:
-      return 0;
-    case MeasureColumn::atoms:
-      return row.atoms;
-    case MeasureColumn::area:
-      return row.area_angstrom2;
-    case MeasureColumn::volume:
-      return row.volume_angstrom3;
-    case MeasureColumn::exposed:
-      return row.exposed_share;
-    case MeasureColumn::area_share:
-      return row.share_of_area;
-    case MeasureColumn::volume_share:
-      return row.share_of_volume;
-    case MeasureColumn::area_gradient:
-      return d ? length(d->area_by_centre_angstrom[ball]) : 0;
-    case MeasureColumn::area_by_radius:
-      return d ? d->area_by_radius_angstrom[ball] : 0;
-    case MeasureColumn::volume_gradient:
-      return d ? length(d->volume_by_centre_angstrom2[ball]) : 0;
-    case MeasureColumn::volume_by_radius:
-      return d ? d->volume_by_radius_angstrom2[ball] : 0;
-  }
-  return 0;
-}
 
 MeasureRows make_measure_rows(const MeasureQuery& query, const Molecule& molecule,
                               const std::vector<std::uint32_t>& atom_of_ball,
@@ -157,30 +126,6 @@ MeasureRows make_measure_rows(const MeasureQuery& query, const Molecule& molecul
   context.cancel.throw_if_cancelled();
   sort_rows(table);
   return table;
-}
-
-std::vector<std::pair<std::string, double>> measure_values(const MeasureRows& rows,
-                                                           const MeasureRow& row) {
-  std::vector<std::pair<std::string, double>> values{{"area_angstrom2", row.area_angstrom2},
-                                                     {"volume_angstrom3", row.volume_angstrom3},
-                                                     {"exposed_share", row.exposed_share},
-                                                     {"share_of_area", row.share_of_area},
-                                                     {"share_of_volume", row.share_of_volume}};
-  if (!rows.derivatives) return values;
-  const UnionDerivatives& d = *rows.derivatives;
-  const Gradient &area = d.area_by_centre_angstrom[row.first_ball],
-                 &volume = d.volume_by_centre_angstrom2[row.first_ball];
-  const std::pair<const char*, double> more[] = {
-      {"area_by_x_angstrom", area.x},
-      {"area_by_y_angstrom", area.y},
-      {"area_by_z_angstrom", area.z},
-      {"area_by_radius_angstrom", d.area_by_radius_angstrom[row.first_ball]},
-      {"volume_by_x_angstrom2", volume.x},
-      {"volume_by_y_angstrom2", volume.y},
-      {"volume_by_z_angstrom2", volume.z},
-      {"volume_by_radius_angstrom2", d.volume_by_radius_angstrom2[row.first_ball]}};
-  values.insert(values.end(), std::begin(more), std::end(more));
-  return values;
 }
 
 Definition<MeasureRows> measure_rows(const MeasureQuery& query,

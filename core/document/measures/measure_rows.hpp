@@ -2,11 +2,9 @@
 // JSON use the same rows.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/document/measures/measure_names.hpp"
@@ -15,28 +13,11 @@
 
 namespace alphascope {
 
-// The last four columns exist for atoms with derivatives only.
-enum class MeasureColumn : std::uint8_t {
-  number,  // in the order of the molecule
-  name,
-  atoms,
-  area,
-  area_share,
-  volume,
-  volume_share,
-  exposed,
-  area_gradient,
-  area_by_radius,
-  volume_gradient,
-  volume_by_radius
-};
-inline constexpr int kMeasureColumns = 12;
-
 // A filter for rows, and their order.
 struct MeasureQuery {
   MeasuredPer per = MeasuredPer::residue;
-  std::string filter = {};  // part of the name, in upper or lower case; empty: all rows
-  MeasureColumn column = MeasureColumn::number;  // to sort by
+  std::string filter = {};        // part of the name, in upper or lower case; empty: all rows
+  std::string column = "number";  // to sort by: an id of measure_columns()
   bool descending = false;
   bool derivatives = false;  // with MeasuredPer::atom only
   friend bool operator==(const MeasureQuery&, const MeasureQuery&) = default;
@@ -56,9 +37,6 @@ struct MeasureRows {
   std::size_t all = 0;                                  // number of rows without the filter
   std::vector<std::uint32_t> group_of_ball;             // MeasureRow::group, or kNoGroup
   std::shared_ptr<const UnionDerivatives> derivatives;  // null unless asked for
-
-  // The value by which rows are sorted: 0 for names, the length for gradients.
-  double value(const MeasureRow& row, MeasureColumn column) const;
 };
 
 // `atom_of_ball` as in PreparedBalls. Throws Cancelled.
@@ -67,10 +45,6 @@ MeasureRows make_measure_rows(const MeasureQuery& query, const Molecule& molecul
                               const MeasuredComplex& measured,
                               std::shared_ptr<const UnionDerivatives> derivatives,
                               const RunContext& context = {});
-
-// The numbers of a row, with their names in CSV and JSON (docs/output-files.md).
-std::vector<std::pair<std::string, double>> measure_values(const MeasureRows& rows,
-                                                           const MeasureRow& row);
 
 // Rows for the complex of `answer`, which must be the one on screen.
 Definition<MeasureRows> measure_rows(const MeasureQuery& query,

@@ -64,7 +64,7 @@ TEST_F(MeasuresTest, ChangesAndFilter) {
   run("click measures.per.3\nclick measures.changes 0.1\n");
   settle();
   ASSERT_TRUE(memory().rows->derivatives);
-  EXPECT_TRUE(has("measures.column.11"));
+  EXPECT_TRUE(has("measures.column.volume_by_radius_angstrom2"));
   memory().query.filter = ":ca";
   settle();
   EXPECT_EQ(memory().rows->rows.size(), 46u);
@@ -73,10 +73,10 @@ TEST_F(MeasuresTest, ChangesAndFilter) {
 
 TEST_F(MeasuresTest, TitlesSortAndRowsAreCopied) {
   open_measures();
-  run("click measures.column.3\n");
+  run("click measures.column.area_angstrom2\n");
   settle();
   const std::vector<MeasureRow>& rows = memory().rows->rows;
-  EXPECT_EQ(memory().query.column, MeasureColumn::area);
+  EXPECT_EQ(memory().query.column, "area_angstrom2");
   EXPECT_TRUE(std::is_sorted(
       rows.begin(), rows.end(),
       [](const MeasureRow& a, const MeasureRow& b) { return a.area_angstrom2 > b.area_angstrom2; }))

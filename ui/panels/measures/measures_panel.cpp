@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <span>
 
+#include "core/document/measures/measure_columns.hpp"
 #include "core/document/measures/measure_records.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
@@ -27,64 +29,32 @@ constexpr const char* kPlural[] = {"components", "chains", "residues", "atoms"};
 
 // --- columns
 
-struct ColumnText {
-  const char *title, *help;
+struct ColumnPlace {
+  const char* id;
   float width;  // pixels at scale 1; 0: the remaining width
 };
-constexpr ColumnText kColumnTexts[kMeasureColumns] = {
-    {"#", "The order of the molecule.", 52},
-    {"name", "Chain, residue and atom. A component has the name of its first atom.", 0},
-    {"atoms", "How many atoms of the row are balls.", 62},
-    {"area Å²",
-     "The part of the surface that lies on the balls of these atoms, outside all others.", 92},
-    {"% of all", "Its share of the whole surface.", 68},
-    {"volume Å³",
-     "The part of the volume within the balls of these atoms that is nearest to them, in power "
-     "distance: parts add up to the whole.",
-     92},
-    {"% of all", "Its share of the whole volume.", 68},
-    {"exposed %", "The area, as a share of the whole spheres of these atoms: 0 is buried.", 80},
-    {"area/shift Å",
-     "How fast the whole area grows when the atom is shifted in the direction in which it grows "
-     "most, in Å² for each Å.",
-     92},
-    {"area/radius Å", "How fast the whole area grows with the atom's radius, in Å² for each Å.",
-     98},
-    {"vol./shift Å²",
-     "How fast the whole volume grows when the atom is shifted in the direction in which it grows "
-     "most, in Å³ for each Å.",
-     92},
-    {"vol./radius Å²", "How fast the whole volume grows with the atom's radius, in Å³ for each Å.",
-     98}};
-
+using Places = std::span<const ColumnPlace>;
+constexpr ColumnPlace kPlaces[] = {{"number", 52},          {"name", 0},
+                                   {"atoms", 62},           {"area_angstrom2", 92},
+                                   {"share_of_area", 68},   {"volume_angstrom3", 92},
+                                   {"share_of_volume", 68}, {"exposed_share", 80}};
 // Rows of atoms have no column for the number of atoms. Without it the derivatives have room.
-std::vector<MeasureColumn> shown_columns(const MeasureRows& rows) {
-  using C = MeasureColumn;
-  if (!rows.derivatives) {
-    return {C::number,     C::name,   C::atoms,        C::area,
-            C::area_share, C::volume, C::volume_share, C::exposed};
-  }
-  return {C::number,          C::name,          C::area,           C::volume,
-          C::exposed,         C::area_gradient, C::area_by_radius, C::volume_gradient,
-          C::volume_by_radius};
+constexpr ColumnPlace kPlacesWithDerivatives[] = {{"number", 52},
+                                                  {"name", 0},
+                                                  {"area_angstrom2", 92},
+                                                  {"volume_angstrom3", 92},
+                                                  {"exposed_share", 80},
+                                                  {"area_by_shift_angstrom", 92},
+                                                  {"area_by_radius_angstrom", 98},
+                                                  {"volume_by_shift_angstrom2", 92},
+                                                  {"volume_by_radius_angstrom2", 98}};
+
+Places places_of(const MeasureRows& rows) {
+  return rows.derivatives ? Places(kPlacesWithDerivatives) : Places(kPlaces);
 }
 
-std::string cell_text(const MeasureRows& rows, const MeasureRow& row, MeasureColumn column) {
-  const double value = rows.value(row, column);
-  switch (column) {
-    case MeasureColumn::number:
-      return number(row.group + 1);
-    case MeasureColumn::name:
-      return row.name;
-    case MeasureColumn::atoms:
-      return number(row.atoms);
-    case MeasureColumn::area_share:
-    case MeasureColumn::volume_share:
-    case MeasureColumn::exposed:
-      return number_text(100 * value, 2);
-    default:
-      return measure_text(value);
-  }
+const Column<MeasuredRow>& column_at(const ColumnPlace& place) {
+  return column_of(measure_columns(), place.id);
 }
 
 // --- choosing
@@ -217,55 +187,52 @@ void controls_line(PanelContext& ctx, MeasureMemory& memory) {
   tooltip(ctx, (text + "\n" + measured_text(*memory.measured->by)).c_str());
 }
 
-void heading(PanelContext& ctx, const std::vector<MeasureColumn>& columns) {
+void heading(PanelContext& ctx, Places places) {
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const MeasureColumn column : columns) {
-    const int c = static_cast<int>(column);
-    const ColumnText& text = kColumnTexts[c];
+  for (const ColumnPlace& place : places) {
+    const std::string title = column_at(place).heading();
     ImGuiTableColumnFlags flags =
-        text.width > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch;
-    if (c == 0) flags |= ImGuiTableColumnFlags_DefaultSort;
-    if (c > 1) flags |= ImGuiTableColumnFlags_PreferSortDescending;
+        place.width > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch;
+    const auto n = static_cast<ImGuiID>(&place - places.data());
+    if (n == 0) flags |= ImGuiTableColumnFlags_DefaultSort;
+    if (n > 1) flags |= ImGuiTableColumnFlags_PreferSortDescending;
     ImGui::TableSetupColumn(
-        text.title, flags,
-        text.width > 0 ? std::max(ctx.px(text.width), title_width(text.title)) : 1.0f,
-        static_cast<ImGuiID>(c));
+        title.c_str(), flags,
+        place.width > 0 ? std::max(ctx.px(place.width), title_width(title.c_str())) : 1.0f, n);
   }
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  for (const MeasureColumn column : columns) {
-    const int c = static_cast<int>(column);
+  for (const ColumnPlace& place : places) {
     ImGui::TableNextColumn();
-    ImGui::PushID(c);
-    ImGui::TableHeader(kColumnTexts[c].title);
-    record(ctx, ("measures.column." + std::to_string(c)).c_str());
-    tooltip(ctx, kColumnTexts[c].help);
+    ImGui::PushID(place.id);
+    ImGui::TableHeader(column_at(place).heading().c_str());
+    record(ctx, (std::string("measures.column.") + place.id).c_str());
+    tooltip(ctx, column_at(place).help);
     ImGui::PopID();
   }
 }
 
-void take_sorting(MeasureQuery& query) {
+void take_sorting(MeasureQuery& query, Places places) {
   ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
   if (!specs || specs->SpecsCount == 0) return;
-  query.column = static_cast<MeasureColumn>(specs->Specs[0].ColumnUserID);
+  query.column = places[specs->Specs[0].ColumnUserID].id;
   query.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
   specs->SpecsDirty = false;
 }
 
 // Draws a row. Returns whether it was clicked.
-bool draw_row(PanelContext& ctx, const MeasureRows& rows, const MeasureRow& row,
-              const std::vector<MeasureColumn>& columns, bool chosen) {
+bool draw_row(PanelContext& ctx, const MeasureRows& rows, const MeasureRow& row, Places places,
+              bool chosen) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(row.group));
-  const bool clicked = ImGui::Selectable(cell_text(rows, row, MeasureColumn::number).c_str(),
-                                         chosen, ImGuiSelectableFlags_SpanAllColumns);
+  const MeasuredRow of{rows, row};
+  const bool clicked = ImGui::Selectable(column_at(places[0]).shown_text(of).c_str(), chosen,
+                                         ImGuiSelectableFlags_SpanAllColumns);
   record(ctx, ("measures.row." + std::to_string(row.group + 1)).c_str());
   ImGui::PopID();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(fitted_text(row.name, ImGui::GetContentRegionAvail().x).c_str());
-  for (std::size_t c = 2; c < columns.size(); ++c) {
-    number_cell(cell_text(rows, row, columns[c]));
-  }
+  for (const ColumnPlace& place : places.subspan(2)) number_cell(column_at(place).shown_text(of));
   return clicked;
 }
 
@@ -275,11 +242,11 @@ void table_of_rows(PanelContext& ctx, MeasureMemory& memory, const BallReference
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable;
   const MeasureRows& rows = *memory.rows;
-  const std::vector<MeasureColumn> columns = shown_columns(rows);
+  const Places places = places_of(rows);
   const char* id = rows.derivatives ? "measures.changes" : "measures";
-  if (!ImGui::BeginTable(id, static_cast<int>(columns.size()), kFlags, {0, 0})) return;
-  heading(ctx, columns);
-  take_sorting(memory.query);
+  if (!ImGui::BeginTable(id, static_cast<int>(places.size()), kFlags, {0, 0})) return;
+  heading(ctx, places);
+  take_sorting(memory.query, places);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(rows.rows.size()));
   const MeasureRow* clicked = nullptr;
@@ -287,7 +254,7 @@ void table_of_rows(PanelContext& ctx, MeasureMemory& memory, const BallReference
     for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) {
       const MeasureRow& row = rows.rows[static_cast<std::size_t>(n)];
       const bool chosen = atoms && is_chosen(memory, atoms->atom(row.first_ball));
-      if (draw_row(ctx, rows, row, columns, chosen)) clicked = &row;
+      if (draw_row(ctx, rows, row, places, chosen)) clicked = &row;
     }
   }
   ImGui::EndTable();

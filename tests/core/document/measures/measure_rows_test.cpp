@@ -1,6 +1,7 @@
 // Tests areas and volumes as derived results, and as rows of a table.
 #include "core/document/measures/measure_rows.hpp"
 
+#include "core/document/measures/measure_columns.hpp"
 #include "core/document/measures/measure_records.hpp"
 #include "core/engine/engine.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
@@ -49,6 +50,10 @@ struct MeasureRowsTest : testing::StoreTest {
   }
 };
 
+double value_of(const MeasureRows& rows, std::size_t row, const char* column) {
+  return std::get<double>(column_of(measure_columns(), column).value({rows, rows.rows.at(row)}));
+}
+
 constexpr double kCap = 2 * kPi * 1.7 * 0.7, kSphere = 4 * kPi * 1.7 * 1.7;  // Å²
 
 TEST_F(MeasureRowsTest, AddUpByAtomResidueChainAndComponent) {
@@ -73,9 +78,9 @@ TEST_F(MeasureRowsTest, AddUpByAtomResidueChainAndComponent) {
 TEST_F(MeasureRowsTest, SortAndFilter) {
   MeasureQuery query{.per = MeasuredPer::residue};
   EXPECT_EQ(names(rows(query)), "A:HIS 87 A:GLY 88 B:ALA 9");
-  query.column = MeasureColumn::name;
+  query.column = "name";
   EXPECT_EQ(names(rows(query)), "A:GLY 88 A:HIS 87 B:ALA 9");
-  query.column = MeasureColumn::area;
+  query.column = "area_angstrom2";
   query.descending = true;
   EXPECT_EQ(names(rows(query)), "B:ALA 9 A:HIS 87 A:GLY 88") << "equal ones as in the molecule";
   query.filter = "a:";
@@ -90,13 +95,13 @@ TEST_F(MeasureRowsTest, DerivativesOfAtomsWhenAsked) {
   const MeasureRows without = rows({.per = MeasuredPer::atom});
   EXPECT_FALSE(without.derivatives);
   MeasureQuery query{.per = MeasuredPer::atom, .derivatives = true};
-  query.column = MeasureColumn::volume_gradient;
+  query.column = "volume_by_shift_angstrom2";
   const MeasureRows with = rows(query);
   ASSERT_TRUE(with.derivatives);
   EXPECT_EQ(names(with), "B:ALA 9:CA A:HIS 87:CA A:GLY 88:CA") << "a ball alone has none";
   const double disc = kPi * (1.7 * 1.7 - 1);
-  EXPECT_NEAR(with.value(with.rows[1], MeasureColumn::volume_gradient), disc, 1e-12);
-  EXPECT_NEAR(with.value(with.rows[0], MeasureColumn::volume_by_radius), kSphere, 1e-12);
+  EXPECT_NEAR(value_of(with, 1, "volume_by_shift_angstrom2"), disc, 1e-12);
+  EXPECT_NEAR(value_of(with, 0, "volume_by_radius_angstrom2"), kSphere, 1e-12);
 }
 
 TEST_F(MeasureRowsTest, CsvSaysWhereItComesFrom) {

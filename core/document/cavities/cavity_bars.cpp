@@ -23,12 +23,32 @@ std::string angstrom2_text(double value) {
   return readable_number(digits) + " Å²";
 }
 
-CsvRow csv_row(const CavityBar& bar, const std::string& name) {
-  return {{"born_alpha_angstrom2", finite_digits(bar.born_angstrom2)},
-          {"closed_alpha_angstrom2", bar.is_ever_void() ? finite_digits(bar.closed_angstrom2) : ""},
-          {"gone_alpha_angstrom2", finite_digits(bar.gone_angstrom2)},
-          {"name", name}};
-}
+const Column<CavityLifeRow> kColumns[] = {
+    {.id = "born_alpha_angstrom2",
+     .title = "born at",
+     .unit = "Å²",
+     .help = "The α from which on it is a cavity of its own. It is empty if it is one at every "
+             "lower α.",
+     .value = [](const CavityLifeRow& r) -> CellValue { return r.bar.born_angstrom2; }},
+    {.id = "closed_alpha_angstrom2",
+     .title = "closed at",
+     .unit = "Å²",
+     .help = "The α from which on it is a void. It is empty if the cavity never closes.",
+     .value =
+         [](const CavityLifeRow& r) {
+           return r.bar.is_ever_void() ? CellValue(r.bar.closed_angstrom2) : CellValue();
+         }},
+    {.id = "gone_alpha_angstrom2",
+     .title = "gone at",
+     .unit = "Å²",
+     .help = "The α at which its deepest point is filled, and it is gone.",
+     .value = [](const CavityLifeRow& r) -> CellValue { return r.bar.gone_angstrom2; }},
+    {.id = "name",
+     .title = "name",
+     .help = "The four atoms around the deepest point, as in the table of cavities.",
+     .value = [](const CavityLifeRow& r) -> CellValue {
+       return sink_name(r.references, r.triangulation.tetrahedra[r.bar.sink]);
+     }}};
 
 }  // namespace
 
@@ -82,11 +102,15 @@ std::string bar_text(const CavityBar& bar) {
   return text + ", filled at " + angstrom2_text(bar.gone_angstrom2);
 }
 
+std::span<const Column<CavityLifeRow>> life_columns() {
+  return kColumns;
+}
+
 std::string bars_csv(const std::vector<CavityBar>& bars, const Triangulation& triangulation,
                      const BallReferences& references, const std::vector<std::string>& comments) {
-  std::string text = csv_comments(comments) + csv_names(csv_row({}, {}));
+  std::string text = csv_comments(comments) + csv_heading(life_columns());
   for (const CavityBar& bar : bars) {
-    text += csv_values(csv_row(bar, sink_name(references, triangulation.tetrahedra[bar.sink])));
+    text += csv_values(csv_row_of(life_columns(), {bar, triangulation, references}));
   }
   return text;
 }

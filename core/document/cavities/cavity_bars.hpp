@@ -5,11 +5,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/cavity/cavity_lives.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/tables/column.hpp"
 
 namespace alphascope {
 
@@ -41,6 +43,14 @@ double alpha_within(const CavityBar& bar, double from_angstrom2);
 
 // "a pocket from −0.52 Å², a void from 1.20 Å², filled at 4.85 Å²".
 std::string bar_text(const CavityBar& bar);
+
+// A row of the table of lives.
+struct CavityLifeRow {
+  const CavityBar& bar;
+  const Triangulation& triangulation;
+  const BallReferences& references;
+};
+std::span<const Column<CavityLifeRow>> life_columns();
 
 // A CSV table: three alphas and a name for each bar. An alpha is empty if it is minus infinity, or
 // if the cavity never closes. The name is the atoms of the deepest sink. `comments` come first,

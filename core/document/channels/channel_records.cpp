@@ -1,8 +1,10 @@
 // Writes channels as CSV and JSON; also the functions of channel_json.hpp.
 #include "core/document/channels/channel_records.hpp"
 
+#include "core/document/channels/channel_columns.hpp"
 #include "core/document/channels/channel_json.hpp"
 #include "core/document/channels/channel_texts.hpp"
+#include "core/document/tables/column_json.hpp"
 
 namespace alphascope {
 namespace {
@@ -50,11 +52,7 @@ Key key_of_channel(const FoundChannel& found) {
 
 CsvRow channel_csv_row(const ChannelSample& sample, const RecordSource& source,
                        const Provenance& provenance) {
-  CsvRow row{{"along_angstrom", all_digits(sample.along_angstrom)},
-             {"radius_angstrom", all_digits(sample.radius_angstrom)},
-             {"x_angstrom", all_digits(sample.position_angstrom.x)},
-             {"y_angstrom", all_digits(sample.position_angstrom.y)},
-             {"z_angstrom", all_digits(sample.position_angstrom.z)}};
+  CsvRow row = csv_row_of(sample_columns(), sample);
   row.insert(row.end(), provenance.begin(), provenance.end());
   row.emplace_back("program", source.program.text());
   return row;
@@ -76,9 +74,9 @@ Json channel_json(const BallReferences& atoms, const Channel& channel) {
     touching.push_back({{"ball", ball}, {"atom", atom_text(atoms, ball)}});
   }
   for (const ChannelSample& sample : channel.samples) {
-    samples.push_back({{"along_angstrom", sample.along_angstrom},
-                       {"radius_angstrom", sample.radius_angstrom},
-                       {"position_angstrom", point_json(sample.position_angstrom)}});
+    Json& json = samples.emplace_back(Json::object());
+    add_keys_up_to(json, sample_columns(), sample);
+    json["position_angstrom"] = point_json(sample.position_angstrom);
   }
   return {{"widest_angstrom", channel.widest_angstrom},
           {"step_angstrom", channel.step_angstrom},
@@ -133,12 +131,11 @@ void add_cover_json(const FoundChannel& found, Json& json) {
 Json ways_json(const FoundWays& ways) {
   Json list = Json::array();
   for (const auto& found : ways.ways) {
-    const Channel& channel = *found->channel;
     Json way;
     add_cover_json(*found, way);
-    way["widest_angstrom"] = channel.widest_angstrom;
-    way["position_angstrom"] = point_json(channel.narrowest().position_angstrom);
-    way["length_angstrom"] = channel.length_angstrom;
+    add_keys(way, way_columns(), *found, {"widest_angstrom"});
+    way["position_angstrom"] = point_json(found->channel->narrowest().position_angstrom);
+    add_keys_up_to(way, way_columns(), *found);
     list.push_back(std::move(way));
   }
   return list;

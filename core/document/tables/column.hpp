@@ -61,4 +61,14 @@ CsvRow csv_row_of(std::span<const Column<Row>> columns, const Row& row) {
   return cells;
 }
 
+// The line of names of a table that may have no row. The columns are those that every row has.
+template <class Row>
+std::string csv_heading(std::span<const Column<Row>> columns) {
+  CsvRow names;
+  for (const Column<Row>& column : columns) {
+    if (is_in(column.files, InFiles::csv) && !column.shown_if) names.emplace_back(column.id, "");
+  }
+  return csv_names(names);
+}
+
 }  // namespace alphascope

@@ -1,22 +1,27 @@
 // The table of ways through a molecule.
+#include <span>
 #include <string>
+#include <utility>
 
+#include "core/document/channels/channel_columns.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
-#include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {
 
-std::string bottleneck_place(const Channel& channel) {
-  const RealPoint& p = channel.narrowest().position_angstrom;
-  return number_text(p.x, 1) + ", " + number_text(p.y, 1) + ", " + number_text(p.z, 1) + " Å";
+// A column's place in the table, with its share of the width.
+constexpr std::pair<const char*, float> kPlaces[] = {
+    {"through", 5.0F}, {"widest_angstrom", 2.4F}, {"position", 4.4F}, {"length_angstrom", 2.0F}};
+
+const Column<FoundChannel>& column(const char* id) {
+  return column_of(way_columns(), id);
 }
 
 std::string way_help(const FoundChannel& found) {
   const WayNote& way = *found.way;
   return "Through " + way.through + ", lined by " + chains_text(way.lining_chains) +
-         ".\nNarrowest at " + bottleneck_place(*found.channel) + ".\nCovers " +
+         ".\nNarrowest at " + bottleneck_place(*found.channel) + " Å.\nCovers " +
          cover_text(*found.cover) + ".\nClick to take it.";
 }
 
@@ -26,9 +31,9 @@ void draw_ways(PanelContext& ctx, ChannelMemory& memory, const FoundWays& ways) 
   if (ways.ways.empty()) return;
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg;
   if (!ImGui::BeginTable("ways", 4, kFlags)) return;
-  for (const auto& [title, share] :
-       {std::pair{"through", 5.0F}, {"bottleneck", 2.4F}, {"at", 4.4F}, {"length", 2.0F}}) {
-    ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthStretch, share);
+  for (const auto& [id, share] : kPlaces) {
+    ImGui::TableSetupColumn(column(id).heading().c_str(), ImGuiTableColumnFlags_WidthStretch,
+                            share);
   }
   ImGui::TableHeadersRow();
   for (const auto& found : ways.ways) {
@@ -42,13 +47,10 @@ void draw_ways(PanelContext& ctx, ChannelMemory& memory, const FoundWays& ways) 
     }
     record(ctx, ("channels.way." + std::to_string(number)).c_str());
     tooltip(ctx, way_help(*found).c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(
-        (number_text(found->channel->narrowest().radius_angstrom, 3) + " Å").c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(bottleneck_place(*found->channel).c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted((number_text(found->channel->length_angstrom, 1) + " Å").c_str());
+    for (const auto& [id, share] : std::span(kPlaces).subspan(1)) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(column(id).shown_text(*found).c_str());
+    }
   }
   ImGui::EndTable();
   if (ways.parts_left_out == 0) return;

@@ -1,0 +1,21 @@
+// The columns of a channel's samples, and of the ways through a molecule.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/document/channels/channel_results.hpp"
+#include "core/document/tables/column.hpp"
+
+namespace alphascope {
+
+// In the order of the CSV. The provenance follows there.
+std::span<const Column<ChannelSample>> sample_columns();
+
+// The channels must be ways: FoundChannel::way is set.
+std::span<const Column<FoundChannel>> way_columns();
+
+// The bottleneck's place: "1.2, −3.4, 5.6", in Å.
+std::string bottleneck_place(const Channel& channel);
+
+}  // namespace alphascope

@@ -1,0 +1,44 @@
+// Tests the columns of samples and of ways.
+#include "core/document/channels/channel_columns.hpp"
+
+#include <gtest/gtest.h>
+
+namespace alphascope {
+namespace {
+
+FoundChannel way() {
+  FoundChannel found;
+  found.channel.emplace();
+  ChannelSample wide, narrow;
+  wide.radius_angstrom = 3;
+  narrow.position_angstrom = {1.25, -2, 30};
+  narrow.radius_angstrom = 1.5;
+  narrow.along_angstrom = 4;
+  found.channel->samples = {wide, narrow};
+  found.channel->bottleneck = 1;
+  found.channel->widest_angstrom = 1.5;
+  found.channel->length_angstrom = 12.345;
+  found.way = WayNote{.number = 2, .through = "chain A"};
+  return found;
+}
+
+std::string text(const char* id) {
+  return column_of(way_columns(), id).shown_text(way());
+}
+
+TEST(ChannelColumns, WaysHaveTheBottleneckAndItsPlace) {
+  EXPECT_EQ(text("number"), "2");
+  EXPECT_EQ(text("through"), "chain A");
+  EXPECT_EQ(text("widest_angstrom"), "1.500");
+  EXPECT_EQ(text("position"), "1.2, −2.0, 30.0");
+  EXPECT_EQ(text("length_angstrom"), "12.3");
+}
+
+TEST(ChannelColumns, SamplesHaveTheirPlacesInCsv) {
+  const CsvRow cells = csv_row_of(sample_columns(), way().channel->samples[1]);
+  EXPECT_EQ(csv_names(cells), "along_angstrom,radius_angstrom,x_angstrom,y_angstrom,z_angstrom\n");
+  EXPECT_EQ(csv_values(cells), "4,1.5,1.25,-2,30\n");
+}
+
+}  // namespace
+}  // namespace alphascope

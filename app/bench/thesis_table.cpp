@@ -1,9 +1,9 @@
-// Fills the columns of the table.
+// The list of columns, and their values.
 #include "app/bench/thesis_table.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <optional>
 
 #include "core/geometry/shortest_number.hpp"
 
@@ -14,20 +14,17 @@ double tenth_of_microsecond(double milliseconds) {
   return std::round(milliseconds * 1e4) / 1e4;
 }
 
-ThesisCell milliseconds(std::optional<double> value) {
-  if (!value) return {};
-  return tenth_of_microsecond(*value);
+CellValue milliseconds(std::optional<double> value) {
+  return value ? CellValue(tenth_of_microsecond(*value)) : CellValue();
 }
 
 template <class T>
-ThesisCell cell(const std::optional<T>& value) {
-  if (!value) return {};
-  return *value;
+CellValue cell(const std::optional<T>& value) {
+  return value ? CellValue(*value) : CellValue();
 }
 
-ThesisCell count(const std::optional<std::size_t>& value) {
-  if (!value) return {};
-  return std::uint64_t{*value};
+CellValue count(std::uint64_t number) {
+  return number;
 }
 
 const char* kind_text(ThesisRow::Kind kind) {
@@ -60,119 +57,274 @@ std::string stages_text(const std::vector<StageTime>& stages) {
 }
 
 // A number if a double represents it, else all digits as text, as in all our JSON.
-ThesisCell alpha_cell(const Alpha& alpha) {
-  if (alpha.is_shortest_of_double()) return alpha.nearest();
-  return alpha.digits();
+CellValue alpha_cell(const Alpha& alpha) {
+  return alpha.is_shortest_of_double() ? CellValue(alpha.nearest()) : CellValue(alpha.digits());
 }
 
-void add_task(ThesisTableRow& cells, const ThesisReport& report, const ThesisRow& row) {
-  const int threads = row.threads > 0 ? row.threads : report.machine.threads;
-  cells.insert(cells.end(), {{"molecule", row.molecule},
-                             {"balls", std::uint64_t{row.balls}},
-                             {"alpha_angstrom2", alpha_cell(row.alpha_angstrom2)},
-                             {"solvent_radius_angstrom", report.options.solvent_radius_angstrom},
-                             {"tetrahedra_only", report.options.tetrahedra_only},
-                             {"kind", std::string(kind_text(row.kind))},
-                             {"engine", std::string(engine_id(row.choice))},
-                             {"variant", row.variant},
-                             {"threads", static_cast<std::uint64_t>(threads)},
-                             {"skipped", row.skipped},
-                             {"run_complete", report.complete}});
+// Null if the row has no break-even.
+const BreakEven* break_even_of(const ThesisTableRow& r) {
+  if (r.row.kind != ThesisRow::Kind::engine) return nullptr;
+  const auto& all = r.report.break_even;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const BreakEven& b) {
+    return b.molecule_index == r.row.molecule_index && b.choice == r.row.choice;
+  });
+  return found == all.end() ? nullptr : &*found;
 }
 
-void add_times(ThesisTableRow& cells, const ThesisRow& row) {
-  const bool ok = row.measured();
-  const auto when = [ok](ThesisCell value) { return ok ? value : ThesisCell{}; };
-  cells.insert(cells.end(),
-               {{"runs", when(static_cast<std::uint64_t>(row.runs))},
-                {"memcpy_ms", milliseconds(row.stages.memcpy)},
-                {"kernel1_ms", milliseconds(row.stages.kernel1)},
-                {"kernel1_includes_kernel2", when(row.stages.kernel1_has_kernel2)},
-                {"prefix_sum_ms", milliseconds(row.stages.prefix_sum)},
-                {"kernel2_ms", milliseconds(row.stages.kernel2)},
-                {"kernel3_ms", milliseconds(row.stages.kernel3)},
-                {"other_stages_ms", milliseconds(row.stages.other)},
-                {"cold_median_ms", when(tenth_of_microsecond(row.cold_milliseconds))},
-                {"warm_median_ms", when(tenth_of_microsecond(row.warm_milliseconds))},
-                {"cgal_cold_median_ms", milliseconds(row.cgal_cold_milliseconds)},
-                {"cgal_parallel_cold_median_ms", milliseconds(row.cgal_parallel_cold_milliseconds)},
-                {"speed_up_over_cgal", cell(row.speed_up())}});
+using Row = ThesisTableRow;
+
+// The value, or none if nothing was measured.
+CellValue when_measured(const Row& r, const CellValue& value) {
+  return r.row.measured() ? value : CellValue();
 }
 
-const BreakEven* break_even_of(const ThesisReport& report, const ThesisRow& row) {
-  if (row.kind != ThesisRow::Kind::engine) return nullptr;
-  const auto found =
-      std::find_if(report.break_even.begin(), report.break_even.end(), [&](const BreakEven& b) {
-        return b.molecule_index == row.molecule_index && b.choice == row.choice;
-      });
-  return found == report.break_even.end() ? nullptr : &*found;
+CellValue stage(const Row& r, std::optional<double> ThesisStages::*time) {
+  return milliseconds(r.row.stages.*time);
 }
 
-void add_result(ThesisTableRow& cells, const ThesisReport& report, const ThesisRow& row) {
-  const bool ok = row.measured();
-  const BreakEven* even = break_even_of(report, row);
-  const auto when = [ok](ThesisCell value) { return ok ? value : ThesisCell{}; };
-  cells.insert(cells.end(),
-               {{"tetrahedra", when(std::uint64_t{row.tetrahedra})},
-                {"full_triangulation_tetrahedra", count(row.full_tetrahedra)},
-                {"share_of_full_triangulation", cell(row.share_of_full())},
-                {"beats_cgal_up_to_angstrom2", even ? cell(even->alpha_angstrom2) : ThesisCell{}},
-                {"beats_cgal_beyond_that", even ? ThesisCell{even->beyond} : ThesisCell{}},
-                {"loses_to_cgal_at_angstrom2", even ? cell(even->lost_at_angstrom2) : ThesisCell{}},
-                {"hash", when(hash_text(row.hash))},
-                {"same_as_cgal", cell(row.same_as_cgal)},
-                {"engine_name", row.engine.name},
-                {"device", row.engine.device},
-                {"route", row.engine.route},
-                {"counters", counters_text(row.engine)},
-                {"stages", stages_text(row.stage_medians)}});
-}
-
-void add_machine(ThesisTableRow& cells, const ThesisReport& report) {
-  const MachineInfo& m = report.machine;
-  cells.insert(cells.end(), {{"program", report.program},
-                             {"cpu", m.cpu},
-                             {"cpu_threads", static_cast<std::uint64_t>(m.threads)},
-                             {"gpu", m.gpu.name},
-                             {"gpu_driver", m.gpu.driver},
-                             {"gpu_compute_capability", m.gpu.capability_text()},
-                             {"gpu_memory_bytes", std::uint64_t{m.gpu.memory_bytes}}});
-}
-
-struct ToText {
-  std::string operator()(std::monostate) const { return {}; }
-  std::string operator()(const std::string& s) const { return s; }
-  std::string operator()(double number) const {
-    return std::isfinite(number) ? shortest_number(number) : "";
-  }
-  std::string operator()(std::uint64_t number) const { return std::to_string(number); }
-  std::string operator()(bool yes) const { return yes ? "1" : "0"; }
-};
+const Column<Row> kColumns[] = {
+    {.id = "molecule",
+     .title = "molecule",
+     .help = "The name of the file, without ending.",
+     .value = [](const Row& r) -> CellValue { return r.row.molecule; }},
+    {.id = "balls",
+     .title = "balls",
+     .help = "The number of balls.",
+     .value = [](const Row& r) -> CellValue { return count(r.row.balls); }},
+    {.id = "alpha_angstrom2",
+     .title = "alpha",
+     .unit = "Å²",
+     .help = "The requested alpha.",
+     .value = [](const Row& r) -> CellValue { return alpha_cell(r.row.alpha_angstrom2); }},
+    {.id = "solvent_radius_angstrom",
+     .title = "solvent radius",
+     .unit = "Å",
+     .help = "The requested solvent radius.",
+     .value = [](const Row& r) -> CellValue { return r.report.options.solvent_radius_angstrom; }},
+    {.id = "tetrahedra_only",
+     .title = "tetrahedra only",
+     .help = "Only tetrahedra were computed, as in the thesis.",
+     .value = [](const Row& r) -> CellValue { return r.report.options.tetrahedra_only; }},
+    {.id = "kind",
+     .title = "kind",
+     .help =
+         "“cgal”, “engine”, or “ablation”: the tuple engine with the change that `variant` names.",
+     .value = [](const Row& r) -> CellValue { return std::string(kind_text(r.row.kind)); }},
+    {.id = "engine",
+     .title = "engine",
+     .help = "The engine, as the command line names it.",
+     .value = [](const Row& r) -> CellValue { return std::string(engine_id(r.row.choice)); }},
+    {.id = "variant",
+     .title = "variant",
+     .help = "The change of an ablation, or the threads of CGAL.",
+     .value = [](const Row& r) -> CellValue { return r.row.variant; }},
+    {.id = "threads",
+     .title = "threads",
+     .help = "The number of CPU threads.",
+     .value = [](const Row& r) -> CellValue {
+       return count(static_cast<std::uint64_t>(r.row.threads > 0 ? r.row.threads
+                                                                 : r.report.machine.threads));
+     }},
+    {.id = "skipped",
+     .title = "skipped",
+     .help = "The reason why nothing was measured; else empty.",
+     .value = [](const Row& r) -> CellValue { return r.row.skipped; }},
+    {.id = "run_complete",
+     .title = "complete",
+     .help = "False if the run was cancelled in the window, so that later rows are missing.",
+     .value = [](const Row& r) -> CellValue { return r.report.complete; }},
+    {.id = "runs",
+     .title = "runs",
+     .help = "The number of counted runs. It is less than requested if the time for a row ran out.",
+     .value = [](const Row& r) -> CellValue {
+       return when_measured(r, count(static_cast<std::uint64_t>(r.row.runs)));
+     }},
+    {.id = "memcpy_ms",
+     .title = "memcpy",
+     .unit = "ms",
+     .help =
+         "The thesis' column: copies to and from the device. Times are medians of the cold runs.",
+     .value = [](const Row& r) -> CellValue { return stage(r, &ThesisStages::memcpy); }},
+    {.id = "kernel1_ms",
+     .title = "kernel1",
+     .unit = "ms",
+     .help = "The thesis' column: kernel I, which finds candidates.",
+     .value = [](const Row& r) -> CellValue { return stage(r, &ThesisStages::kernel1); }},
+    {.id = "kernel1_includes_kernel2",
+     .help = "True if one launch does both; then `kernel2_ms` is empty.",
+     .value = [](const Row& r) -> CellValue {
+       return when_measured(r, r.row.stages.kernel1_has_kernel2);
+     }},
+    {.id = "prefix_sum_ms",
+     .title = "prefixsum",
+     .unit = "ms",
+     .help = "The thesis' column: the prefix sum over counts.",
+     .value = [](const Row& r) -> CellValue { return stage(r, &ThesisStages::prefix_sum); }},
+    {.id = "kernel2_ms",
+     .title = "kernel2",
+     .unit = "ms",
+     .help = "The thesis' column: kernel II.",
+     .value = [](const Row& r) -> CellValue { return stage(r, &ThesisStages::kernel2); }},
+    {.id = "kernel3_ms",
+     .title = "kernel3",
+     .unit = "ms",
+     .help = "The thesis' column: kernel III.",
+     .value = [](const Row& r) -> CellValue { return stage(r, &ThesisStages::kernel3); }},
+    {.id = "other_stages_ms",
+     .title = "other",
+     .unit = "ms",
+     .help = "All other stages, such as grid, classification and hash.",
+     .value = [](const Row& r) -> CellValue { return stage(r, &ThesisStages::other); }},
+    {.id = "cold_median_ms",
+     .title = "cold",
+     .unit = "ms",
+     .help = "The wall time of a new engine that is made and asked once; the median.",
+     .value = [](const Row& r) -> CellValue {
+       return when_measured(r, tenth_of_microsecond(r.row.cold_milliseconds));
+     }},
+    {.id = "warm_median_ms",
+     .title = "warm",
+     .unit = "ms",
+     .help = "The wall time of the same engine, asked again at an alpha smaller by 0.001 Å²; the "
+             "median.",
+     .value = [](const Row& r) -> CellValue {
+       return when_measured(r, tenth_of_microsecond(r.row.warm_milliseconds));
+     }},
+    {.id = "cgal_cold_median_ms",
+     .title = "CGAL cold",
+     .unit = "ms",
+     .help = "The wall time of CGAL at the same alpha, with one thread.",
+     .value = [](const Row& r) -> CellValue { return milliseconds(r.row.cgal_cold_milliseconds); }},
+    {.id = "cgal_parallel_cold_median_ms",
+     .title = "CGAL parallel",
+     .unit = "ms",
+     .help = "The wall time of CGAL at the same alpha, with all threads.",
+     .value = [](const Row& r) -> CellValue {
+       return milliseconds(r.row.cgal_parallel_cold_milliseconds);
+     }},
+    {.id = "speed_up_over_cgal",
+     .title = "speed-up",
+     .help = "`cgal_cold_median_ms` / `cold_median_ms`, before rounding.",
+     .value = [](const Row& r) -> CellValue { return cell(r.row.speed_up()); }},
+    {.id = "tetrahedra",
+     .title = "tetrahedra",
+     .help = "The number of tetrahedra of the result.",
+     .value = [](const Row& r) -> CellValue { return when_measured(r, count(r.row.tetrahedra)); }},
+    {.id = "full_triangulation_tetrahedra",
+     .title = "full",
+     .help = "The number of tetrahedra of the molecule's whole regular triangulation.",
+     .value = [](const Row& r) -> CellValue {
+       return r.row.full_tetrahedra ? count(*r.row.full_tetrahedra) : CellValue();
+     }},
+    {.id = "share_of_full_triangulation",
+     .title = "of full",
+     .help = "The share of these tetrahedra in the result, 0 to 1.",
+     .value = [](const Row& r) -> CellValue { return cell(r.row.share_of_full()); }},
+    {.id = "beats_cgal_up_to_angstrom2",
+     .title = "beats CGAL up to",
+     .unit = "Å²",
+     .help = "The largest alpha at which the engine was faster than CGAL with one thread.",
+     .value =
+         [](const Row& r) {
+           const BreakEven* even = break_even_of(r);
+           return even ? cell(even->alpha_angstrom2) : CellValue();
+         }},
+    {.id = "beats_cgal_beyond_that",
+     .help = "True if the engine was faster at the largest alpha, too.",
+     .value =
+         [](const Row& r) {
+           const BreakEven* even = break_even_of(r);
+           return even ? CellValue(even->beyond) : CellValue();
+         }},
+    {.id = "loses_to_cgal_at_angstrom2",
+     .title = "loses to CGAL at",
+     .unit = "Å²",
+     .help = "The smallest alpha at which CGAL was faster. The break-even lies between the two.",
+     .value =
+         [](const Row& r) {
+           const BreakEven* even = break_even_of(r);
+           return even ? cell(even->lost_at_angstrom2) : CellValue();
+         }},
+    {.id = "hash",
+     .title = "hash",
+     .help = "The hash of the result.",
+     .value = [](const Row& r) -> CellValue { return when_measured(r, hash_text(r.row.hash)); }},
+    {.id = "same_as_cgal",
+     .title = "same",
+     .help = "The result has the hash of CGAL's; empty if CGAL was left out.",
+     .value = [](const Row& r) -> CellValue { return cell(r.row.same_as_cgal); }},
+    {.id = "engine_name",
+     .title = "engine",
+     .help = "The name of the engine.",
+     .value = [](const Row& r) -> CellValue { return r.row.engine.name; }},
+    {.id = "device",
+     .title = "device",
+     .help = "The device that computed.",
+     .value = [](const Row& r) -> CellValue { return r.row.engine.device; }},
+    {.id = "route",
+     .title = "route",
+     .help = "The way in which this alpha was computed.",
+     .value = [](const Row& r) -> CellValue { return r.row.engine.route; }},
+    {.id = "counters",
+     .title = "counters",
+     .help = "The counts of the engine, such as 4-tuples.",
+     .value = [](const Row& r) -> CellValue { return counters_text(r.row.engine); }},
+    {.id = "stages",
+     .title = "stages",
+     .help = "All stages in the words of the program, with their times.",
+     .value = [](const Row& r) -> CellValue { return stages_text(r.row.stage_medians); }},
+    {.id = "program",
+     .title = "program",
+     .help = "Name, version and commit of the program.",
+     .value = [](const Row& r) -> CellValue { return r.report.program; }},
+    {.id = "cpu",
+     .title = "CPU",
+     .help = "The name of the CPU.",
+     .value = [](const Row& r) -> CellValue { return r.report.machine.cpu; }},
+    {.id = "cpu_threads",
+     .title = "CPU threads",
+     .help = "The number of its threads.",
+     .value = [](const Row& r) -> CellValue {
+       return count(static_cast<std::uint64_t>(r.report.machine.threads));
+     }},
+    {.id = "gpu",
+     .title = "GPU",
+     .help = "The name of the GPU; empty without one.",
+     .value = [](const Row& r) -> CellValue { return r.report.machine.gpu.name; }},
+    {.id = "gpu_driver",
+     .title = "GPU driver",
+     .help = "The version of its driver.",
+     .value = [](const Row& r) -> CellValue { return r.report.machine.gpu.driver; }},
+    {.id = "gpu_compute_capability",
+     .title = "capability",
+     .help = "Its compute capability.",
+     .value = [](const Row& r) -> CellValue { return r.report.machine.gpu.capability_text(); }},
+    {.id = "gpu_memory_bytes",
+     .title = "GPU memory",
+     .unit = "bytes",
+     .help = "Its memory.",
+     .value = [](const Row& r) -> CellValue { return count(r.report.machine.gpu.memory_bytes); }}};
 
 }  // namespace
 
-std::vector<ThesisTableRow> thesis_table(const ThesisReport& report) {
-  std::vector<ThesisTableRow> table;
-  for (const ThesisRow& row : report.rows) {
-    ThesisTableRow cells;
-    add_task(cells, report, row);
-    add_times(cells, row);
-    add_result(cells, report, row);
-    add_machine(cells, report);
-    for (const auto& [key, value] : report.molecules[row.molecule_index].provenance) {
-      cells.emplace_back(key, value);
-    }
-    table.push_back(std::move(cells));
-  }
-  return table;
+std::span<const Column<ThesisTableRow>> thesis_columns() {
+  return kColumns;
 }
 
-std::vector<CsvRow> to_csv(const std::vector<ThesisTableRow>& table) {
+std::string shortest_cell(const CellValue& value) {
+  const double* number = std::get_if<double>(&value);
+  return number && std::isfinite(*number) ? shortest_number(*number) : csv_cell(value);
+}
+
+std::vector<CsvRow> thesis_csv(const ThesisReport& report) {
   std::vector<CsvRow> rows;
-  for (const ThesisTableRow& cells : table) {
-    CsvRow row;
-    for (const auto& [name, value] : cells) row.emplace_back(name, std::visit(ToText{}, value));
-    rows.push_back(std::move(row));
+  for (const ThesisRow& row : report.rows) {
+    CsvRow& cells = rows.emplace_back();
+    for (const Column<ThesisTableRow>& column : kColumns) {
+      cells.emplace_back(column.id, shortest_cell(column.value({report, row})));
+    }
+    const auto& provenance = report.molecules[row.molecule_index].provenance;
+    cells.insert(cells.end(), provenance.begin(), provenance.end());
   }
   return rows;
 }

@@ -1,26 +1,30 @@
 // The rows of the thesis' suite as one table for CSV, JSON and the window's export.
 #pragma once
 
+#include <span>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "app/bench/thesis_suite.hpp"
+#include "core/document/tables/column.hpp"
 #include "core/write/csv.hpp"
 
 namespace alphascope {
 
-// Empty if nothing was measured or the column does not apply.
-using ThesisCell = std::variant<std::monostate, std::string, double, std::uint64_t, bool>;
-using ThesisTableRow = std::vector<std::pair<std::string, ThesisCell>>;
+struct ThesisTableRow {
+  const ThesisReport& report;
+  const ThesisRow& row;
+};
 
-// One row for each row of the report, all with the same columns (docs/output-files.md). Times are
-// rounded to a tenth of a microsecond.
-std::vector<ThesisTableRow> thesis_table(const ThesisReport& report);
+// The columns of CSV and JSON, without provenance. Times are rounded to a tenth of a microsecond. A
+// cell has no value if nothing was measured or the column does not apply.
+std::span<const Column<ThesisTableRow>> thesis_columns();
 
-// Numbers get the shortest text that reads back exactly. Booleans become 1 and 0.
-std::vector<CsvRow> to_csv(const std::vector<ThesisTableRow>& table);
+// The cell in CSV, with the shortest text of a number that reads back exactly.
+std::string shortest_cell(const CellValue& value);
+
+// One row for each row of the report, all with the same columns, then the provenance.
+std::vector<CsvRow> thesis_csv(const ThesisReport& report);
 
 // For example "tuples-cpu", "tuples-cpu, without edge optimisation", "CGAL, one thread".
 std::string contestant_text(const ThesisRow& row);

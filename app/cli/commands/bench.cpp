@@ -4,7 +4,9 @@
 // alpha, as with a slider.
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <iostream>
+#include <span>
 
 #include "app/cli/command.hpp"
 #include "app/cli/commands/bench.hpp"
@@ -17,6 +19,7 @@
 #include "app/options/option_values.hpp"
 #include "app/session/engine_cache.hpp"
 #include "app/session/rounding_note.hpp"
+#include "core/document/tables/column.hpp"
 #include "core/engine/engine_choice.hpp"
 #include "core/text/printable.hpp"
 #include "core/write/csv.hpp"
@@ -28,6 +31,10 @@ double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
   return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+double least(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
 }
 
 struct Series {
@@ -110,30 +117,104 @@ void print_row(const Row& row) {
             << std::flush;
 }
 
+const Column<Row> kColumns[] = {
+    {.id = "file",
+     .title = "file",
+     .help = "The name of the file.",
+     .value = [](const Row& r) -> CellValue { return r.file; }},
+    {.id = "balls",
+     .title = "balls",
+     .help = "The number of balls.",
+     .value = [](const Row& r) -> CellValue { return static_cast<std::uint64_t>(r.balls); }},
+    {.id = "alpha_angstrom2",
+     .title = "alpha",
+     .unit = "Å²",
+     .help = "The requested alpha.",
+     .value = [](const Row& r) -> CellValue { return shortest_number(r.request.alpha_angstrom2); }},
+    {.id = "solvent_radius_angstrom",
+     .title = "solvent radius",
+     .unit = "Å",
+     .help = "The requested solvent radius.",
+     .value = [](const Row& r) -> CellValue {
+       return shortest_number(r.request.solvent_radius_angstrom);
+     }},
+    {.id = "tetrahedra_only",
+     .title = "tetrahedra only",
+     .help = "Only tetrahedra were computed.",
+     .value = [](const Row& r) -> CellValue { return r.request.tetrahedra_only; }},
+    {.id = "threads",
+     .title = "threads",
+     .help = "The requested number of CPU threads; 0 for all.",
+     .value = [](const Row& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.request.threads);
+     }},
+    {.id = "tetrahedra",
+     .title = "tetrahedra",
+     .help = "The number of tetrahedra of the complex.",
+     .value = [](const Row& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.ours.tetrahedra);
+     }},
+    {.id = "hash",
+     .title = "hash",
+     .help = "The hash of our complex.",
+     .value = [](const Row& r) -> CellValue { return hash_text(r.ours.complex.hash); }},
+    {.id = "engine",
+     .title = "engine",
+     .help = "The engine that is compared with CGAL.",
+     .value = [](const Row& r) -> CellValue { return r.ours.complex.engine.name; }},
+    {.id = "device",
+     .title = "device",
+     .help = "The device that computed.",
+     .value = [](const Row& r) -> CellValue { return r.ours.complex.engine.device; }},
+    {.id = "route",
+     .title = "route",
+     .help = "The way in which this alpha was computed.",
+     .value = [](const Row& r) -> CellValue { return r.ours.complex.engine.route; }},
+    {.id = "runs",
+     .title = "runs",
+     .help = "The number of runs of each.",
+     .value = [](const Row& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.ours.cold.size());
+     }},
+    {.id = "cold_median_ms",
+     .title = "cold",
+     .unit = "ms",
+     .help = "The wall time of a new engine that is made and asked once; the median.",
+     .value = [](const Row& r) -> CellValue { return csv_milliseconds(median(r.ours.cold)); }},
+    {.id = "cold_min_ms",
+     .title = "least cold",
+     .unit = "ms",
+     .help = "The least of these times.",
+     .value = [](const Row& r) -> CellValue { return csv_milliseconds(least(r.ours.cold)); }},
+    {.id = "warm_median_ms",
+     .title = "warm",
+     .unit = "ms",
+     .help = "The wall time of the same engine, asked again at an alpha smaller by 0.001 Å²; the "
+             "median.",
+     .value = [](const Row& r) -> CellValue { return csv_milliseconds(median(r.ours.warm)); }},
+    {.id = "cgal_cold_median_ms",
+     .title = "CGAL cold",
+     .unit = "ms",
+     .help = "The cold time of CGAL; the median.",
+     .value = [](const Row& r) -> CellValue { return csv_milliseconds(median(r.cgal.cold)); }},
+    {.id = "cgal_cold_min_ms",
+     .title = "CGAL least cold",
+     .unit = "ms",
+     .help = "The least of these times.",
+     .value = [](const Row& r) -> CellValue { return csv_milliseconds(least(r.cgal.cold)); }},
+    {.id = "cgal_warm_median_ms",
+     .title = "CGAL warm",
+     .unit = "ms",
+     .help = "The warm time of CGAL; the median.",
+     .value = [](const Row& r) -> CellValue { return csv_milliseconds(median(r.cgal.warm)); }},
+    {.id = "identical",
+     .title = "identical",
+     .help = "CGAL has the same hash.",
+     .value = [](const Row& r) -> CellValue { return r.same(); }}};
+constexpr std::span<const Column<Row>> kAllColumns(kColumns);
+
 CsvRow csv_row(const Row& row) {
-  const auto least = [](const std::vector<double>& v) {
-    return *std::min_element(v.begin(), v.end());
-  };
-  const Request& r = row.request;
-  CsvRow csv{{"file", row.file},
-             {"balls", std::to_string(row.balls)},
-             {"alpha_angstrom2", shortest_number(r.alpha_angstrom2)},
-             {"solvent_radius_angstrom", shortest_number(r.solvent_radius_angstrom)},
-             {"tetrahedra_only", r.tetrahedra_only ? "1" : "0"},
-             {"threads", std::to_string(r.threads)},
-             {"tetrahedra", std::to_string(row.ours.tetrahedra)},
-             {"hash", hash_text(row.ours.complex.hash)},
-             {"engine", row.ours.complex.engine.name},
-             {"device", row.ours.complex.engine.device},
-             {"route", row.ours.complex.engine.route},
-             {"runs", std::to_string(row.ours.cold.size())},
-             {"cold_median_ms", csv_milliseconds(median(row.ours.cold))},
-             {"cold_min_ms", csv_milliseconds(least(row.ours.cold))},
-             {"warm_median_ms", csv_milliseconds(median(row.ours.warm))},
-             {"cgal_cold_median_ms", csv_milliseconds(median(row.cgal.cold))},
-             {"cgal_cold_min_ms", csv_milliseconds(least(row.cgal.cold))},
-             {"cgal_warm_median_ms", csv_milliseconds(median(row.cgal.warm))},
-             {"identical", row.same() ? "1" : "0"}};
+  CsvRow csv = csv_row_of(kAllColumns, row);
   for (const auto& entry : row.provenance) {
     if (entry.first != "file") csv.push_back(entry);
   }
@@ -230,6 +311,10 @@ OptionCommand table_of_bench(BenchOptions& options) {
 }
 
 }  // namespace
+
+std::vector<ColumnInfo> bench_columns() {
+  return infos_of(kAllColumns);
+}
 
 Command bench_command() {
   Command command = make_command<BenchOptions>(

@@ -15,6 +15,7 @@
 #include "core/chart/layout.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
+#include "core/document/tables/column_json.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope::cli {
@@ -127,20 +128,14 @@ void print_break_even(const ThesisReport& report) {
   std::cout << std::flush;
 }
 
-struct ToJson {
-  Json operator()(std::monostate) const { return nullptr; }
-  template <class T>
-  Json operator()(const T& value) const {
-    return value;
-  }
-};
-
 Json to_json(const ThesisReport& report) {
   Json rows = Json::array();
-  for (const ThesisTableRow& cells : thesis_table(report)) {
-    Json row = Json::object();
-    for (const auto& [name, value] : cells) row[name] = std::visit(ToJson{}, value);
-    rows.push_back(std::move(row));
+  for (const ThesisRow& row : report.rows) {
+    Json& json = rows.emplace_back(Json::object());
+    add_keys_up_to(json, thesis_columns(), {report, row});
+    for (const auto& [key, value] : report.molecules[row.molecule_index].provenance) {
+      json[key] = value;
+    }
   }
   return {{"program", program_json()},
           {"machine", machine_text(report.machine)},
@@ -181,7 +176,7 @@ ExitCode run_thesis_bench(const BenchOptions& options) {
       run_thesis_suite(molecules, suite, make_engine, context, RowListener(print_row));
   clear_progress();
   print_break_even(report);
-  if (csv) csv->write(csv_text(to_csv(thesis_table(report))));
+  if (csv) csv->write(csv_text(thesis_csv(report)));
   if (json) json->write(json_text(to_json(report)));
   outputs.commit();
   write_charts_of(report, options.charts);

@@ -203,7 +203,7 @@ void Benchmark::save(const BenchmarkControls& controls) {
   try {
     const std::filesystem::path folder = controls.folder;
     const auto figures = write_charts(thesis_charts(*report_), folder);
-    write_csv(to_csv(thesis_table(*report_)), folder / "thesis.csv");
+    write_csv(thesis_csv(*report_), folder / "thesis.csv");
     info_.exported = "Wrote thesis.csv and " + std::to_string(figures.size()) + " figures to " +
                      std::filesystem::absolute(folder).string() +
                      (report_->complete ? "" : ". They say that the run is incomplete.");

@@ -15,7 +15,8 @@
   COMMAND(verify)                    \
   COMMAND(bench)                     \
   COMMAND(screenshot)                \
-  COMMAND(frames)
+  COMMAND(frames)                    \
+  COMMAND(columns)
 
 namespace alphascope::cli {
 

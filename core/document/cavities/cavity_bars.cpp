@@ -29,7 +29,8 @@ const Column<CavityLifeRow> kColumns[] = {
      .unit = "Å²",
      .help = "The α from which on it is a cavity of its own. It is empty if it is one at every "
              "lower α.",
-     .value = [](const CavityLifeRow& r) -> CellValue { return r.bar.born_angstrom2; }},
+     .value = [](const CavityLifeRow& r) -> CellValue { return r.bar.born_angstrom2; },
+     .files = InFiles::csv},
     {.id = "closed_alpha_angstrom2",
      .title = "closed at",
      .unit = "Å²",
@@ -37,18 +38,21 @@ const Column<CavityLifeRow> kColumns[] = {
      .value =
          [](const CavityLifeRow& r) {
            return r.bar.is_ever_void() ? CellValue(r.bar.closed_angstrom2) : CellValue();
-         }},
+         },
+     .files = InFiles::csv},
     {.id = "gone_alpha_angstrom2",
      .title = "gone at",
      .unit = "Å²",
      .help = "The α at which its deepest point is filled, and it is gone.",
-     .value = [](const CavityLifeRow& r) -> CellValue { return r.bar.gone_angstrom2; }},
+     .value = [](const CavityLifeRow& r) -> CellValue { return r.bar.gone_angstrom2; },
+     .files = InFiles::csv},
     {.id = "name",
      .title = "name",
      .help = "The four atoms around the deepest point, as in the table of cavities.",
      .value = [](const CavityLifeRow& r) -> CellValue {
        return sink_name(r.references, r.triangulation.tetrahedra[r.bar.sink]);
-     }}};
+     },
+     .files = InFiles::csv}};
 
 }  // namespace
 

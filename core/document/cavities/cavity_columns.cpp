@@ -106,7 +106,8 @@ const Column<Row> kColumns[] = {
      .value = [](const Row& r) -> CellValue { return r.of.kind(r.row); }},
     {.id = "name",
      .title = "name: atoms of the deepest point",
-     .help = "It stays while α moves, whatever the number of the line: use it in a paper.",
+     .help = "The four atoms around its deepest point. The name stays while α moves, whatever the "
+             "number of the line: use it in a paper.",
      .value = [](const Row& r) -> CellValue { return r.of.name(r.row); }},
     {.id = "volume_sa_angstrom3",
      .title = "SA vol.",
@@ -123,7 +124,7 @@ const Column<Row> kColumns[] = {
     {.id = "volume_sa_clipped_angstrom3",
      .title = "exact",
      .unit = "Å³",
-     .help = "The volume of the cavity's tetrahedra outside all grown balls. * marks cavities "
+     .help = "The volume of the cavity's tetrahedra outside all grown balls. A star marks cavities "
              "below 1 Å³ and those whose SA volume differs by more than a tenth.",
      .value = [](const Row& r) { return clipped(r, &ClippedMeasures::volume_sa_angstrom3); },
      .text = clipped_text},

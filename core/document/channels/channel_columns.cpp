@@ -60,7 +60,8 @@ const Column<FoundChannel> kWays[] = {
      .help = "The radius of the largest ball that passes.",
      .value = [](const FoundChannel& f) -> CellValue { return f.channel->widest_angstrom; },
      .text =
-         [](const FoundChannel& f) { return decimals(f.channel->narrowest().radius_angstrom, 3); }},
+         [](const FoundChannel& f) { return decimals(f.channel->narrowest().radius_angstrom, 3); },
+     .files = InFiles::json},
     {.id = "position",
      .title = "at",
      .unit = "Å",
@@ -72,7 +73,8 @@ const Column<FoundChannel> kWays[] = {
      .unit = "Å",
      .help = "The length of the centre line.",
      .value = [](const FoundChannel& f) -> CellValue { return f.channel->length_angstrom; },
-     .text = [](const FoundChannel& f) { return decimals(f.channel->length_angstrom, 1); }}};
+     .text = [](const FoundChannel& f) { return decimals(f.channel->length_angstrom, 1); },
+     .files = InFiles::json}};
 
 }  // namespace
 

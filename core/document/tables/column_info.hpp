@@ -16,7 +16,7 @@ struct ColumnInfo {
 // A table of the program, as `alphascope-cli columns` lists it.
 struct TableInfo {
   std::string id;    // "cavities"
-  std::string text;  // "A row of cavities --csv"
+  std::string text;  // "a row for each cavity"
   std::vector<ColumnInfo> columns;
 };
 

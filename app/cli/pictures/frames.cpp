@@ -66,10 +66,10 @@ ExitCode run_frames(const FramesCommandOptions& options) {
   refuse_clashes(options, outputs);
   Pictured pictured(options.picture, context);
   refuse_clashes(options, outputs);  // the session's molecule has been read by now
-  const ScreenshotOptions& picture = pictured.options();
+  const PictureOptions& picture = pictured.options();
   FrameSource source;
   source.picture = [&](std::optional<double> alpha, const RunContext& quiet) {
-    return pictured.picture(*pictured.compute(alpha, quiet), quiet);
+    return pictured.picture(pictured.compute(alpha, quiet), quiet);
   };
   int finished = 0;
   source.on_frame = [&](const FrameNews& news) {

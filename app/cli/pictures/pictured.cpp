@@ -15,19 +15,17 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
-#include "core/document/measures/measure_results.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_parts.hpp"
 #include "ui/annotation_layer.hpp"
-#include "ui/caption.hpp"
-#include "ui/scene/display_style.hpp"
 
 namespace alphascope::cli {
 namespace {
 
-// Reads "1920x1080". render_screenshot checks the bounds.
-void set_size(const std::string& text, ScreenshotOptions& picture) {
+// Reads "1920x1080". PictureMaker checks the bounds.
+void set_size(const std::string& text, PictureOptions& picture) {
   const char* const end = text.data() + text.size();
   const auto width = std::from_chars(text.data(), end, picture.width);
   if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
@@ -96,15 +94,13 @@ DisplayControls display(const ScreenshotCommandOptions& options) {
 }
 
 // The options of the picture's file, without its contents.
-ScreenshotOptions picture_options(const ScreenshotCommandOptions& options) {
-  ScreenshotOptions picture;
+PictureOptions picture_options(const ScreenshotCommandOptions& options) {
+  PictureOptions picture;
   set_size(options.size, picture);
   picture.transparent = options.transparent;
   picture.legend = !options.no_legend;
   picture.scale_bar = options.scale_bar;
-  const ClipWords clip = read_clip(options.clip);
-  if (!clip.error.empty()) throw UsageError("--clip: " + clip.error);
-  if (clip.clip.on()) picture.clip = clip;
+  picture.caption = options.caption;
   return picture;
 }
 
@@ -142,36 +138,29 @@ std::vector<std::filesystem::path> files_of_picture(const ScreenshotCommandOptio
 }
 
 Pictured::Pictured(const ScreenshotCommandOptions& options, const RunContext& context)
-    : picture_(picture_options(options)),
-      caption_(options.caption),
-      command_(command_text(options.arguments, times_wanted())),
-      drawing_memory_mb_(options.drawing_memory_mb) {
+    : command_(command_text(options.arguments, times_wanted())) {
+  picture_.options = picture_options(options);
+  picture_.clip = read_clip(options.clip);
+  if (!picture_.clip.error.empty()) throw UsageError("--clip: " + picture_.clip.error);
   if (options.session.empty()) {
     follow_options(options, context);
   } else {
     follow_session(options, context);
   }
-  const Molecule& molecule = input_.molecule();
-  picture_.style = scene_style(display_, theme_);
-  picture_.style.line_scale = mark_unit(picture_.width, picture_.height);
-  picture_.mesh = mesh_options(display_, theme_);
-  picture_.looks = ball_appearance(molecule, input_.prepared().atom_of_ball, appearance_);
-  picture_.beside_body = [this](const BallGeometry& balls) {
-    return build_beside_body(
-               balls, input_.molecule(),
-               left_out_and_shown(input_.molecule(), input_.prepared(), appearance_.hidden),
-               display_.beside, run_context().cancel)
-        .mesh;
+  picture_.line_scale = mark_unit(picture_.options.width, picture_.options.height);
+  picture_.free_memory = [megabytes = options.drawing_memory_mb] {
+    return available_or(megabytes);
   };
   if (auto layer = annotation_layer()) picture_.layers.push_back(std::move(layer));
-  maker_.emplace(*input_.prepared().balls);
+  const OpenedMolecule& opened = input_.opened;
+  maker_.emplace(PicturedMolecule{opened.molecule, opened.prepared, nullptr}, picture_);
 }
 
 // The layer of labels, distances, angles and marks for the drawn atoms.
 std::shared_ptr<const Layer> Pictured::annotation_layer() const {
   const OpenedMolecule& opened = input_.opened;
   const BallReferences atoms(opened.molecule, opened.prepared);
-  const std::vector<bool> hidden = atoms_of(*opened.molecule, appearance_.hidden);
+  const std::vector<bool> hidden = atoms_of(*opened.molecule, picture_.appearance.hidden);
   const auto is_drawn = [&](std::size_t atom) {
     if (hidden[atom]) return false;
     if (atoms.ball(atoms.atom_of_molecule(atom))) return true;
@@ -180,7 +169,7 @@ std::shared_ptr<const Layer> Pictured::annotation_layer() const {
         std::lower_bound(beside.begin(), beside.end(), atom,
                          [](const LeftOutAtom& a, std::size_t i) { return a.atom < i; });
     return at != beside.end() && at->atom == atom &&
-           shows(display_.beside, at->reason, opened.molecule->atoms[atom].element);
+           shows(picture_.display.beside, at->reason, opened.molecule->atoms[atom].element);
   };
   const std::shared_ptr<const BallSet>& balls = opened.prepared->balls;
   std::shared_ptr<const BallSet> grown;
@@ -188,16 +177,16 @@ std::shared_ptr<const Layer> Pictured::annotation_layer() const {
     grown = std::make_shared<const BallSet>(with_solvent(*balls, request_.solvent_radius_angstrom));
   }
   return make_annotation_layer(
-      annotations_, {atoms, balls, is_drawn, palette(theme_).warning, 1, std::move(grown)});
+      annotations_, {atoms, balls, is_drawn, palette(picture_.theme).warning, 1, std::move(grown)});
 }
 
 void Pictured::follow_options(const ScreenshotCommandOptions& options, const RunContext& context) {
-  display_ = display(options);
-  display_.beside = beside_body(options.beside);
-  theme_ = options.light ? Theme::light : Theme::dark;
+  picture_.display = display(options);
+  picture_.display.beside = beside_body(options.beside);
+  picture_.theme = options.light ? Theme::light : Theme::dark;
   request_ = options.request;
   input_ = open_one_model(options.input, "A picture shows one model.", context);
-  appearance_ = appearance(input_.molecule(), options.appearance);
+  picture_.appearance = appearance(input_.molecule(), options.appearance);
   annotations_ = annotations(BallReferences(input_.opened.molecule, input_.opened.prepared),
                              options.annotations);
 }
@@ -207,16 +196,15 @@ void Pictured::follow_session(const ScreenshotCommandOptions& options, const Run
   SessionToDraw found = open_session(options, context);
   for (const std::string& note : found.notes) print_note(note);
   const SessionDocument& s = found.session;
-  display_ = s.settings.display;
-  theme_ = s.view.light_theme ? Theme::light : Theme::dark;
+  picture_.display = s.settings.display;
+  picture_.theme = s.view.light_theme ? Theme::light : Theme::dark;
   request_ = s.settings.request;
   // All engines give the same complex, and this machine may lack the session's engine.
   request_.engine = EngineChoice::automatic;
-  appearance_ = s.settings.appearance;
+  picture_.appearance = s.settings.appearance;
   annotations_ = s.settings.annotations;
   if (s.view.camera.any()) picture_.camera = s.view.camera;
-  const Clip& clip = s.settings.clip;
-  picture_.clip = clip.on() ? std::optional(ClipWords{clip, false, true, {}}) : std::nullopt;
+  picture_.clip = {s.settings.clip, false, true, {}};
   input_ = std::move(found.input);
 }
 
@@ -230,48 +218,6 @@ std::shared_ptr<const EngineAnswer> Pictured::compute(std::optional<double> alph
   return answer;
 }
 
-PaintedBalls Pictured::painted_by(const Paint& paint, const EngineAnswer& answer,
-                                  const RunContext& context) const {
-  std::optional<MeasuredUnion> measured;
-  if (is_exposure(paint.by) && !answer.complex.tetrahedra_only) {
-    measured = measure_here(*answer.balls, answer.complex, context);
-  }
-  return paint_balls({input_.molecule(), input_.prepared().atom_of_ball, &answer.complex,
-                      measured ? &measured->measures : nullptr, answer.balls.get()},
-                     paint);
-}
-
-// Puts the colours of the simplices into the picture, and returns those of the balls. Prints a note
-// on missing colours.
-std::vector<Rgb8> Pictured::follow_colours(const EngineAnswer& answer, const RunContext& context) {
-  const auto tell = [this](const std::string& lacks) {
-    if (lacks.empty()) return;
-    if (std::exchange(told_, lacks) != lacks) print_note(lacks);  // once for all frames
-    picture_.texts.emplace_back("Warning", lacks);
-  };
-  PaintedBalls balls = painted_by(display_.ball_paint, answer, context);
-  picture_.ball_key = balls.key;
-  if (picture_.style.balls) tell(balls.lacks);
-  if (picture_.mesh.colouring != ComplexColouring::balls) return std::move(balls.colours);
-  PaintedBalls simplices = painted_by(display_.complex_paint, answer, context);
-  picture_.simplex_key = simplices.key;
-  picture_.simplex_colours = std::move(simplices.colours);
-  if (simplices.lacks != balls.lacks) tell(simplices.lacks);
-  return std::move(balls.colours);
-}
-
-// Updates all that depends on the complex.
-std::vector<Rgb8> Pictured::follow_answer(const EngineAnswer& answer, const RunContext& context) {
-  picture_.balls = ball_style(display_, &answer.request);
-  picture_.free_bytes = available_or(drawing_memory_mb_);
-  picture_.texts = picture_texts(complex_header(input_, answer));
-  picture_.texts.emplace_back("alphascope:command", command_);
-  note_hidden_atoms(picture_.texts, picture_.looks.hidden_balls);
-  picture_.caption =
-      caption_words(answer, input_.molecule(), input_.prepared().report.radii_name, caption_);
-  return follow_colours(answer, context);
-}
-
 PictureTexts Pictured::texts() const {
   ComplexHeader header{{"program", program_text()}};
   const Provenance balls = input_.provenance();
@@ -281,9 +227,15 @@ PictureTexts Pictured::texts() const {
   return texts;
 }
 
-Picture Pictured::picture(const EngineAnswer& answer, const RunContext& context) {
-  const std::vector<Rgb8> colours = follow_answer(answer, context);
-  return maker_->make(answer.complex, colours, picture_, context);
+Picture Pictured::picture(const std::shared_ptr<const EngineAnswer>& answer,
+                          const RunContext& context) {
+  PictureTexts texts = picture_texts(complex_header(input_, *answer));
+  texts.emplace_back("alphascope:command", command_);
+  Picture picture = maker_->make(answer, std::move(texts), context);
+  for (const std::string& lacks : maker_->missing_colours()) {
+    if (std::exchange(told_, lacks) != lacks) print_note(lacks);  // once for all frames
+  }
+  return picture;
 }
 
 }  // namespace alphascope::cli

@@ -54,7 +54,7 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   const EngineAnswer& result = *answer;
   const MemoryFile drawn;  // the renderer needs a path, which standard output lacks
   const std::string not_drawn =
-      render_picture(pictured.picture(result, context), drawn.path(), context);
+      render_picture(pictured.picture(answer, context), drawn.path(), context);
   file->write(drawn.bytes());
   outputs.commit();
   clear_progress();

@@ -11,9 +11,8 @@
 #include "tests/ui/baseline.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
-#include "ui/scene/display_style.hpp"
+#include "tests/ui/scene/rod_picture.hpp"
 #include "ui/scene/picture/frame_grab.hpp"
-#include "ui/scene/picture/screenshot.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
@@ -24,82 +23,70 @@ namespace fs = std::filesystem;
 struct Subject {
   std::string name;
   double alpha = 0;  // Å²
-  ScreenshotOptions options;
+  PictureSettings settings;
 };
-
-ScreenshotOptions small_picture() {
-  ScreenshotOptions options;
-  options.width = 240;
-  options.height = 160;
-  return options;
-}
-
-std::vector<Subject> subjects() {
-  std::vector<Subject> all;
-  const auto add = [&all](const std::string& name, double alpha, auto change) {
-    Subject subject{name, alpha, small_picture()};
-    change(subject.options);
-    all.push_back(subject);
-  };
-  add("balls", 0, [](ScreenshotOptions& o) {
-    o.mesh.tetrahedra = false;
-    o.balls.scale = 0.5;
-  });
-  add("tetrahedra", 0, [](ScreenshotOptions& o) {
-    o.style.balls = false;
-    o.mesh.shrink = 0.2;
-  });
-  add("translucent", 0, [](ScreenshotOptions& o) {
-    o.style.complex_opacity = 0.35;
-    o.style.theme = Theme::light;
-  });
-  add("edges_and_triangles", -1.4, [](ScreenshotOptions& o) {
-    o.mesh.edges = o.mesh.triangles = true;
-    o.balls.scale = 0.12;
-  });
-  add("alpha_colours", 1, [](ScreenshotOptions& o) {
-    o.style.balls = false;
-    o.mesh.colouring = ComplexColouring::alpha;
-    o.scale_bar = true;
-    o.width = 360;  // a smaller picture has no room for the legend
-    o.height = 240;
-  });
-  add("boundary_without_background", 0, [](ScreenshotOptions& o) {
-    o.mesh.tetrahedra = false;
-    o.mesh.boundary = true;
-    o.transparent = true;
-  });
-  add("cut_balls", 0, [](ScreenshotOptions& o) {
-    o.balls.scale = 1;
-    o.clip = read_clip("view");
-  });
-  add("cut_tetrahedra", 2, [](ScreenshotOptions& o) {
-    o.style.balls = false;
-    o.style.orthographic = true;
-    o.clip = read_clip("1,0.3,0.2:4");
-  });
-  for (const DisplayPreset preset : kDisplayPresets) {
-    add(std::string("preset_") + preset_info(preset).id, 0, [&](ScreenshotOptions& o) {
-      const DisplayControls display = with_preset({}, preset);
-      o.style = scene_style(display, Theme::dark);
-      o.mesh = mesh_options(display, Theme::dark);
-      o.balls = ball_style(display, nullptr);
-    });
-  }
-  return all;
-}
 
 // So small that all drivers agree on which of two faces is in front.
 std::shared_ptr<const BallSet> molecule() {
   return testing::rod(5);
 }
 
+std::vector<Subject> subjects() {
+  std::vector<Subject> all;
+  const auto add = [&all](const std::string& name, double alpha, auto change) {
+    Subject subject{name, alpha, testing::plain_settings(molecule()->size(), 240, 160)};
+    change(subject.settings);
+    all.push_back(subject);
+  };
+  add("balls", 0, [](PictureSettings& o) {
+    o.display.tetrahedra = false;
+    o.display.ball_scale = 0.5f;
+  });
+  add("tetrahedra", 0, [](PictureSettings& o) {
+    o.display.balls = false;
+    o.display.shrink = 0.2f;
+  });
+  add("translucent", 0, [](PictureSettings& o) {
+    o.display.complex_opacity = 0.35f;
+    o.theme = Theme::light;
+  });
+  add("edges_and_triangles", -1.4, [](PictureSettings& o) {
+    o.display.edges = o.display.triangles = true;
+    o.display.ball_scale = 0.12f;
+  });
+  add("alpha_colours", 1, [](PictureSettings& o) {
+    o.display.balls = false;
+    o.display.complex_paint.by = ColourBy::alpha;
+    o.options.legend = o.options.scale_bar = true;
+    o.options.width = 360;  // a smaller picture has no room for the legend
+    o.options.height = 240;
+  });
+  add("boundary_without_background", 0, [](PictureSettings& o) {
+    o.display.tetrahedra = false;
+    o.display.boundary = true;
+    o.options.transparent = true;
+  });
+  add("cut_balls", 0, [](PictureSettings& o) {
+    o.display.ball_scale = 1;
+    o.clip = read_clip("view");
+  });
+  add("cut_tetrahedra", 2, [](PictureSettings& o) {
+    o.display.balls = false;
+    o.display.orthographic = true;
+    o.clip = read_clip("1,0.3,0.2:4");
+  });
+  for (const DisplayPreset preset : kDisplayPresets) {
+    add(std::string("preset_") + preset_info(preset).id, 0,
+        [&](PictureSettings& o) { o.display = with_preset({}, preset); });
+  }
+  return all;
+}
+
 Image drawn(const Subject& subject) {
   const auto balls = molecule();
   const fs::path path = fs::temp_directory_path() /
                         ("alphascope_" + std::to_string(getpid()) + "_" + subject.name + ".png");
-  render_screenshot(*balls, testing::complex_of(balls, subject.alpha),
-                    testing::two_colours(balls->size()), subject.options, path);
+  testing::draw_carbons(balls, testing::complex_of(balls, subject.alpha), subject.settings, path);
   Image image = testing::pixels_of(path);
   fs::remove(path);
   return image;

@@ -11,8 +11,8 @@
 #include "app/session/system_memory.hpp"
 #include "tests/support/png_chunks.hpp"
 #include "tests/ui/molecule_fixture.hpp"
+#include "tests/ui/scene/rod_picture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
-#include "ui/scene/picture/screenshot.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
@@ -158,22 +158,20 @@ TEST(ScreenshotMemory, DrawsWhatFitsAndSaysSo) {
   const AlphaComplex complex = testing::complex_of(balls, 0);
   const auto path = std::filesystem::temp_directory_path() / "alphascope_memory_test.png";
   std::filesystem::remove(path);
-  ScreenshotOptions options;
-  options.width = options.height = 16;
-  const auto render = [&] {
-    return render_screenshot(*balls, complex, testing::two_colours(balls->size()), options, path);
-  };
-  options.free_bytes = 0;
+  PictureSettings settings = testing::plain_settings(balls->size(), 16, 16);
+  std::uint64_t free_bytes = 0;
+  settings.free_memory = [&free_bytes] { return free_bytes; };
+  const auto render = [&] { return testing::draw_carbons(balls, complex, settings, path); };
   EXPECT_THROW(render(), std::runtime_error);
   EXPECT_FALSE(std::filesystem::exists(path));
-  options.free_bytes =
+  free_bytes =
       picture_bytes(16, 16) + free_for(drawing_bytes({balls->size(), &complex, nullptr, {}}) - 4);
   const std::string not_drawn = render();
   EXPECT_EQ(not_drawn.find("Not drawn for lack of memory: tetrahedra. "), 0u) << not_drawn;
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(testing::texts_of(bytes)["Warning"], not_drawn);
-  options.free_bytes = 2000 * kMegabyte;
+  free_bytes = 2000 * kMegabyte;
   EXPECT_EQ(render(), "");
   std::filesystem::remove(path);
 }

@@ -9,9 +9,9 @@
 
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
+#include "tests/ui/scene/rod_picture.hpp"
 #include "ui/scene/picture/draw_marks.hpp"
 #include "ui/scene/picture/mark_mask.hpp"
-#include "ui/scene/picture/screenshot.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope::testing {
@@ -326,14 +326,14 @@ TEST(PictureMarks, TooSmallAPictureSaysSo) {
 class SavedPicture : public ::testing::Test {
  protected:
   SavedPicture() {
-    options_.width = 640;
-    options_.height = 400;
-    options_.mesh.colouring = ComplexColouring::alpha;
+    settings_.options.legend = true;
+    settings_.display.ball_paint.by = ColourBy::single;  // has no meaning
+    settings_.display.complex_paint.by = ColourBy::alpha;
   }
   Image save() {
     const auto path = std::filesystem::temp_directory_path() /
                       ("alphascope_marks_" + std::to_string(getpid()) + ".png");
-    render_screenshot(*balls_, complex_, two_colours(balls_->size()), options_, path);
+    draw_carbons(balls_, complex_, settings_, path);
     const Image image = pixels_of(path);
     std::filesystem::remove(path);
     return image;
@@ -342,16 +342,16 @@ class SavedPicture : public ::testing::Test {
   std::shared_ptr<const BallSet> balls_ = rod();
   AlphaComplex complex_ = complex_of(balls_, 2);
   AlphaScale scale_{complex_, {.tetrahedra = true}};
-  ScreenshotOptions options_;
+  PictureSettings settings_ = plain_settings(balls_->size(), 640, 400);
 };
 
 TEST_F(SavedPicture, HasTheScalesColoursAtEverySizeAndBackground) {
   for (const auto& [width, height] : {std::pair{640, 400}, {1920, 1080}, {500, 900}}) {
-    options_.width = width;
-    options_.height = height;
+    settings_.options.width = width;
+    settings_.options.height = height;
     for (const bool transparent : {false, true}) {
-      options_.transparent = transparent;
-      options_.style.theme = transparent ? Theme::dark : Theme::light;
+      settings_.options.transparent = transparent;
+      settings_.theme = transparent ? Theme::dark : Theme::light;
       EXPECT_EQ(rows_with_scale(save(), scale_), std::lround(10 * mark_unit(width, height)))
           << width << " x " << height << (transparent ? ", transparent" : "");
     }
@@ -359,20 +359,20 @@ TEST_F(SavedPicture, HasTheScalesColoursAtEverySizeAndBackground) {
 }
 
 TEST_F(SavedPicture, HasNoLegendWhenThatIsOffOrColoursMeanNothing) {
-  options_.legend = false;
+  settings_.options.legend = false;
   EXPECT_EQ(rows_with_scale(save(), scale_), 0);
   const Image without = save();
-  options_.mesh.colouring = ComplexColouring::balls;
+  settings_.display.complex_paint.by = ColourBy::single;
   const Image by_balls_without = save();
-  options_.legend = true;
+  settings_.options.legend = true;
   EXPECT_EQ(save().rgba, by_balls_without.rgba);
   EXPECT_NE(without.rgba, by_balls_without.rgba);
 }
 
 TEST_F(SavedPicture, HasAScaleBarOnlyWhenAskedFor) {
-  const Colour ink = mark_ink(options_.style.theme, false).mark;
+  const Colour ink = mark_ink(settings_.theme, false).mark;
   EXPECT_LT(longest_run(save(), ink).length, 20);
-  options_.scale_bar = true;
+  settings_.options.scale_bar = true;
   EXPECT_GE(longest_run(save(), ink).length, 50 * mark_unit(640, 400));
 }
 

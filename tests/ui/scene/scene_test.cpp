@@ -18,10 +18,10 @@
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
+#include "tests/ui/scene/rod_picture.hpp"
 #include "tests/ui/scene/texture_pixels.hpp"
 #include "ui/scene/gl/sample_place.hpp"
 #include "ui/scene/picture/frame_grab.hpp"
-#include "ui/scene/picture/screenshot.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
@@ -533,10 +533,8 @@ TEST(FrameGrab, ColoursOfATransparentPictureAreNotMultiplied) {
 TEST(Screenshot, WritesAPngWithoutADisplay) {
   const auto balls = rod();
   const auto path = std::filesystem::temp_directory_path() / "alphascope_screenshot_test.png";
-  ScreenshotOptions options;
-  options.width = 400;
-  options.height = 300;
-  render_screenshot(*balls, complex_of(balls, 0), two_colours(balls->size()), options, path);
+  const PictureSettings settings = testing::plain_settings(balls->size(), 400, 300);
+  testing::draw_carbons(balls, complex_of(balls, 0), settings, path);
   const Image image = testing::pixels_of(path);
   EXPECT_EQ(image.width, 400);
   EXPECT_EQ(image.height, 300);
@@ -552,9 +550,8 @@ TEST(Screenshot, CanBeCancelledAtEachStepAndThenWritesNothing) {
   std::vector<std::string> steps;
   RunContext all;
   all.progress = [&](std::string_view stage, double) { steps.emplace_back(stage); };
-  ScreenshotOptions options;
-  options.width = options.height = 64;
-  render_screenshot(*balls, complex, two_colours(balls->size()), options, path, all);
+  const PictureSettings settings = testing::plain_settings(balls->size(), 64, 64);
+  testing::draw_carbons(balls, complex, settings, path, all);
   ASSERT_TRUE(std::filesystem::remove(path));
   ASSERT_GE(steps.size(), 5u);
   for (std::size_t cancelled_at = 1; cancelled_at < steps.size(); ++cancelled_at) {
@@ -563,9 +560,7 @@ TEST(Screenshot, CanBeCancelledAtEachStepAndThenWritesNothing) {
     context.progress = [&](std::string_view, double) {
       if (++step == cancelled_at) context.cancel.cancel();
     };
-    EXPECT_THROW(
-        render_screenshot(*balls, complex, two_colours(balls->size()), options, path, context),
-        Cancelled)
+    EXPECT_THROW(testing::draw_carbons(balls, complex, settings, path, context), Cancelled)
         << cancelled_at;
     EXPECT_EQ(step, cancelled_at) << "no further step";
     EXPECT_FALSE(std::filesystem::exists(path));
@@ -575,15 +570,12 @@ TEST(Screenshot, CanBeCancelledAtEachStepAndThenWritesNothing) {
 TEST(Screenshot, RefusesSizesAndFoldersThatCannotBe) {
   const auto balls = rod(2);
   const AlphaComplex complex = complex_of(balls, 0);
-  ScreenshotOptions options;
-  options.width = 4;
-  EXPECT_THROW(
-      render_screenshot(*balls, complex, two_colours(balls->size()), options, "/tmp/x.png"),
-      std::invalid_argument);
-  options.width = 100;
+  PictureSettings settings = testing::plain_settings(balls->size(), 4, 300);
+  EXPECT_THROW(testing::draw_carbons(balls, complex, settings, "/tmp/x.png"),
+               std::invalid_argument);
+  settings.options.width = 100;
   try {
-    render_screenshot(*balls, complex, two_colours(balls->size()), options,
-                      "/no/such/folder/x.png");
+    testing::draw_carbons(balls, complex, settings, "/no/such/folder/x.png");
     FAIL() << "wrote into a folder that does not exist";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("/no/such/folder/x.png"), std::string::npos);

@@ -1,0 +1,165 @@
+// Makes colours, radii, mesh and caps of one complex, and a picture of them.
+#include "ui/scene/picture/drawn_parts.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "core/complex/own_dimension.hpp"
+#include "core/run/freed_elsewhere.hpp"
+#include "ui/caption.hpp"
+#include "ui/scene/display_style.hpp"
+#include "ui/scene/mesh/visible_mesh.hpp"
+
+namespace alphascope {
+namespace {
+
+const std::vector<bool>& hidden_of(const BallAppearance* looks) {
+  static const std::vector<bool> none;
+  return looks ? looks->hidden : none;
+}
+
+void make_mesh_of(const PartsTask& task, const Paintings& earlier, const MeshMaker& make_mesh,
+                  const RunContext& context, DrawnParts& parts) {
+  const auto begun = std::chrono::steady_clock::now();
+  if (task.mesh.colouring == ComplexColouring::balls) {
+    const Paint& paint = task.display.complex_paint;
+    const bool as_balls = paint == task.display.ball_paint;
+    parts.paintings.simplices =
+        make_painting({task.molecule, task.answer, paint},
+                      as_balls ? parts.paintings.balls : earlier.simplices, context);
+  }
+  const Paintings& made = parts.paintings;
+  parts.simplex_colours = std::make_shared<const std::vector<Rgb8>>(painted(
+      (made.simplices ? made.simplices : made.balls)->balls.colours, parts.looks.get()));
+  const InOwnDimension own(*task.answer->balls, task.answer->complex);
+  parts.options = task.mesh;
+  parts.mesh = freed_elsewhere(build_visible_mesh(
+      own.complex(), hidden_of(parts.looks.get()), [&](const AlphaComplex& part) {
+        return make_mesh(*task.molecule->geometry, *parts.simplex_colours, part, task.mesh,
+                         context.cancel);
+      }));
+  parts.mesh_milliseconds = std::chrono::duration<double, std::milli>(
+                                std::chrono::steady_clock::now() - begun)
+                                .count();
+}
+
+}  // namespace
+
+std::shared_ptr<const BallAppearance> make_looks(const PicturedMolecule& molecule,
+                                                 const Appearance& appearance) {
+  if (appearance.plain()) return nullptr;
+  return std::make_shared<const BallAppearance>(
+      ball_appearance(*molecule.molecule, molecule.prepared->atom_of_ball, appearance));
+}
+
+std::vector<float> radii_of(const PicturedMolecule& molecule, const BallStyle& style,
+                            const BallAppearance* looks) {
+  return shown_radii(drawn_radii(*molecule.geometry, style), looks);
+}
+
+std::vector<Rgb8> DrawnParts::ball_colours(std::size_t balls) const {
+  return painted(paintings.balls ? paintings.balls->balls.colours
+                                 : std::vector<Rgb8>(balls, kNoValueColour),
+                 looks.get());
+}
+
+std::optional<PaintKey> DrawnParts::simplex_key() const {
+  if (!mesh) return std::nullopt;
+  return mesh_key(*mesh, options,
+                  paintings.simplices ? paintings.simplices->balls.key : std::nullopt);
+}
+
+std::vector<std::string> DrawnParts::missing_colours(bool with_balls) const {
+  std::vector<std::string> sentences;
+  const auto add = [&sentences](const Painting& painting) {
+    const std::string& lacks = painting.balls.lacks;
+    if (!lacks.empty() && (sentences.empty() || sentences.front() != lacks)) {
+      sentences.push_back(lacks);
+    }
+  };
+  if (with_balls && paintings.balls) add(*paintings.balls);
+  if (mesh && !mesh->empty() && paintings.simplices) add(*paintings.simplices);
+  return sentences;
+}
+
+DrawnParts make_parts(const PartsTask& task, const Paintings& earlier, const MeshMaker& make_mesh,
+                      const RunContext& context) {
+  DrawnParts parts;
+  parts.looks = task.looks;
+  parts.clip = task.clip;
+  parts.ball_style = ball_style(task.display, task.answer ? &task.answer->request : nullptr);
+  parts.radii = radii_of(*task.molecule, parts.ball_style, parts.looks.get());
+  parts.paintings.balls = make_painting({task.molecule, task.answer, task.display.ball_paint},
+                                        earlier.balls, context);
+  if (!task.answer) return parts;
+  make_mesh_of(task, earlier, make_mesh, context, parts);
+  parts.caps = make_caps(*task.molecule, task.answer.get(), parts, task.clip, context.cancel);
+  return parts;
+}
+
+std::shared_ptr<const CapMesh> make_caps(const PicturedMolecule& molecule,
+                                         const EngineAnswer* answer, const DrawnParts& parts,
+                                         const Clip& clip, const CancelToken& cancel) {
+  if (!clip.on() || answer == nullptr || !parts.mesh || !has_caps(parts.options)) return nullptr;
+  const Cut cut(clip, molecule.geometry->origin);
+  return std::make_shared<const CapMesh>(build_visible_caps(
+      answer->complex, hidden_of(parts.looks.get()), [&](const AlphaComplex& part) {
+        return build_cap_mesh(*molecule.geometry, *parts.simplex_colours, part, parts.options,
+                              parts.mesh->scale, cut, cancel);
+      }));
+}
+
+Picture picture_of(const PicturedMolecule& molecule, const EngineAnswer* answer,
+                   const DrawnParts& parts, PictureFrame frame) {
+  const PictureOptions& options = frame.options;
+  Picture picture;
+  picture.balls = molecule.geometry;
+  picture.colours = parts.ball_colours(molecule.geometry->centres.size());
+  picture.radii = parts.radii;
+  picture.mesh = parts.mesh;
+  picture.caps = parts.caps;
+  picture.differences = parts.differences;
+  picture.layers = std::move(frame.layers);
+  picture.beside_body = std::move(frame.beside_body);
+  picture.style = std::move(frame.style);
+  picture.viewpoint = frame.viewpoint;
+  MarkedPicture& marked = picture.picture;
+  marked.width = options.width;
+  marked.height = options.height;
+  marked.transparent = options.transparent;
+  marked.theme = picture.style.theme;
+  marked.scale_bar = options.scale_bar;
+  marked.cut = picture.style.cut;
+  const bool ball_key = picture.style.balls && parts.paintings.balls;
+  if (options.legend) {
+    marked.legends = legends_of(ball_key ? parts.paintings.balls->balls.key : std::nullopt,
+                                parts.simplex_key());
+  }
+  if (answer != nullptr) {
+    marked.caption = caption_words(*answer, *molecule.molecule,
+                                   molecule.prepared->report.radii_name, options.caption);
+  }
+  picture.texts = std::move(frame.texts);
+  note_missing(picture.texts, parts, picture.style.balls, frame.not_drawn);
+  picture.not_drawn = std::move(frame.not_drawn);
+  return picture;
+}
+
+void note_missing(PictureTexts& texts, const DrawnParts& parts, bool with_balls,
+                  const std::string& not_drawn) {
+  if (parts.looks && parts.looks->hidden_balls > 0) {
+    texts.emplace_back("Hidden atoms", std::to_string(parts.looks->hidden_balls));
+  }
+  const std::string lacks = with_sentences(not_drawn, parts.missing_colours(with_balls));
+  if (!lacks.empty()) texts.emplace_back("Warning", lacks);
+}
+
+std::string with_sentences(std::string text, const std::vector<std::string>& sentences) {
+  for (const std::string& sentence : sentences) {
+    if (sentence.empty() || text.find(sentence) != std::string::npos) continue;
+    text += (text.empty() ? "" : " ") + sentence;
+  }
+  return text;
+}
+
+}  // namespace alphascope

@@ -154,7 +154,7 @@ class SceneController {
   // Looks at the same point from this side, at the same distance. `towards_viewer` is a unit
   // vector.
   void look_from(const std::array<double, 3>& towards_viewer);
-  // Turns the view by the least angle until it is normal to this line (a unit vector).
+  // Turns the view until it is normal to this line (a unit vector), as side_across() does.
   void look_across(const RealPoint& line);
   void zoom(double factor);
   NamedView named_view(const std::string& name) const;

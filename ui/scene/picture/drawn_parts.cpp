@@ -29,8 +29,8 @@ void make_mesh_of(const PartsTask& task, const Paintings& earlier, const MeshMak
                       as_balls ? parts.paintings.balls : earlier.simplices, context);
   }
   const Paintings& made = parts.paintings;
-  parts.simplex_colours = std::make_shared<const std::vector<Rgb8>>(painted(
-      (made.simplices ? made.simplices : made.balls)->balls.colours, parts.looks.get()));
+  parts.simplex_colours = std::make_shared<const std::vector<Rgb8>>(
+      painted((made.simplices ? made.simplices : made.balls)->balls.colours, parts.looks.get()));
   const InOwnDimension own(*task.answer->balls, task.answer->complex);
   parts.options = task.mesh;
   parts.mesh = freed_elsewhere(build_visible_mesh(
@@ -38,9 +38,8 @@ void make_mesh_of(const PartsTask& task, const Paintings& earlier, const MeshMak
         return make_mesh(*task.molecule->geometry, *parts.simplex_colours, part, task.mesh,
                          context.cancel);
       }));
-  parts.mesh_milliseconds = std::chrono::duration<double, std::milli>(
-                                std::chrono::steady_clock::now() - begun)
-                                .count();
+  parts.mesh_milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
 }
 
 }  // namespace
@@ -58,9 +57,9 @@ std::vector<float> radii_of(const PicturedMolecule& molecule, const BallStyle& s
 }
 
 std::vector<Rgb8> DrawnParts::ball_colours(std::size_t balls) const {
-  return painted(paintings.balls ? paintings.balls->balls.colours
-                                 : std::vector<Rgb8>(balls, kNoValueColour),
-                 looks.get());
+  return painted(
+      paintings.balls ? paintings.balls->balls.colours : std::vector<Rgb8>(balls, kNoValueColour),
+      looks.get());
 }
 
 std::optional<PaintKey> DrawnParts::simplex_key() const {
@@ -89,8 +88,8 @@ DrawnParts make_parts(const PartsTask& task, const Paintings& earlier, const Mes
   parts.clip = task.clip;
   parts.ball_style = ball_style(task.display, task.answer ? &task.answer->request : nullptr);
   parts.radii = radii_of(*task.molecule, parts.ball_style, parts.looks.get());
-  parts.paintings.balls = make_painting({task.molecule, task.answer, task.display.ball_paint},
-                                        earlier.balls, context);
+  parts.paintings.balls =
+      make_painting({task.molecule, task.answer, task.display.ball_paint}, earlier.balls, context);
   if (!task.answer) return parts;
   make_mesh_of(task, earlier, make_mesh, context, parts);
   parts.caps = make_caps(*task.molecule, task.answer.get(), parts, task.clip, context.cancel);
@@ -132,8 +131,8 @@ Picture picture_of(const PicturedMolecule& molecule, const EngineAnswer* answer,
   marked.cut = picture.style.cut;
   const bool ball_key = picture.style.balls && parts.paintings.balls;
   if (options.legend) {
-    marked.legends = legends_of(ball_key ? parts.paintings.balls->balls.key : std::nullopt,
-                                parts.simplex_key());
+    marked.legends =
+        legends_of(ball_key ? parts.paintings.balls->balls.key : std::nullopt, parts.simplex_key());
   }
   if (answer != nullptr) {
     marked.caption = caption_words(*answer, *molecule.molecule,

@@ -54,7 +54,7 @@ struct DrawnParts {
   std::shared_ptr<const BallAppearance> looks;  // for balls and simplices; may be null
   Paintings paintings;
   BallStyle ball_style;
-  std::vector<float> radii;  // Å, as drawn; one a ball
+  std::vector<float> radii;                 // Å, as drawn; one a ball
   std::shared_ptr<const ComplexMesh> mesh;  // null: none
   MeshOptions options;                      // of mesh
   double mesh_milliseconds = 0;             // for mesh and colours

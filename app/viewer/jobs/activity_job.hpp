@@ -23,8 +23,8 @@ class ActivityJob : public ViewerJob {
     const Worker::Activity activity = owner_.activity();
     if (!activity.busy) return std::nullopt;
     const std::chrono::duration<double> seconds = Clock::now() - since_.value_or(Clock::now());
-    return RunningJob{id_, owner_.title(), activity.stage,
-                      activity.share > 0 ? activity.share : -1, seconds.count()};
+    return RunningJob{id_, owner_.title(), activity.stage, activity.share > 0 ? activity.share : -1,
+                      seconds.count()};
   }
   void cancel() override { owner_.cancel(); }
   JobNews poll() override {

@@ -1,4 +1,5 @@
-// Writes a file, or several beside it, on a thread of its own. All of them appear complete, or none.
+// Writes a file, or several beside it, on a thread of its own. All of them appear complete, or
+// none.
 #pragma once
 
 #include <chrono>

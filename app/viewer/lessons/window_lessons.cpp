@@ -1,5 +1,5 @@
-// Gives the player the window as its stage. The previous molecule is kept as a session in memory, and
-// is restored as a session is.
+// Gives the player the window as its stage. The previous molecule is kept as a session in memory,
+// and is restored as a session is.
 #include "app/viewer/lessons/window_lessons.hpp"
 
 #include <utility>
@@ -89,7 +89,8 @@ class WindowLessons::Stage : public LessonStage {
     const SessionActivity a = p_.session.activity();
     const bool shown = p_.session.state().ours == p_.state.result ||
                        !p_.state.compute_error.empty() || p_.state.playback.alpha;
-    return p_.sender.all_is_sent() && shown && !a.opening.busy && !a.computing.busy && !p_.scene.busy();
+    return p_.sender.all_is_sent() && shown && !a.opening.busy && !a.computing.busy &&
+           !p_.scene.busy();
   }
 
   void keep() override {

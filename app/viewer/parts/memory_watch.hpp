@@ -1,4 +1,5 @@
-// Reads the memory of the program and of the machine, and gives freed memory back when nothing runs.
+// Reads the memory of the program and of the machine, and gives freed memory back when nothing
+// runs.
 #pragma once
 
 #include "app/viewer/parts/due_frames.hpp"
@@ -10,7 +11,7 @@ class MemoryWatch {
  public:
   MemoryWatch(ViewState& state, DueFrames& due) : state_(state), due_(due) {}
 
-  void read();  // into the state
+  void read();                                                    // into the state
   void note_freed(bool freed = true) { to_give_back_ |= freed; }  // a large object was freed
   // Waits for the end of a computation, which would allocate the memory again.
   void give_back_when_due(bool busy);

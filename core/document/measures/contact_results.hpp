@@ -1,5 +1,6 @@
-// Contacts between chains, as a derived result: atoms of two chains that share an edge of the complex
-// on screen. Such atoms are neighbours whose grown balls meet where no other atom comes between.
+// Contacts between chains, as a derived result: atoms of two chains that share an edge of the
+// complex on screen. Such atoms are neighbours whose grown balls meet where no other atom comes
+// between.
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,7 @@ namespace {
 const char* const kCrambin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb";
 
 struct MeditMesh {
-  std::vector<std::array<double, 4>> vertices;  // x, y, z, reference
+  std::vector<std::array<double, 4>> vertices;                             // x, y, z, reference
   std::map<std::string, std::vector<std::vector<std::size_t>>> simplices;  // corners, reference
 };
 

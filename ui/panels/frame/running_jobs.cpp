@@ -28,7 +28,8 @@ void end_overlay() {
 
 namespace {
 
-// Seconds after which a job is listed. Short work would flicker, and nothing waits for a comparison.
+// Seconds after which a job is listed. Short work would flicker, and nothing waits for a
+// comparison.
 double listed_after(JobId id) {
   if (delays_picture(id)) return 0.25;
   if (id == JobId::comparing) return 2;

@@ -1,5 +1,5 @@
-// The page of contacts: the pairs of chains that touch in the complex on screen. A click selects the
-// atoms of a contact.
+// The page of contacts: the pairs of chains that touch in the complex on screen. A click selects
+// the atoms of a contact.
 #include <imgui.h>
 
 #include <algorithm>
@@ -131,13 +131,14 @@ void add_contact_commands(Commands& commands, ViewState& state, ContactMemory& m
                 .synonyms = {{"interface chains touch"}},
                 .parameters = {chain("first", "first"), chain("second", "second")},
                 .why_not = [&state] { return state.result ? "" : "There is no complex yet."; },
-                .run = [&state, &memory](const Arguments& arguments) {
-                  memory.first = arguments.text("first");
-                  memory.second = arguments.text("second");
-                  memory.asked = true;
-                  state.window.page = kPage;
-                  return Outcome();
-                }});
+                .run =
+                    [&state, &memory](const Arguments& arguments) {
+                      memory.first = arguments.text("first");
+                      memory.second = arguments.text("second");
+                      memory.asked = true;
+                      state.window.page = kPage;
+                      return Outcome();
+                    }});
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // The options of alphascope-cli screenshot and frames.
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <stdexcept>
 
@@ -10,7 +9,7 @@
 #include "app/options/did_you_mean.hpp"
 #include "app/options/option_values.hpp"
 #include "core/document/picture/frame_names.hpp"
-#include "core/document/session/settings_fields.hpp"
+#include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/document/settings/paint.hpp"
 
@@ -43,19 +42,40 @@ Option not_required(Option option) {
   return option;
 }
 
-Option look_number(OptionText text, std::optional<double>& target, const NumberRule& rule,
-                   float usual) {
-  char shortest[16];
-  std::snprintf(shortest, sizeof shortest, "%g", static_cast<double>(usual));
-  Option option{.names = std::move(text.names),
-                .value = std::move(text.value),
-                .text = std::move(text.text),
-                .fallback = std::string(shortest) + ", or the preset's"};
-  option.set = [&target, rule](const std::string& value) {
-    const NumberRange range{rule.least, rule.most};
-    target = rule.whole ? whole_number_in(value, range) : number_in(value, range);
+// An option that changes one setting of the display.
+Option display_option(const DisplayField& field, DisplayChanges& changes) {
+  const DisplayOption& named = field.option;
+  Option option{.names = named.name, .text = named.text[0] == '\0' ? field.help : named.text};
+  if (is_switch(field)) {
+    option.set = [&field, &changes](const std::string&) {
+      changes.emplace_back(&field, field.option.sets ? 1 : 0);
+    };
+    return option;
+  }
+  option.value = field.rule.whole ? "N" : "X";
+  option.text += "; from " + range_text(field);
+  option.fallback = value_text(field, DisplayControls()) + ", or the preset's";
+  option.set = [&field, &changes](const std::string& value) {
+    const NumberRange range{field.rule.least, field.rule.most};
+    changes.emplace_back(
+        &field, field.rule.whole ? whole_number_in(value, range) : number_in(value, range));
   };
   return option;
+}
+
+Options display_options(DisplayChanges& changes) {
+  Options options;
+  for (const DisplayField& field : display_fields()) {
+    if (field.option.name[0] != '\0') options.push_back(display_option(field, changes));
+  }
+  return options;
+}
+
+std::string kinds_beside_body() {
+  std::string ids;
+  for (const BesideKind& kind : kBesideKinds)
+    ids += (ids.empty() ? "" : ", ") + std::string(kind.id);
+  return ids;
 }
 
 Paint paint_from(const std::string& text, Painted what) {
@@ -111,35 +131,14 @@ Options picture_options(ScreenshotCommandOptions& options) {
       text_option({"--size", "WxH", "Width and height in pixels"}, options.size),
       flag_option("--transparent", "No background", options.transparent),
       flag_option("--light", "Light background", options.light),
-      flag_option("--no-balls", "Without the balls", options.no_balls),
-      flag_option("--grown", "Draw balls with the radii that solvent and alpha give them",
-                  options.grown),
-      flag_option("--boundary", "Only the boundary of the tetrahedra", options.boundary),
-      number_option({"--shrink", "X", "Shrink each tetrahedron, by 0 to 0.9 of its size"},
-                    options.shrink, {0, 0.9}),
       text_option({"--clip", "CLIP",
                    "Cut the picture open at a plane, or by a slab: x, y=12.5 (Å), -z=3, view, "
                    "1,1,0=5; with a thickness x=12.5:8"},
                   options.clip),
-      flag_option("--orthographic", "Draw without perspective", options.orthographic),
       with_default(choice_option({"--preset", preset_ids(),
                                   "A whole look; other options change single things of it"},
                                  options.preset),
                    "none"),
-      flag_option("--no-shadows", "Without soft shadows", options.no_shadows),
-      look_number({"--depth-cue", "X", "Share of background in what is farthest, 0 to 1"},
-                  options.depth_cue, kDepthCueRule, DisplayControls().depth_cue),
-      look_number({"--outlines", "W",
-                   "Width of outlines in pixels of a picture of 1280x800; they grow with the size"},
-                  options.outlines, kSilhouettesRule, DisplayControls().silhouettes),
-      look_number({"--face-lines", "W", "Width of the darker lines around faces, likewise"},
-                  options.face_lines, kFaceEdgesRule, DisplayControls().face_edges),
-      look_number({"--edge-thickness", "X", "Thickness of edges in Å"}, options.edge_thickness,
-                  kEdgeThicknessRule, DisplayControls().edge_thickness),
-      flag_option("--smooth", "Light the boundary as if it were round between its corners",
-                  options.smooth),
-      look_number({"--samples", "N", "Samples a pixel, 1 to 16"}, options.samples, kSamplesRule,
-                  static_cast<float>(DisplayControls().samples)),
       text_option({"--hide", "ATOMS",
                    "Leave these atoms, and simplices with a corner among them, out of the picture; "
                    "an expression as of --select"},
@@ -179,12 +178,13 @@ Options picture_options(ScreenshotCommandOptions& options) {
                    }),
       flag_option("--no-legend", "Leave out the legend of the colours", options.no_legend),
       text_option({"--beside", "KINDS",
-                   "Atoms that are no part of the body, drawn beside it: ligands, ions, waters, "
-                   "hydrogens, with commas; or none"},
+                   "Atoms that are no part of the body, drawn beside it: " + kinds_beside_body() +
+                       ", with commas; or none"},
                   options.beside),
       caption(options.caption),
       flag_option("--scale-bar", "Add a bar of a round length in Å", options.scale_bar),
       drawing_memory(options.drawing_memory_mb)};
+  append(all, display_options(options.display));
   append(all, engine(options.request, true));
   append(all, input(options.input));
   return all;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/cli/input_options.hpp"
@@ -13,28 +14,28 @@
 #include "core/document/picture/recording.hpp"
 #include "core/document/reference/annotations.hpp"
 #include "core/document/reference/appearance.hpp"
+#include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/paint.hpp"
 #include "core/document/settings/request.hpp"
 
 namespace alphascope::cli {
+
+// The given options that change a setting of the display, in their order, and the values. All other
+// settings are those of the preset or, without one, the window's default.
+using DisplayChanges = std::vector<std::pair<const DisplayField*, double>>;
 
 struct ScreenshotCommandOptions {
   InputOptions input;
   Request request;
   std::string size = "1280x800";
   std::filesystem::path out;
-  bool transparent = false, light = false, no_balls = false, grown = false, boundary = false;
-  double shrink = 0;
+  bool transparent = false, light = false;
+  DisplayChanges display;
   Paint ball_paint{ColourBy::element, {}, {}, {}};
   std::optional<Paint> simplex_paint;  // none: the paint of the balls
   bool no_legend = false, scale_bar = false;
   CaptionParts caption;
-  bool orthographic = false;
   std::string preset;  // id of a DisplayPreset; empty: none
-  bool no_shadows = false;
-  // None: the value of the preset or, without one, the window's default.
-  std::optional<double> depth_cue, outlines, face_lines, edge_thickness, samples;
-  bool smooth = false;  // of the boundary
   AppearanceWords appearance;
   AnnotationWords annotations;
   std::string clip = "off";             // as for read_clip()

@@ -39,21 +39,16 @@ void set_size(const std::string& text, PictureOptions& picture) {
 AtomsBesideBody beside_body(const std::string& text) {
   AtomsBesideBody shown{false, false, false, false};
   if (text == "none") return shown;
-  const std::pair<const char*, bool AtomsBesideBody::*> kinds[] = {
-      {"ligands", &AtomsBesideBody::ligands},
-      {"ions", &AtomsBesideBody::ions},
-      {"waters", &AtomsBesideBody::waters},
-      {"hydrogens", &AtomsBesideBody::hydrogens}};
   for (const std::string& word : parts_of(text, ',')) {
-    const auto kind = std::find_if(std::begin(kinds), std::end(kinds),
-                                   [&](const auto& k) { return word == k.first; });
-    if (kind == std::end(kinds)) {
+    const auto kind = std::find_if(std::begin(kBesideKinds), std::end(kBesideKinds),
+                                   [&](const BesideKind& k) { return word == k.id; });
+    if (kind == std::end(kBesideKinds)) {
       throw UsageError(
           "--beside takes ligands, ions, waters and hydrogens, with commas between, or "
           "none; not \"" +
           word + "\".");
     }
-    shown.*kind->second = true;
+    shown.*kind->member = true;
   }
   return shown;
 }
@@ -70,26 +65,13 @@ DisplayControls display(const ScreenshotCommandOptions& options) {
   d.triangles = d.edges = true;
   if (const auto preset = preset_named(options.preset)) d = with_preset(d, *preset);
   if (options.request.tetrahedra_only) d.triangles = d.edges = false;
-  if (options.no_balls) d.balls = false;
-  if (options.grown) {
-    d.grown_balls = true;
-    d.ball_scale = 1;
-  }
-  if (options.boundary) {
-    d.boundary = true;
-    d.tetrahedra = false;
-  }
-  if (options.shrink > 0) d.shrink = static_cast<float>(options.shrink);
   d.ball_paint = options.ball_paint;
   d.complex_paint = options.simplex_paint.value_or(like_balls(options.ball_paint));
-  d.orthographic = options.orthographic;
-  if (options.no_shadows) d.ambient_occlusion = false;
-  if (options.depth_cue) d.depth_cue = static_cast<float>(*options.depth_cue);
-  if (options.outlines) d.silhouettes = static_cast<float>(*options.outlines);
-  if (options.face_lines) d.face_edges = static_cast<float>(*options.face_lines);
-  if (options.edge_thickness) d.edge_thickness = static_cast<float>(*options.edge_thickness);
-  if (options.smooth) d.smooth_boundary = true;
-  if (options.samples) d.samples = static_cast<int>(*options.samples);
+  for (const auto& [field, value] : options.display) {
+    if (field == &display_field(&DisplayControls::grown_balls)) d.ball_scale = 1;
+    if (field == &display_field(&DisplayControls::boundary)) d.tetrahedra = false;
+  }
+  for (const auto& [field, value] : options.display) set_number(*field, d, value);
   return d;
 }
 

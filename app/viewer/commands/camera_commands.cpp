@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/settings/display_fields.hpp"
 
 namespace alphascope {
 namespace {
@@ -111,12 +112,7 @@ void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
                   ask.view.zoom(arguments.number("factor"));
                   return Outcome();
                 }});
-  commands.add(with_switch({.id = "view.orthographic",
-                            .title = "Orthographic",
-                            .help = "Draws without perspective: what is far is not smaller",
-                            .shortcuts = {{"O"}},
-                            .menu = "View"},
-                           s.settings.display.orthographic));
+  commands.add(display_command(s, display_field(&DisplayControls::orthographic)));
   add_saved_view_commands(commands, s, ask);
 }
 

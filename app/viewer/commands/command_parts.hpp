@@ -10,6 +10,8 @@
 
 namespace alphascope {
 
+struct DisplayField;
+
 // Each returns a test that says why a command cannot run without a molecule or result. Empty: it
 // can run.
 std::function<std::string()> without_molecule(const ViewState& s);
@@ -38,11 +40,11 @@ CommandSpec section_command(ViewState& s);
 // Commands of the view.
 void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// Commands of presets, light and lines.
+// The command of a setting of the display, the commands of all its switches but the projection, and
+// those of presets, numbers and colours.
+CommandSpec display_command(ViewState& s, const DisplayField& field);
+void add_display_switches(Commands& commands, ViewState& s);
 void add_look_commands(Commands& commands, ViewState& s);
-
-// Commands that colour balls and simplices.
-void add_paint_commands(Commands& commands, ViewState& s);
 
 // Commands of the clip.
 void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask);

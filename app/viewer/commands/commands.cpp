@@ -250,11 +250,6 @@ void add_edit_commands(Commands& commands, ViewState& s, const Calls& ask) {
 // --- View
 
 void add_view_commands(Commands& commands, ViewState& s, const Calls& ask) {
-  DisplayControls& d = s.settings.display;
-  const auto only_tetrahedra = [&s] {
-    const bool only = s.result && s.result->complex.tetrahedra_only;
-    return only ? "Not computed, because “Tetrahedra only” is on." : "";
-  };
   commands.add({.id = "view.reset",
                 .title = "Reset view",
                 .help = "Shows the whole molecule",
@@ -266,69 +261,7 @@ void add_view_commands(Commands& commands, ViewState& s, const Calls& ask) {
                   ask.view.reset();
                   return Outcome();
                 }});
-  commands.add(with_switch({.id = "view.balls",
-                            .title = "Balls",
-                            .help = "Shows or hides the atoms as balls",
-                            .synonyms = {{"atoms spheres"}},
-                            .shortcuts = {{"B"}},
-                            .menu = "View",
-                            .line_above = true},
-                           d.balls));
-  commands.add(with_switch({.id = "view.grown_balls",
-                            .title = "Grown balls",
-                            .help = "Draws balls with the radii that solvent and alpha give them"},
-                           d.grown_balls));
-  commands.add(with_switch({.id = "view.tetrahedra",
-                            .title = "Tetrahedra",
-                            .help = "Shows or hides the tetrahedra of the complex",
-                            .shortcuts = {{"T"}},
-                            .menu = "View"},
-                           d.tetrahedra));
-  commands.add(with_switch({.id = "view.boundary",
-                            .title = "Boundary surface",
-                            .help = "Shows or hides faces that belong to exactly one tetrahedron",
-                            .synonyms = {{"mesh skin"}},
-                            .menu = "View"},
-                           d.boundary));
-  commands.add(with_switch({.id = "view.triangles",
-                            .title = "Triangles",
-                            .help = "Shows or hides triangles of the complex",
-                            .menu = "View",
-                            .why_not = only_tetrahedra},
-                           d.triangles));
-  commands.add(with_switch(
-      {.id = "view.smooth_boundary",
-       .title = "Smooth boundary",
-       .help = "Lights the boundary as if it were round between its corners; its shape stays"},
-      d.smooth_boundary));
-  commands.add(with_switch({.id = "view.edges",
-                            .title = "Edges",
-                            .help = "Shows or hides edges of the complex",
-                            .shortcuts = {{"E"}},
-                            .menu = "View",
-                            .why_not = only_tetrahedra},
-                           d.edges));
-  commands.add(
-      with_switch({.id = "view.singular_only",
-                   .title = "Singular ones only",
-                   .help = "Shows only triangles and edges that are not faces of a larger simplex",
-                   .why_not = only_tetrahedra},
-                  d.singular_only));
-  const auto beside = [&](const char* id, const char* title, const char* help, bool& value) {
-    commands.add(with_switch({.id = id, .title = title, .help = help}, value));
-  };
-  beside("view.left_out_ligands", "Ligands beside the body",
-         "Draws ligands that are no part of the body", d.beside.ligands);
-  beside("view.left_out_ions", "Ions beside the body", "Draws ions that are no part of the body",
-         d.beside.ions);
-  beside("view.left_out_waters", "Waters beside the body",
-         "Draws waters that are no part of the body", d.beside.waters);
-  beside("view.left_out_hydrogens", "Hydrogens beside the body",
-         "Draws hydrogens that are no part of the body", d.beside.hydrogens);
-  commands.add(with_switch({.id = "view.shadows",
-                            .title = "Soft shadows at rest",
-                            .help = "Darkens crevices while the view is at rest, to show depth"},
-                           d.ambient_occlusion));
+  add_display_switches(commands, s);
   CommandSpec theme{.id = "view.light_theme",
                     .title = "Light theme",
                     .help = "Switches between a light and a dark window",
@@ -400,7 +333,6 @@ void add_program_commands(Commands& commands, ViewState& state, const Calls& ask
   add_pointed_commands(commands, state, ask);
   add_view_commands(commands, state, ask);
   add_look_commands(commands, state);
-  add_paint_commands(commands, state);
   add_camera_commands(commands, state, ask);
   add_clip_commands(commands, state, ask);
   add_compute_commands(commands, state, ask);

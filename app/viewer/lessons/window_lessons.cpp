@@ -7,6 +7,7 @@
 #include "app/options/did_you_mean.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
+#include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/files/read_error.hpp"
 
@@ -59,11 +60,7 @@ Settings lesson_settings(const Settings& now) {
   s.request.tetrahedra_only = false;
   s.display = with_preset({}, DisplayPreset::teaching);
   s.display.ball_paint = s.display.complex_paint = {ColourBy::element, {}, {}, {}};
-  s.display.ambient_occlusion = now.display.ambient_occlusion;
-  s.display.depth_cue = now.display.depth_cue;
-  s.display.silhouettes = now.display.silhouettes;
-  s.display.face_edges = now.display.face_edges;
-  s.display.samples = now.display.samples;
+  copy_group(DisplayGroup::light, now.display, s.display);
   return s;
 }
 

@@ -50,11 +50,23 @@ std::string range_text(const NumberRule& rule) {
 
 JsonPlace FieldReader::below(const std::string& name) const {
   JsonPlace place = place_;
-  place.push_back(name);
+  place.push_back(name_in_file(name.c_str()));
   return place;
 }
 
+const char* FieldReader::name_in_file(const char* name) const {
+  const auto former = former_.find(name);
+  return former == former_.end() ? name : former->second;
+}
+
+void FieldReader::formerly(const char* old, const char* now) {
+  if (!from_.contains(old) || from_.contains(now)) return;
+  former_[now] = old;
+  findings_.renamed.push_back({below(now), now});
+}
+
 const ReadJson* FieldReader::take(const char* name) {
+  name = name_in_file(name);
   taken_.insert(name);
   const auto found = from_.find(name);
   return found == from_.end() ? nullptr : &*found;

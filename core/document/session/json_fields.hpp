@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -54,6 +55,7 @@ class FieldWriter {
   void operator()(const char* name, const std::optional<Sandbox>& value);
   void operator()(const char* name, const Paint& value, Painted what);
   void model(const char* name, int index);
+  void formerly(const char*, const char*) {}
   template <class Choice>
   requires IsChoice<Choice>
   void operator()(const char* name, Choice value) {
@@ -87,6 +89,11 @@ struct JsonFindings {
   };
   std::vector<Wrong> wrong;
   std::vector<JsonPlace> unknown;
+  struct Renamed {
+    JsonPlace place;  // as it is in the file
+    std::string now;  // the name of the member
+  };
+  std::vector<Renamed> renamed;
 };
 
 // Reads fields of an object. If a value is wrong, the field keeps its old value.
@@ -116,6 +123,8 @@ class FieldReader {
   void operator()(const char* name, std::optional<Sandbox>& value);
   void operator()(const char* name, Paint& value, Painted what);
   void model(const char* name, int& index);
+  // Lets the next calls read the member `now` under its older name, if it is there under no other.
+  void formerly(const char* old, const char* now);
   template <class Choice>
   requires IsChoice<Choice>
   void operator()(const char* name, Choice& value) {
@@ -162,6 +171,7 @@ class FieldReader {
  private:
   const ReadJson* take_object(const char* name);
   const ReadJson* take_list(const char* name, std::size_t most);
+  const char* name_in_file(const char* name) const;
   std::size_t choose(const char* name, const std::vector<std::string_view>& words);
   bool number(const JsonPlace& place, const ReadJson& json, double& value, const NumberRule& rule);
   bool text(const JsonPlace& place, const ReadJson& json, std::string& value);
@@ -171,6 +181,7 @@ class FieldReader {
   JsonPlace place_;
   JsonFindings& findings_;
   std::set<std::string_view> taken_;
+  std::map<std::string_view, const char*> former_;  // by the present name
 };
 
 // Text from a user or a file, as a string. If it is not UTF-8, as { "bytes": "c3a4" }.

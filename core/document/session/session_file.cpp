@@ -113,6 +113,32 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
                   "Write such a value, or take it out: then it is as in a new window");
 }
 
+// Sentences on members that have another name now, or that this program does not know.
+std::vector<std::string> notes_on(const JsonFindings& findings, std::string_view text) {
+  std::vector<std::string> notes;
+  const auto note = [&](const JsonPlace& place, const auto& said) {
+    notes.push_back("Line " + std::to_string(line_of(text, place)) + ": " +
+                    said("\"" + printable(place_text(place)) + "\""));
+  };
+  for (const JsonFindings::Renamed& renamed : findings.renamed) {
+    note(renamed.place, [&](const std::string& name) {
+      return name + " is called \"" + renamed.now +
+             "\" now. The older name is still read in this version.";
+    });
+  }
+  constexpr std::size_t kMostTold = 8;
+  for (const JsonPlace& place : findings.unknown) {
+    if (notes.size() >= kMostTold + findings.renamed.size()) {
+      notes.push_back("… and " + std::to_string(findings.unknown.size() - kMostTold) + " more.");
+      break;
+    }
+    note(place, [](const std::string& name) {
+      return "this program does not know " + name + ", and leaves it out.";
+    });
+  }
+  return notes;
+}
+
 }  // namespace
 
 std::string session_text(const SessionDocument& session) {
@@ -147,17 +173,7 @@ ReadSession parse_session(const fs::path& path, std::string_view text) {
   reader.finish();
   if (findings.wrong.empty()) check_together(reader, json, read.session);
   if (!findings.wrong.empty()) refuse(path, text, findings);
-  constexpr std::size_t kMostTold = 8;
-  for (const JsonPlace& place : findings.unknown) {
-    if (read.notes.size() == kMostTold) {
-      read.notes.push_back("… and " + std::to_string(findings.unknown.size() - kMostTold) +
-                           " more.");
-      break;
-    }
-    const std::string name = printable(place_text(place));
-    read.notes.push_back("Line " + std::to_string(line_of(text, place)) +
-                         ": this program does not know \"" + name + "\", and leaves it out.");
-  }
+  read.notes = notes_on(findings, text);
   return read;
 }
 

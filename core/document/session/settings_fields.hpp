@@ -1,20 +1,18 @@
 // Lists of all settings in session files: name and bounds of each. Writer and reader
-// (json_fields.hpp) visit these lists, so a new setting needs one line here.
+// (json_fields.hpp) visit these lists, so a new setting needs one line here. Settings of the
+// display have theirs in display_fields.cpp.
 #pragma once
+
+#include <type_traits>
+#include <variant>
 
 #include "core/document/commands/number_input.hpp"
 #include "core/document/session/session_file.hpp"
+#include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/settings.hpp"
 
 namespace alphascope {
 
-inline constexpr NumberRule kShareRule{"A share", 0.05, 1};
-inline constexpr NumberRule kShrinkRule{"The shrinking", 0, 0.9};
-inline constexpr NumberRule kDepthCueRule{"The depth cue", 0, 1};
-inline constexpr NumberRule kSilhouettesRule{"The width of outlines", 0, 4, "pixels"};
-inline constexpr NumberRule kFaceEdgesRule{"The width of lines around faces", 0, 4, "pixels"};
-inline constexpr NumberRule kEdgeThicknessRule{"The thickness of edges", 0.02, 1, "Å"};
-inline constexpr NumberRule kSamplesRule{"The number of samples", 1, 16, "", true};
 inline constexpr NumberRule kThreadsRule{"The number of threads", 0, 1024, "", true};
 inline constexpr NumberRule kStreamsRule{"The number of streams", 1, 8, "", true};
 inline constexpr NumberRule kBatchRule{"The number of tuples", 0, 2e9, "", true};
@@ -67,36 +65,26 @@ void visit_fields(Visitor& v, Request& r) {
 
 template <class Visitor>
 void visit_fields(Visitor& v, AtomsBesideBody& b) {
-  v("ligands", b.ligands);
-  v("ions", b.ions);
-  v("waters", b.waters);
-  v("hydrogens", b.hydrogens);
+  for (const BesideKind& kind : kBesideKinds) v(kind.id, b.*kind.member);
 }
 
 template <class Visitor>
 void visit_fields(Visitor& v, DisplayControls& d) {
-  v("balls", d.balls);
-  v("tetrahedra", d.tetrahedra);
-  v("boundary", d.boundary);
-  v("triangles", d.triangles);
-  v("edges", d.edges);
-  v("singular_only", d.singular_only);
-  v("grown_balls", d.grown_balls);
-  v("ball_scale", d.ball_scale, kShareRule);
-  v("ball_opacity", d.ball_opacity, kShareRule);
-  v("complex_opacity", d.complex_opacity, kShareRule);
-  v("cavity_opacity", d.cavity_opacity, kShareRule);
-  v("shrink", d.shrink, kShrinkRule);
-  v("edge_thickness_angstrom", d.edge_thickness, kEdgeThicknessRule);
-  v("smooth_boundary", d.smooth_boundary);
-  v("ball_colour", d.ball_paint, Painted::balls);
-  v("complex_colour", d.complex_paint, Painted::simplices);
-  v("ambient_occlusion", d.ambient_occlusion);
-  v("depth_cue", d.depth_cue, kDepthCueRule);
-  v("silhouettes_pixels", d.silhouettes, kSilhouettesRule);
-  v("face_edges_pixels", d.face_edges, kFaceEdgesRule);
-  v("samples", d.samples, kSamplesRule);
-  v("orthographic", d.orthographic);
+  for (const DisplayField& field : display_fields()) {
+    if (field.former_key[0] != '\0') v.formerly(field.former_key, field.key);
+    std::visit(
+        [&](auto member) {
+          using Value = std::remove_cvref_t<decltype(d.*member)>;
+          if constexpr (std::is_same_v<Value, bool>) {
+            v(field.key, d.*member);
+          } else if constexpr (std::is_same_v<Value, Paint>) {
+            v(field.key, d.*member, field.painted);
+          } else {
+            v(field.key, d.*member, field.rule);
+          }
+        },
+        field.member);
+  }
   v.object("beside", d.beside);
 }
 

@@ -17,6 +17,7 @@ struct AtomsBesideBody {
 // Whether an atom is drawn that the options leave out of the body for this reason.
 bool shows(const AtomsBesideBody& shown, DropReason reason, Element element);
 
+// Each member has a row in display_fields.cpp.
 struct DisplayControls {
   bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;
   bool singular_only = true;  // of triangles and edges, those that are faces of nothing larger
@@ -31,8 +32,8 @@ struct DisplayControls {
   bool ambient_occlusion = true;
   float depth_cue = 0.4f;     // share of the background colour at the greatest depth; 0: nothing
                               // fades
-  float silhouettes = 1.5f;   // width of outlines, pixels at scale 1; 0: none
-  float face_edges = 1;       // width of darker lines around faces, pixels at scale 1; 0: none
+  float outlines = 1.5f;      // width, pixels at scale 1; 0: none
+  float face_lines = 1;       // width of darker lines around faces, pixels at scale 1; 0: none
   int samples = 16;           // of each pixel of the picture at rest
   bool orthographic = false;  // no perspective: parallel lines stay parallel
   AtomsBesideBody beside;

@@ -1,6 +1,10 @@
 // The presets' texts and values.
 #include "core/document/settings/display_preset.hpp"
 
+#include <variant>
+
+#include "core/document/settings/display_fields.hpp"
+
 namespace alphascope {
 
 const DisplayPresetInfo& preset_info(DisplayPreset preset) {
@@ -44,13 +48,12 @@ std::string preset_ids() {
 }
 
 DisplayControls with_preset(DisplayControls display, DisplayPreset preset) {
-  DisplayControls d;  // defaults, except for the user's choices of colours and atoms
-  d.ball_paint = display.ball_paint;
-  d.complex_paint = display.complex_paint;
+  DisplayControls d;
   d.beside = display.beside;
-  d.orthographic = display.orthographic;
-  d.grown_balls = display.grown_balls;
-  d.cavity_opacity = display.cavity_opacity;
+  for (const DisplayField& field : display_fields()) {
+    if (!field.kept_by_presets) continue;
+    std::visit([&](auto member) { d.*member = display.*member; }, field.member);
+  }
   switch (preset) {
     case DisplayPreset::figure:
       d.balls = d.tetrahedra = false;
@@ -72,7 +75,7 @@ DisplayControls with_preset(DisplayControls display, DisplayPreset preset) {
     case DisplayPreset::fast:
       d.ambient_occlusion = false;
       d.depth_cue = 0;
-      d.silhouettes = d.face_edges = 0;
+      d.outlines = d.face_lines = 0;
       d.samples = 4;
       break;
   }

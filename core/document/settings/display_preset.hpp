@@ -28,8 +28,7 @@ const DisplayPresetInfo& preset_info(DisplayPreset preset);
 std::optional<DisplayPreset> preset_named(std::string_view id);
 std::string preset_ids();  // "figure|cavity|..."
 
-// Keeps colours, atoms beside the body, projection, the radius of grown balls and the opacity of
-// cavities.
+// Keeps atoms beside the body, and all settings whose row says kept_by_presets.
 DisplayControls with_preset(DisplayControls display, DisplayPreset preset);
 
 }  // namespace alphascope

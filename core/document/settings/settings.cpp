@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "core/document/settings/display_fields.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -40,7 +42,8 @@ std::string difference_text(const Settings& a, const Settings& b) {
   note(same_radii(a.open, b.open), "radii");
   note(same_atoms(a.open, b.open), "choice of atoms");
   note(a.open.sandbox == b.open.sandbox, "balls");
-  note(a.display == b.display, "display");
+  const std::string display = difference_of(a.display, b.display);
+  note(display.empty(), display.c_str());
   note(a.clip == b.clip, "clip");
   note(a.views == b.views, "saved cameras");
   note(a.appearance.hidden == b.appearance.hidden, "hidden atoms");

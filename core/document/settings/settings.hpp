@@ -29,7 +29,7 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-// Names of the differences, for "Undo …": "alpha", "radii", "display", or several as "alpha and
+// Names of the differences, for "Undo …": "alpha", "radii", "outlines", or several as "alpha and
 // display". Empty if there are none.
 std::string difference_text(const Settings& a, const Settings& b);
 

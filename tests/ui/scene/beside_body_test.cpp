@@ -95,7 +95,7 @@ TEST_F(BesideBodyInTheWindow, TheyAreDrawnInSavedPicturesTooAndNeverComputedWith
   };
   const Image with = picture(), saved_with = saved();
   run("view.left_out_ligands off\nwait-idle\n");
-  EXPECT_EQ(state().undo_text, "display");
+  EXPECT_EQ(state().undo_text, "atoms beside the body");
   const Image without = picture();
   EXPECT_GT(differing_pixels(with, without), 300);
   EXPECT_GT(differing_pixels(saved_with, saved()), 50);

@@ -142,7 +142,7 @@ TEST_F(AnnotationsTest, SavedPicturesSessionsAndTheCommandLineShowThem) {
   const DisplayControls usual;  // as on the command line
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
-  display.silhouettes = usual.silhouettes;
+  display.outlines = usual.outlines;
   display.samples = 1;
   run("frames 3\nwait-idle\n");
   const auto saved = [&](const std::string& name) {

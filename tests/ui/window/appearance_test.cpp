@@ -67,7 +67,7 @@ TEST_F(AppearanceTest, SavedPicturesSessionsAndTheCommandLineShowTheSame) {
   const DisplayControls usual;  // as on the command line
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
-  display.silhouettes = usual.silhouettes;
+  display.outlines = usual.outlines;
   display.samples = 4;
   run("frames 3\nwait-idle\n");
   viewer_->calls().jobs.save_picture(

@@ -123,7 +123,7 @@ TEST_F(ClipWindow, SavedPicturesAndTheCommandLineShowTheSame) {
   const DisplayControls usual;
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
-  display.silhouettes = usual.silhouettes;
+  display.outlines = usual.outlines;
   display.samples = 4;
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   const auto drawn = [&](const std::string& options) {

@@ -74,7 +74,7 @@ TEST_F(HistoryTest, AtomsAndDisplayComeBack) {
   ASSERT_LT(some, all);
   viewer_->state().settings.display.balls = false;
   run("frames 1\n");
-  EXPECT_EQ(viewer_->state().undo_text, "display");
+  EXPECT_EQ(viewer_->state().undo_text, "balls");
   undo();
   EXPECT_TRUE(viewer_->state().settings.display.balls);
   EXPECT_EQ(viewer_->state().undo_text, "choice of atoms");

@@ -33,7 +33,7 @@ TEST_F(PaintTest, EverySchemeOfBallsDrawsAndSaysWhatItMeans) {
     ASSERT_EQ(legends().size(), 1u) << scheme.id;
     EXPECT_EQ(legends()[0].stops.empty(), !scheme.quantity) << scheme.id;
   }
-  EXPECT_EQ(viewer_->state().undo_text, "display");
+  EXPECT_EQ(viewer_->state().undo_text, "colours of balls");
   run("edit.undo\nwait-idle\n");
   EXPECT_EQ(legends().size(), 1u);
 }
@@ -111,7 +111,7 @@ TEST_F(PaintTest, SessionsAndTheCommandLineHaveTheSame) {
   const DisplayControls usual;  // as on the command line
   d.ambient_occlusion = usual.ambient_occlusion;
   d.depth_cue = usual.depth_cue;
-  d.silhouettes = usual.silhouettes;
+  d.outlines = usual.outlines;
   d.samples = 4;
   const Paint balls = d.ball_paint, simplices = d.complex_paint;
   run("wait-idle\n");

@@ -183,7 +183,7 @@ TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
       {"colour", nothing, [](auto& c) { c.complex_paint.by = ColourBy::alpha; }},
       {"soft shadows", nothing, [](auto& c) { c.ambient_occlusion = true; }},
       {"depth cue", nothing, [](auto& c) { c.depth_cue = 0.8f; }},
-      {"outlines", nothing, [](auto& c) { c.silhouettes = 3; }}};
+      {"outlines", nothing, [](auto& c) { c.outlines = 3; }}};
   for (const auto& [name, before, change] : switches) {
     d = usual;
     before(d);
@@ -270,7 +270,7 @@ TEST_F(ViewerTest, AWindowWithoutOptionsDrawsAsItsPanelSays) {
   run("size 640 480\n");
   open_crambin();
   const Image with = picture();
-  viewer_->state().settings.display.silhouettes = 0;
+  viewer_->state().settings.display.outlines = 0;
   EXPECT_GT(unequal_pixels(with, picture()), 500) << "outlines were drawn";
 }
 

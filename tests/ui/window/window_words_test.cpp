@@ -57,7 +57,7 @@ TEST(Tooltips, AreTheSliders) {
   p.frame(3);
   ImGuiIO& io = ImGui::GetIO();
   for (const char* name :
-       {"look.depth_cue", "look.silhouettes", "look.face_edges", "look.samples", "alpha.solvent"}) {
+       {"look.depth_cue", "look.outlines", "look.face_lines", "look.samples", "alpha.solvent"}) {
     p.point_at(name, 0.3f);
     io.DeltaTime = 0.5f;
     p.window_frame();

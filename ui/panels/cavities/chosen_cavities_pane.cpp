@@ -5,9 +5,9 @@
 
 #include "core/chart/colour_map.hpp"
 #include "core/document/cavities/cavity_names.hpp"
-#include "core/document/session/settings_fields.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/complex/display_rows.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -333,9 +333,7 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Opacity");
   ImGui::SameLine(0, ctx.px(10));
-  percent_slider(ctx, "cavities.draw.opacity", ctx.state.settings.display.cavity_opacity, 0.05f,
-                 1.0f);
-  tooltip(ctx, "Of surfaces, tetrahedra and spheres of the cavities that are chosen.");
+  display_slider(ctx, display_field(&DisplayControls::cavity_opacity), "cavities.draw.opacity");
   ImGui::EndPopup();
 }
 

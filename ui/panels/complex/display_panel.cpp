@@ -1,10 +1,10 @@
 // The sections “Display” and “Light”: which parts of the complex are drawn, and how.
-#include <cmath>
 #include <string>
 
-#include "core/document/session/settings_fields.hpp"
+#include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "ui/panels/complex/display_rows.hpp"
 #include "ui/panels/complex/paint_rows.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
@@ -13,6 +13,8 @@
 
 namespace alphascope {
 namespace {
+
+using D = DisplayControls;
 
 void presets(PanelContext& ctx) {
   DisplayControls& d = ctx.state.settings.display;
@@ -34,15 +36,16 @@ void presets(PanelContext& ctx) {
 
 // Draws the slider for opacity. If a page fades balls and simplices, a note says that they are
 // paler.
-void opacity_row(PanelContext& ctx, const char* name, float& opacity) {
-  row_label(ctx, "Opacity");
-  percent_slider(ctx, name, opacity, 0.05f, 1.0f);
+void opacity_row(PanelContext& ctx, DisplayField::Member member) {
+  const DisplayField& field = display_field(member);
+  display_row(ctx, field);
+  const double opacity = number_of(field, ctx.state.settings.display);
   if (!ctx.state.viewport.fades_rest || opacity <= kFadedOpacity) return;
   row_label(ctx, "");
   ImGui::PushFont(ctx.fonts.small);
   muted_text(ctx, "faded to " + percent_text(kFadedOpacity) + " by the page below");
   ImGui::PopFont();
-  record(ctx, (std::string(name) + ".faded").c_str());
+  record(ctx, (control_name(field) + ".faded").c_str());
   tooltip(ctx,
           "A cavity or channel is drawn, and what is around it must not hide it. For cavities: "
           "the page Cavities, Draw, “fade the rest”.");
@@ -50,17 +53,18 @@ void opacity_row(PanelContext& ctx, const char* name, float& opacity) {
 
 void balls(PanelContext& ctx) {
   DisplayControls& d = ctx.state.settings.display;
-  checkbox(ctx, "display.balls", "Balls", d.balls);
+  display_row(ctx, &D::balls);
   // Rows that do not apply are greyed, not hidden, so that nothing below moves.
   ImGui::BeginDisabled(!d.balls);
   ImGui::Indent();
-  row_label(ctx, "Size");
-  percent_slider(ctx, "display.ball_scale", d.ball_scale, 0.05f, 1.0f);
-  row_label(ctx, "Radius");
+  display_row(ctx, &D::ball_scale);
+  const DisplayField& grown_balls = display_field(&D::grown_balls);
+  row_label(ctx, grown_balls.label);
   int grown = d.grown_balls ? 1 : 0;
-  choice(ctx, "display.radius", {"as given", "grown"}, grown, ImGui::GetContentRegionAvail().x);
+  choice(ctx, control_name(grown_balls).c_str(), {"as given", "grown"}, grown,
+         ImGui::GetContentRegionAvail().x);
   d.grown_balls = grown == 1;
-  opacity_row(ctx, "display.ball_opacity", d.ball_opacity);
+  opacity_row(ctx, &D::ball_opacity);
   constexpr Element kCarbon = 6;
   paint_rows(
       ctx, {"display.ball", Painted::balls, ctx.state.viewport.ball_range, element_colour(kCarbon)},
@@ -69,40 +73,14 @@ void balls(PanelContext& ctx) {
   ImGui::EndDisabled();
 }
 
-void thickness_of_edges(PanelContext& ctx) {
-  DisplayControls& d = ctx.state.settings.display;
-  ImGui::BeginDisabled(!d.edges);
-  row_label(ctx, "Thickness");
-  double thickness = d.edge_thickness;
-  if (value_slider(ctx, "display.edge_thickness", thickness, 0.02, 0.6, kEdgeThicknessRule,
-                   number_text(thickness, 2) + " Å")) {
-    d.edge_thickness = static_cast<float>(std::round(thickness * 50) / 50);
-  }
-  tooltip(ctx, "Of edges, in the picture. Far away they are at least as thick as a line.");
-  ImGui::EndDisabled();
-}
-
-void complex(PanelContext& ctx) {
-  DisplayControls& d = ctx.state.settings.display;
+// Draws the rows of triangles and edges, which “Tetrahedra only” does not compute.
+void triangles_and_edges(PanelContext& ctx) {
+  const DisplayControls& d = ctx.state.settings.display;
   const bool only_tetrahedra = ctx.state.result && ctx.state.result->complex.tetrahedra_only;
-  checkbox(ctx, "display.tetrahedra", "Tetrahedra", d.tetrahedra);
-  ImGui::BeginDisabled(!d.tetrahedra);
-  ImGui::Indent();
-  row_label(ctx, "Shrink");
-  percent_slider(ctx, "display.shrink", d.shrink, 0.0f, 0.9f);
-  ImGui::Unindent();
-  ImGui::EndDisabled();
-  checkbox(ctx, "display.boundary", "Boundary surface", d.boundary);
-  tooltip(ctx, "Faces that belong to exactly one tetrahedron.");
-  ImGui::SameLine(0, ctx.px(18));
-  ImGui::BeginDisabled(!d.boundary);
-  checkbox(ctx, "display.smooth_boundary", "Smooth", d.smooth_boundary);
-  tooltip(ctx, "Lights the boundary as if it were round between its corners. Its shape stays.");
-  ImGui::EndDisabled();
   ImGui::BeginDisabled(only_tetrahedra);
-  checkbox(ctx, "display.triangles", "Triangles", d.triangles);
+  display_row(ctx, &D::triangles);
   ImGui::SameLine(0, ctx.px(18));
-  checkbox(ctx, "display.edges", "Edges", d.edges);
+  display_row(ctx, &D::edges);
   ImGui::Indent();
   const bool applies = d.triangles || d.edges;
   ImGui::BeginDisabled(!applies);
@@ -112,14 +90,31 @@ void complex(PanelContext& ctx) {
     muted_text(ctx, "Not computed, because “Tetrahedra only” is on.");
     record(ctx, "display.not_computed");
   } else {
-    checkbox(ctx, "display.singular_only", "Singular ones only", d.singular_only);
-    tooltip(ctx, "Singular: not a face of any larger simplex of the complex.");
+    display_row(ctx, &D::singular_only);
   }
   ImGui::EndDisabled();
-  thickness_of_edges(ctx);
+  ImGui::BeginDisabled(!d.edges);
+  display_row(ctx, &D::edge_thickness);
+  ImGui::EndDisabled();
   ImGui::Unindent();
   ImGui::EndDisabled();
-  opacity_row(ctx, "display.complex_opacity", d.complex_opacity);
+}
+
+void complex(PanelContext& ctx) {
+  DisplayControls& d = ctx.state.settings.display;
+  display_row(ctx, &D::tetrahedra);
+  ImGui::BeginDisabled(!d.tetrahedra);
+  ImGui::Indent();
+  display_row(ctx, &D::shrink);
+  ImGui::Unindent();
+  ImGui::EndDisabled();
+  display_row(ctx, &D::boundary);
+  ImGui::SameLine(0, ctx.px(18));
+  ImGui::BeginDisabled(!d.boundary);
+  display_row(ctx, &D::smooth_boundary);
+  ImGui::EndDisabled();
+  triangles_and_edges(ctx);
+  opacity_row(ctx, &D::complex_opacity);
   paint_rows(ctx,
              {"display.complex", Painted::simplices, ctx.state.viewport.simplex_range,
               to_rgb8(ctx.palette.complex_single)},
@@ -132,29 +127,28 @@ void beside_body(PanelContext& ctx) {
   AtomsBesideBody& shown = ctx.state.settings.display.beside;
   const SelectionReport* report =
       ctx.state.references ? &ctx.state.references->prepared().report : nullptr;
-  const auto kind = [&](const char* name, const char* label, std::size_t atoms, bool& value) {
-    ImGui::BeginDisabled(atoms == 0);
-    checkbox(ctx, name, label, value);
-    ImGui::EndDisabled();
-    const std::string text =
-        atoms == 0 ? "None is left out of the body."
-                   : with_separators(static_cast<long long>(atoms)) +
-                         " atoms that are no part of the body. They are drawn, not computed: "
-                         "small balls in the colours of elements.";
-    tooltip(ctx, text.c_str());
-  };
+  const std::size_t left_out[] = {
+      report ? report->dropped_ligands : 0, report ? report->dropped_ions : 0,
+      report ? report->dropped_waters : 0,
+      report ? report->dropped_hydrogens + report->dropped_water_hydrogens : 0};
   const float half = ImGui::GetContentRegionAvail().x / 2;
   const float left = ImGui::GetCursorPosX();
   muted_text(ctx, "Left out of the body, drawn beside it");
   ImGui::Indent();
-  kind("display.beside.ligands", "Ligands", report ? report->dropped_ligands : 0, shown.ligands);
-  ImGui::SameLine(left + half);
-  kind("display.beside.ions", "Ions", report ? report->dropped_ions : 0, shown.ions);
-  kind("display.beside.waters", "Waters", report ? report->dropped_waters : 0, shown.waters);
-  ImGui::SameLine(left + half);
-  const std::size_t hydrogens =
-      report ? report->dropped_hydrogens + report->dropped_water_hydrogens : 0;
-  kind("display.beside.hydrogens", "Hydrogens", hydrogens, shown.hydrogens);
+  for (std::size_t n = 0; n < std::size(kBesideKinds); ++n) {
+    const BesideKind& kind = kBesideKinds[n];
+    if (n % 2 == 1) ImGui::SameLine(left + half);
+    ImGui::BeginDisabled(left_out[n] == 0);
+    checkbox(ctx, (std::string("display.beside.") + kind.id).c_str(), kind.title,
+             shown.*kind.member);
+    ImGui::EndDisabled();
+    const std::string text = left_out[n] == 0
+                                 ? "None is left out of the body."
+                                 : with_separators(static_cast<long long>(left_out[n])) +
+                                       " atoms that are no part of the body. They are drawn, not "
+                                       "computed: small balls in the colours of elements.";
+    tooltip(ctx, text.c_str());
+  }
   ImGui::Unindent();
 }
 
@@ -164,11 +158,6 @@ void draw_display(PanelContext& ctx) {
   balls(ctx);
   complex(ctx);
   beside_body(ctx);
-  checkbox(ctx, "display.occlusion", "Soft shadows at rest",
-           ctx.state.settings.display.ambient_occlusion);
-  tooltip(ctx,
-          "Crevices darken, and what is before the light casts a shadow. Left out while you turn a "
-          "large molecule.");
 }
 
 }  // namespace
@@ -181,33 +170,9 @@ namespace {
 
 void draw_look(PanelContext& ctx) {
   if (!section(ctx, "look", "Light")) return;
-  DisplayControls& d = ctx.state.settings.display;
-  row_label(ctx, "Depth cue");
-  percent_slider(ctx, "look.depth_cue", d.depth_cue, 0, 1);
-  tooltip(ctx, "What is far away fades into the background by so much.");
-  row_label(ctx, "Outlines");
-  double width = d.silhouettes;
-  if (value_slider(ctx, "look.silhouettes", width, 0, 4, kSilhouettesRule,
-                   number_text(width, 1) + " px")) {
-    d.silhouettes = static_cast<float>(std::round(width * 4) / 4);
+  for (const DisplayField& field : display_fields()) {
+    if (field.group == DisplayGroup::light) display_row(ctx, field);
   }
-  tooltip(ctx, "Width of the dark lines where something is before something else; 0: none.");
-  row_label(ctx, "Face lines");
-  double sides = d.face_edges;
-  if (value_slider(ctx, "look.face_edges", sides, 0, 4, kFaceEdgesRule,
-                   number_text(sides, 1) + " px")) {
-    d.face_edges = static_cast<float>(std::round(sides * 4) / 4);
-  }
-  tooltip(ctx,
-          "Width of the darker lines between triangles, where these are large enough; 0: none.");
-  row_label(ctx, "Samples");
-  double samples = d.samples;
-  if (value_slider(ctx, "look.samples", samples, 1, 16, kSamplesRule, std::to_string(d.samples))) {
-    d.samples = static_cast<int>(std::lround(samples));
-  }
-  tooltip(ctx,
-          "So many pictures are averaged at rest and in saved pictures: smooth edges and "
-          "shadows.");
 }
 
 }  // namespace

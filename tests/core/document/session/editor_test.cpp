@@ -117,6 +117,8 @@ TEST(Editor, SaysWhatWouldChange) {
   EXPECT_EQ(difference_text(plain, s), "solvent radius");
   s.open.balls.waters = true;
   s.display.balls = false;
+  EXPECT_EQ(difference_text(plain, s), "solvent radius, choice of atoms and balls");
+  s.display.edges = true;
   EXPECT_EQ(difference_text(plain, s), "solvent radius, choice of atoms and display");
   s = plain;
   s.open.balls.overrides.push_back({"HEM", "FE", 26, 1'000'000});

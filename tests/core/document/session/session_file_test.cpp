@@ -36,6 +36,7 @@ struct Counter {
     ++count;
   }
   void model(const char*, int) { ++count; }
+  void formerly(const char*, const char*) {}
 };
 
 template <class T>
@@ -108,8 +109,8 @@ SessionDocument unusual() {
        .complex_paint = {ColourBy::single, {}, {}, Rgb8{1, 2, 250}},
        .ambient_occlusion = false,
        .depth_cue = 0.17f,
-       .silhouettes = 2.25f,
-       .face_edges = 0.75f,
+       .outlines = 2.25f,
+       .face_lines = 0.75f,
        .samples = 5,
        .beside = {false, false, true, true}};
   s.settings.selection.items =
@@ -298,6 +299,29 @@ TEST(SessionFile, WhatIsUnknownIsToldAndLeftOut) {
   EXPECT_NE(read.notes[0].find("Line 3"), std::string::npos) << read.notes[0];
   EXPECT_NE(read.notes[0].find("\"display.glow\""), std::string::npos) << read.notes[0];
   EXPECT_NE(read.notes[1].find("Line 4"), std::string::npos) << read.notes[1];
+}
+
+TEST(SessionFile, FormerNamesAreReadAndTold) {
+  const ReadSession read = parse_session(
+      "S.json",
+      with(",\n\"display\": {\n\"silhouettes_pixels\": 3.5, \"face_edges_pixels\": 0.5 }"));
+  EXPECT_EQ(read.session.settings.display.outlines, 3.5f);
+  EXPECT_EQ(read.session.settings.display.face_lines, 0.5f);
+  ASSERT_EQ(read.notes.size(), 2u);
+  EXPECT_EQ(read.notes[0],
+            "Line 4: \"display.silhouettes_pixels\" is called \"outlines_pixels\" now. The older "
+            "name is still read in this version.");
+  const std::string told = fault(with(",\n\"display\": {\n\"silhouettes_pixels\": 9 }"));
+  EXPECT_NE(told.find("line 4: \"display.silhouettes_pixels\" is 9, and must be a number from 0 to "
+                      "4 pixels"),
+            std::string::npos)
+      << told;
+  // Beside the present name the former one is unknown.
+  const ReadSession both = parse_session(
+      "S.json", with(",\n\"display\": { \"outlines_pixels\": 1, \"silhouettes_pixels\": 3.5 }"));
+  EXPECT_EQ(both.session.settings.display.outlines, 1);
+  ASSERT_EQ(both.notes.size(), 1u);
+  EXPECT_NE(both.notes[0].find("does not know \"display.silhouettes_pixels\""), std::string::npos);
 }
 
 TEST(SessionFile, WhatIsNoSessionIsToldSo) {

@@ -1,0 +1,20 @@
+// The controls of single settings of the display: check boxes and sliders as the table of settings
+// (display_fields.hpp) describes them. A panel decides their order only.
+#pragma once
+
+#include "core/document/settings/display_fields.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace alphascope {
+
+// The name of the control: "display.ball_scale".
+std::string control_name(const DisplayField& field);
+
+// Draws a check box, or a label and a slider, for a switch or a number, with its explanation.
+void display_row(PanelContext& ctx, const DisplayField& field);
+void display_row(PanelContext& ctx, DisplayField::Member member);
+
+// Draws the slider of a number under another name, without its label.
+void display_slider(PanelContext& ctx, const DisplayField& field, const char* name);
+
+}  // namespace alphascope

@@ -66,7 +66,7 @@ int main(int argc, char** argv) try {
   SceneStyle style;
   style.complex_opacity = opacity;
   style.depth_cue = 0.4f;
-  style.silhouettes = 1.5f;
+  style.outlines = 1.5f;
   style.samples = kMostSamples;
   scene.set_style(style);
   std::printf("%zu balls, %zu tetrahedra, %zu faces in the mesh, %d x %d\n",

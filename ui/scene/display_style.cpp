@@ -29,8 +29,8 @@ SceneStyle scene_style(const DisplayControls& display, Theme theme) {
   style.cavity_opacity = display.cavity_opacity;
   style.ambient_occlusion = display.ambient_occlusion;
   style.depth_cue = display.depth_cue;
-  style.silhouettes = display.outlines;
-  style.side_width = display.face_lines;
+  style.outlines = display.outlines;
+  style.face_lines = display.face_lines;
   style.rod_radius = display.edge_thickness / 2;
   style.samples = display.samples;
   style.orthographic = display.orthographic;

@@ -38,8 +38,8 @@ struct SceneStyle {
   bool orthographic = false;  // no perspective
   Cut cut{};                  // applies to everything; balls are closed where they are cut
   float depth_cue = 0;        // share of the background colour at the greatest depth, 0 to 1
-  float silhouettes = 0;      // width in pixels at line_scale 1; 0: none
-  float side_width = 0;       // darker lines around faces, pixels at line_scale 1; 0: none
+  float outlines = 0;         // width in pixels at line_scale 1; 0: none
+  float face_lines = 0;       // darker lines around faces, pixels at line_scale 1; 0: none
   float rod_radius = 0.06f;   // of edges, Å
   int samples = 4;            // of each pixel of a fine picture, 1 to kMostSamples
   friend bool operator==(const SceneStyle&, const SceneStyle&) = default;

@@ -18,7 +18,7 @@ constexpr int kOcclusionTaps = 160, kLeastTaps = 10, kMostTaps = 40;
 constexpr float kNearOcclusion = 5.5f;  // Å: about two atoms
 constexpr double kFarOcclusion = 0.07;  // of the diagonal of the box around all balls
 constexpr float kShadowReach = 2;       // times the larger radius of occlusion
-// A silhouette marks a jump in depth. The jump is at least this many widths of the silhouette, this
+// An outline marks a jump in depth. The jump is at least this many widths of the outline, this
 // share of the visible depth, and this many Å.
 constexpr double kJumpPixels = 6, kJumpShare = 0.02, kLeastJump = 1.2;
 constexpr Colour kLineOnLight{0.08f, 0.09f, 0.11f}, kLineOnDark{0, 0, 0};
@@ -54,7 +54,7 @@ void Scene::Impl::apply_finish(RenderQuality quality, bool transparent) {
   for (std::size_t k = 0; k < 3; ++k) finish.light[k] = static_cast<float>(kKeyLight[k]);
   finish.shadow_reach = kShadowReach * finish.far_radius;
   finish.depth_cue = style.depth_cue;
-  finish.silhouette_width = style.silhouettes * style.line_scale * static_cast<float>(samples);
+  finish.outline_width = style.outlines * style.line_scale * static_cast<float>(samples);
   finish.background = palette(style.theme).scene;
   finish.line = style.theme == Theme::light ? kLineOnLight : kLineOnDark;
   finish.transparent = transparent;
@@ -75,9 +75,9 @@ void Scene::Impl::add_sample(int width, int height) {
 
 // The least jump grows with the visible size. Otherwise a large molecule seen whole would have an
 // outline around each atom and show little else.
-double Scene::Impl::silhouette_jump(double size) const {
+double Scene::Impl::outline_jump(double size) const {
   const double pixel = angstrom_per_pixel(), seen = std::min(size, 1.5 * pixel * picture_height);
-  return std::max({kLeastJump, kJumpPixels * finish.silhouette_width * pixel, kJumpShare * seen});
+  return std::max({kLeastJump, kJumpPixels * finish.outline_width * pixel, kJumpShare * seen});
 }
 
 Scene::Impl::ForOnePicture::ForOnePicture(Impl& scene, bool transparent) : scene_(scene) {

@@ -261,7 +261,7 @@ void Scene::Impl::give_lines() {
   const double pixel =
       style.orthographic ? angstrom_per_pixel() : pixel_spread(sight(), picture_height);
   CellLines lines;
-  lines.side_width = style.side_width * static_cast<float>(samples) * style.line_scale;
+  lines.face_lines = style.face_lines * static_cast<float>(samples) * style.line_scale;
   lines.rod_radius = style.rod_radius;
   lines.rod_radius_per_depth = static_cast<float>(kLeastRod * style.line_scale * pixel);
   for (CellActor* c : cells()) c->mapper->set_lines(lines);
@@ -282,7 +282,7 @@ void Scene::Impl::draw(int width, int height) {
   }
   cap_edges.actor->GetProperty()->SetLineWidth(1.0f * width_scale);
   const auto box = visible_box();
-  finish.silhouette_jump = static_cast<float>(silhouette_jump(box ? diagonal(*box) : 0));
+  finish.outline_jump = static_cast<float>(outline_jump(box ? diagonal(*box) : 0));
   const double back = style.orthographic && box ? kStepBack * diagonal(*box) : 0;
   step_back(back);
   if (box) renderer->ResetCameraClippingRange(box->data());

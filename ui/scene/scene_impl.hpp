@@ -135,9 +135,9 @@ struct Scene::Impl {
   // change of distance.
   void follow_zoom();
   Sight sight() const;
-  double angstrom_per_pixel() const;          // at the focal point
-  double silhouette_jump(double size) const;  // least jump in depth with an outline, Å; `size`:
-                                              // diagonal of the drawing, Å
+  double angstrom_per_pixel() const;       // at the focal point
+  double outline_jump(double size) const;  // least jump in depth with an outline, Å; `size`:
+                                           // diagonal of the drawing, Å
 
   // Settings for one picture that is saved; the destructor restores those of the view.
   class ForOnePicture {

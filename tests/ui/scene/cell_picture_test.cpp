@@ -151,7 +151,7 @@ TEST_F(CellPicture, FacesHaveDarkerLinesAroundThem) {
   EXPECT_EQ(green(plain, kWidth / 2, kHeight / 2), green(plain, kWidth / 2 + 20, kHeight / 2));
   int last = 0;
   for (const float width : {1.0f, 3.0f}) {
-    style_.side_width = width;
+    style_.face_lines = width;
     const Image lines = drawn();
     // The line between the two faces is a diagonal through the middle.
     int darkest = 255;
@@ -172,7 +172,7 @@ TEST_F(CellPicture, FacesAsSmallAsTheirLinesHaveNone) {
   scene_.set_viewpoint({{0, 0, 4000}, {0, 0, 0}, {0, 1, 0}, 0});
   const Image plain = drawn();
   ASSERT_GT(testing::drawn_pixels(plain), 0);
-  style_.side_width = 1;
+  style_.face_lines = 1;
   EXPECT_EQ(testing::unequal_pixels(plain, drawn()), 0);
 }
 
@@ -240,12 +240,12 @@ TEST_F(TwoPlates, FrontsOfWhatIsTranslucentAreFinishedToo) {
   style_.complex_opacity = 0.6;
   const Image plain = drawn();
   const double beside = 2 + 1.5 / pixels_per_angstrom();
-  style_.silhouettes = 2;
+  style_.outlines = 2;
   const Image outlined = drawn();
   EXPECT_LT(green_at(outlined, beside, 0), 0.5 * green_at(plain, beside, 0));
   EXPECT_EQ(green_at(outlined, 0, 0), green_at(plain, 0, 0));
   EXPECT_EQ(green_at(outlined, 4, 0), green_at(plain, 4, 0));
-  style_.silhouettes = 0;
+  style_.outlines = 0;
   style_.depth_cue = 1;
   const Image faded = drawn();
   EXPECT_LT(green_at(faded, 4, 0), green_at(plain, 4, 0) - 20);
@@ -261,7 +261,7 @@ TEST_F(TwoPlates, WhatIsOpaqueHidesOutlinesOfWhatIsTranslucent) {
   style_.complex_opacity = 0.6;
   style_.balls = true;
   const Image plain = drawn();
-  style_.silhouettes = 2;
+  style_.outlines = 2;
   const Image outlined = drawn();
   for (const double away : {-0.1, 0.05, 0.1}) {  // the ball is drawn with a radius of 0.3 Å
     EXPECT_EQ(green_at(outlined, 2 + away, 2), green_at(plain, 2 + away, 2)) << away;

@@ -153,7 +153,7 @@ TEST_F(SceneTest, AMovingTranslucentTetrahedronShowsItsFront) {
   const auto draft = [&](double opacity) {
     SceneStyle style{.balls = false, .complex_opacity = opacity};
     style.ambient_occlusion = false;
-    style.depth_cue = style.silhouettes = style.side_width = 0;
+    style.depth_cue = style.outlines = style.face_lines = 0;
     scene.set_style(style);
     scene.render(400, 300, RenderQuality::draft);
     return testing::texture_pixels(scene.texture());
@@ -195,7 +195,7 @@ SceneStyle plain_style(double complex_opacity, Theme theme) {
   SceneStyle style{.balls = false, .complex_opacity = complex_opacity};
   style.theme = theme;
   style.ambient_occlusion = false;
-  style.depth_cue = style.silhouettes = 0;
+  style.depth_cue = style.outlines = 0;
   return style;
 }
 
@@ -252,7 +252,7 @@ TEST_F(SceneTest, AsMuchShinesThroughTranslucentLayersThatMove) {
     std::array<Image, 2> pictures;
     for (const Theme theme : {Theme::dark, Theme::light}) {
       SceneStyle style = plain_style(drawn ? kOpacity : 1e-6, theme);
-      style.side_width = 0;
+      style.face_lines = 0;
       scene.set_style(style);
       scene.render(1200, 900, quality);
       pictures[theme == Theme::light] = testing::texture_pixels(scene.texture());
@@ -445,7 +445,7 @@ TEST_F(SceneTest, SamplesAddUpToThePictureOfAFileAndStartAgainAtAMove) {
   load(0);
   SceneStyle style;
   style.depth_cue = 0.5f;
-  style.silhouettes = 2;
+  style.outlines = 2;
   style.samples = 5;
   scene.set_style(style);
   const Image file = scene.grab(160, 100, false);
@@ -491,7 +491,7 @@ TEST_F(SceneTest, TransparentPicturesHaveTheSameShadows) {
 TEST_F(SceneTest, ShadowsAndOutlinesFollowTheSizeOfTheView) {
   load(0);
   SceneStyle style;
-  style.silhouettes = 2;
+  style.outlines = 2;
   SceneStyle plain;
   plain.ambient_occlusion = false;
   for (const RenderQuality quality : {RenderQuality::medium, RenderQuality::fine}) {

@@ -301,7 +301,7 @@ void CellMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer*
   program->SetUniformi("smoothed", smoothed ? 1 : 0);
   program->SetUniformi("litByFace", built_lit_by_face_ ? 1 : 0);
   program->SetUniformf("shrink", shrink_);
-  program->SetUniformf("sideWidth", lines_.side_width);
+  program->SetUniformf("faceLines", lines_.face_lines);
 }
 
 void CellMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {

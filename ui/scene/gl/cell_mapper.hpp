@@ -55,7 +55,7 @@ struct BallPlaces {
 
 // Widths of lines; changing them needs no new cells.
 struct CellLines {
-  float side_width = 0;  // of the darker lines around faces, pixels; 0: none
+  float face_lines = 0;  // of the darker lines around faces, pixels; 0: none
   float rod_radius = 0;  // of edges, Å
   // The least radius that is drawn: Å for each Å of depth. Without perspective it is in Å at any
   // depth.

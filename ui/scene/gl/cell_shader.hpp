@@ -110,7 +110,7 @@ inline constexpr const char* kFacesFetched = R"(
 )";
 inline constexpr const char* kFacesToFragments = R"(
 uniform int smoothed;
-uniform float sideWidth;  // of the darker lines around a face, pixels; 0: none
+uniform float faceLines;  // of the darker lines around a face, pixels; 0: none
 flat in uint cellColourVSOutput;
 flat in uint faceColourVSOutput;
 in vec2 cellCornerVSOutput;
@@ -120,7 +120,7 @@ in vec3 cellNormalVSOutput;
 inline constexpr const char* kFacesUniform = R"(
   vec3 cellCorner = vec3(cellCornerVSOutput, 1.0 - cellCornerVSOutput.x - cellCornerVSOutput.y);
   vec3 cellSlope = vec3(0.0);  // of cellCorner, for each pixel
-  if (sideWidth > 0.0) {
+  if (faceLines > 0.0) {
     vec3 right = dFdx(cellCorner), up = dFdy(cellCorner);
     cellSlope = max(sqrt(right * right + up * up), 1e-6);
   }
@@ -129,12 +129,12 @@ inline constexpr const char* kFacesUniform = R"(
 // lines have none.
 inline constexpr const char* kFacesColoured = R"(
   float cellShade = 1.0;
-  if (sideWidth > 0.0) {
+  if (faceLines > 0.0) {
     vec3 away = cellCorner / cellSlope;  // from the sides, pixels
     float nearest = min(away.x, min(away.y, away.z));
     float height = 1.0 / max(cellSlope.x, max(cellSlope.y, cellSlope.z));
-    float line = 1.0 - smoothstep(0.5 * sideWidth - 0.5, 0.5 * sideWidth + 0.5, nearest);
-    cellShade = 1.0 - 0.5 * line * smoothstep(4.0, 14.0, height / sideWidth);
+    float line = 1.0 - smoothstep(0.5 * faceLines - 0.5, 0.5 * faceLines + 0.5, nearest);
+    cellShade = 1.0 - 0.5 * line * smoothstep(4.0, 14.0, height / faceLines);
   }
   vec3 cellColour = cellShade * colourOf(cellColourVSOutput);
   ambientColor = ambientIntensity * cellColour;

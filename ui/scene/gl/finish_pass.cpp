@@ -44,7 +44,7 @@ void FinishPass::give(vtkOpenGLRenderer* renderer, const Finish& f, vtkShaderPro
   const double* range = camera->GetClippingRange();
   const float cue[] = {f.depth_cue, static_cast<float>(range[0] + kCueFrom * (range[1] - range[0])),
                        static_cast<float>(range[1])};
-  const float silhouette[] = {f.silhouette_width, f.silhouette_jump};
+  const float outline[] = {f.outline_width, f.outline_jump};
   const float background[] = {f.background.r, f.background.g, f.background.b,
                               f.transparent ? 0.0f : 1.0f};
   const float line[] = {f.line.r, f.line.g, f.line.b};
@@ -59,7 +59,7 @@ void FinishPass::give(vtkOpenGLRenderer* renderer, const Finish& f, vtkShaderPro
   program->SetUniform3f("light", f.light.data());
   program->SetUniformf("shadowReach", f.shadow_reach);
   program->SetUniform3f("cue", cue);
-  program->SetUniform2f("silhouette", silhouette);
+  program->SetUniform2f("outline", outline);
   program->SetUniform4f("background", background);
   program->SetUniform3f("lineColour", line);
 }

@@ -1,4 +1,4 @@
-// Ambient occlusion on two scales, shadows, fading with depth, and silhouettes. They are applied to
+// Ambient occlusion on two scales, shadows, fading with depth, and outlines. They are applied to
 // the picture after VTK has drawn its opaque things, and before translucent ones. A second step
 // applies them to the fronts of translucent things. All inputs are colours and depths, so that
 // balls, faces, lines, cuts and both kinds of camera work alike. For sources of the scene only.
@@ -22,15 +22,15 @@ struct Finish {
   int turn = 0;                               // number of the sample, which turns the pattern
   float depth_cue = 0;                        // share of the background colour at the greatest
                                               // depth, 0 to 1
-  float silhouette_width = 0;                 // pixels; 0: none
-  float silhouette_jump = 1;                  // least jump in depth with a silhouette, Å
+  float outline_width = 0;                    // pixels; 0: none
+  float outline_jump = 1;                     // least jump in depth with an outline, Å
   Colour background;
   bool transparent = false;  // no background; distant things become transparent instead of fading
                              // to it
-  Colour line;               // colour of silhouettes
+  Colour line;               // colour of outlines
   // Opacity of the most opaque translucent things, whose fronts are finished; 0: none.
   float translucent_opacity = 0;
-  bool any() const { return occlusion_taps > 0 || depth_cue > 0 || silhouette_width > 0; }
+  bool any() const { return occlusion_taps > 0 || depth_cue > 0 || outline_width > 0; }
 };
 
 class FinishPass {

@@ -17,7 +17,7 @@ namespace alphascope {
 // ray has a limited length. The light is a disc: each pixel of a block and each sample uses another
 // point of it.
 //
-// A silhouette is drawn on the farther surface, if a nearer one is in front by more than the jump.
+// An outline is drawn on the farther surface, if a nearer one is in front by more than the jump.
 //
 // With TRANSLUCENT the picture is complete. Only translucent fronts that nothing opaque hides are
 // darkened, faded and outlined, in proportion to their opacity.
@@ -36,7 +36,7 @@ uniform float strength;     // of occlusion, 0 to 1
 uniform vec3 light;         // towards the key light
 uniform float shadowReach;  // of shadows, Å
 uniform vec3 cue;           // how much of the farthest is background; from and to which depth, Å
-uniform vec2 silhouette;    // width in pixels, 0: none; jump in Å
+uniform vec2 outline;    // width in pixels, 0: none; jump in Å
 uniform vec4 background;    // alpha 0: a transparent picture
 uniform vec3 lineColour;
 #ifdef TRANSLUCENT
@@ -153,8 +153,8 @@ void main() {
   }
 #endif
   float nearest = 1.0;  // depth in the circle around the pixel, without marks
-  int corners = silhouette.x > 0.0 && !mark ? 8 : 0;
-  vec2 by = silhouette.x * vec2(0.9238795, 0.3826834);
+  int corners = outline.x > 0.0 && !mark ? 8 : 0;
+  vec2 by = outline.x * vec2(0.9238795, 0.3826834);
   for (int i = 0; i < corners; ++i) {
     ivec2 beside = ivec2(gl_FragCoord.xy + by);
     float there = depthAt(beside);
@@ -162,7 +162,7 @@ void main() {
     by = 0.7071068 * vec2(by.x - by.y, by.x + by.y);
   }
   float ahead = -zOf(nearest);
-  float line = smoothstep(0.7, 1.3, (-place.z - ahead) / silhouette.y);
+  float line = smoothstep(0.7, 1.3, (-place.z - ahead) / outline.y);
   float faded = drawn && !mark ? cue.x * clamp((-place.z - cue.y) / (cue.z - cue.y), 0.0, 1.0) : 0.0;
   faded *= share;
   colour.rgb *= mix(1.0, visible, share);

@@ -11,6 +11,7 @@
 #include "core/document/commands/number_input.hpp"
 #include "core/document/picture/frame_names.hpp"
 #include "core/document/picture/recording.hpp"
+#include "core/document/settings/display_help.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/files/output_ending.hpp"
 #include "core/read/file_format.hpp"
@@ -206,6 +207,7 @@ OptionProgram table(ViewerOptions& o) {
       record_size_option(o),
       script_option(o),
       flag_option("--script-help", "List the commands of scripts and exit", o.script_help),
+      flag_option("--display-help", "List the settings of the display and exit", o.display_help),
       shot_option(o)};
   program.notes = {
       {"Examples",
@@ -235,6 +237,9 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   } else if (options.script_help) {
     parsed.exit_code = 0;
     parsed.text = script_help();
+  } else if (options.display_help) {
+    parsed.exit_code = 0;
+    parsed.text = display_help();
   }
   return parsed;
 }

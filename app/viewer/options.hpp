@@ -30,7 +30,8 @@ struct ViewerOptions {
   // Folder of the preferences. Empty: preferences are neither read nor written.
   std::filesystem::path preferences;
   bool preferences_given = false;
-  bool script_help = false;  // print the help on scripts, then exit
+  bool script_help = false;   // print the help on scripts, then exit
+  bool display_help = false;  // print the settings of the display, then exit
   // For a hidden window: panels are drawn only in frames that become a saved picture.
   bool draw_shots_only = false;
   // Assumed free memory for drawing, 10^6 bytes. None: the measured value.

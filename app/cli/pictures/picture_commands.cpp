@@ -63,10 +63,12 @@ Option display_option(const DisplayField& field, DisplayChanges& changes) {
   return option;
 }
 
+// Those of switches and numbers; paint_option() makes those of colours.
 Options display_options(DisplayChanges& changes) {
   Options options;
   for (const DisplayField& field : display_fields()) {
-    if (field.option.name[0] != '\0') options.push_back(display_option(field, changes));
+    if (field.option.name[0] == '\0' || is_paint(field)) continue;
+    options.push_back(display_option(field, changes));
   }
   return options;
 }
@@ -157,7 +159,7 @@ Options picture_options(ScreenshotCommandOptions& options) {
            "The distance of two atoms, the angle of three or the dihedral angle of "
            "four, into the picture: \"A:HIS 87:NE2; A:HEM 142:FE\"; commas between several"},
           options.annotations.measurements),
-      paint_option({"--colours", "PAINT",
+      paint_option({display_field(&DisplayControls::ball_paint).option.name, "PAINT",
                     "What balls are coloured by: " + scheme_ids(Painted::balls) +
                         ", or a colour such as #5aa9e6; a quantity also with a colour map (" +
                         colour_map_ids() + ") and a range: b_factor,cividis,0:60"},
@@ -165,7 +167,7 @@ Options picture_options(ScreenshotCommandOptions& options) {
                    [&options](const std::string& text) {
                      options.ball_paint = paint_from(text, Painted::balls);
                    }),
-      paint_option({"--simplex-colours", "PAINT",
+      paint_option({display_field(&DisplayControls::complex_paint).option.name, "PAINT",
                     "What simplices are coloured by: balls (as the balls, or in one colour where "
                     "they cannot be), " +
                         scheme_ids(Painted::simplices) + ", or a colour"},

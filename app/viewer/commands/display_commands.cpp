@@ -94,11 +94,11 @@ void add_display_switches(Commands& commands, ViewState& s) {
     commands.add(display_command(s, field));
   }
   for (const BesideKind& kind : kBesideKinds) {
-    commands.add(with_switch(
-        {.id = std::string("view.left_out_") + kind.id,
-         .title = std::string(kind.title) + " beside the body",
-         .help = std::string("Draws ") + kind.id + " that are no part of the body"},
-        s.settings.display.beside.*kind.member));
+    commands.add(
+        with_switch({.id = command_of(kind),
+                     .title = std::string(kind.title) + " beside the body",
+                     .help = std::string("Draws ") + kind.id + " that are no part of the body"},
+                    s.settings.display.beside.*kind.member));
   }
 }
 

@@ -1,12 +1,5 @@
-// The table of the settings of the display, and access to their values by row.
+// The table of the settings of the display. display_values.cpp reads and sets their values.
 #include "core/document/settings/display_fields.hpp"
-
-#include <charconv>
-#include <cmath>
-#include <stdexcept>
-#include <type_traits>
-
-#include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {
 namespace {
@@ -182,6 +175,7 @@ constexpr DisplayField kFields[] = {
      .label = "Colour by",
      .help = "Chooses what the colours of balls mean",
      .command = "view.colour_balls",
+     .option = {"--colours"},
      .painted = Painted::balls,
      .kept_by_presets = true,
      .menu = "View",
@@ -195,6 +189,7 @@ constexpr DisplayField kFields[] = {
      .label = "Colour by",
      .help = "Chooses what the colours of simplices mean",
      .command = "view.colour_simplices",
+     .option = {"--simplex-colours"},
      .painted = Painted::simplices,
      .kept_by_presets = true,
      .menu = "View",
@@ -228,8 +223,9 @@ constexpr DisplayField kFields[] = {
      .label = "Outlines",
      .help = "Width of the dark lines where one thing is far before another, in pixels; 0: none",
      .command = "view.outlines",
-     .option = {"--outlines", "Width of outlines in pixels of a picture of 1280x800; they grow with "
-                              "the size"},
+     .option = {"--outlines",
+                "Width of outlines in pixels of a picture of 1280x800; they grow with "
+                "the size"},
      .rule = {"The width of outlines", 0, 4, "pixels"},
      .step = 0.25,
      .former_key = "silhouettes_pixels"},
@@ -239,7 +235,8 @@ constexpr DisplayField kFields[] = {
      .group = DisplayGroup::light,
      .title = "Face lines",
      .label = "Face lines",
-     .help = "Width of the darker lines between triangles that are large enough, in pixels; 0: none",
+     .help =
+         "Width of the darker lines between triangles that are large enough, in pixels; 0: none",
      .command = "view.face_lines",
      .option = {"--face-lines", "Width of the darker lines around faces, likewise"},
      .rule = {"The width of face lines", 0, 4, "pixels"},
@@ -270,114 +267,10 @@ constexpr DisplayField kFields[] = {
      .menu = "View",
      .shortcut = "O"}};
 
-template <class Value>
-constexpr bool kIsPaint = std::is_same_v<std::remove_cvref_t<Value>, Paint>;
-
-bool same(const DisplayField& field, const DisplayControls& a, const DisplayControls& b) {
-  return std::visit([&](auto member) { return a.*member == b.*member; }, field.member);
-}
-
-std::string text_of(bool value) {
-  return value ? "on" : "off";
-}
-std::string text_of(float value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-std::string text_of(int value) {
-  return std::to_string(value);
-}
-std::string text_of(const Paint& value) {
-  return paint_text(value);
-}
-
 }  // namespace
 
 std::span<const DisplayField> display_fields() {
   return kFields;
-}
-
-const DisplayField& display_field(DisplayField::Member member) {
-  for (const DisplayField& field : kFields) {
-    if (field.member == member) return field;
-  }
-  throw std::logic_error("a setting of the display has no row in the table");
-}
-
-bool is_switch(const DisplayField& field) {
-  return std::holds_alternative<bool D::*>(field.member);
-}
-
-bool is_paint(const DisplayField& field) {
-  return std::holds_alternative<Paint D::*>(field.member);
-}
-
-bool is_number(const DisplayField& field) {
-  return !is_switch(field) && !is_paint(field);
-}
-
-double number_of(const DisplayField& field, const DisplayControls& display) {
-  return std::visit(
-      [&](auto member) -> double {
-        if constexpr (kIsPaint<decltype(display.*member)>) {
-          throw std::logic_error("a paint is no number");
-        } else {
-          return static_cast<double>(display.*member);
-        }
-      },
-      field.member);
-}
-
-void set_number(const DisplayField& field, DisplayControls& display, double value) {
-  std::visit(
-      [&](auto member) {
-        using Value = std::remove_cvref_t<decltype(display.*member)>;
-        if constexpr (kIsPaint<Value>) {
-          throw std::logic_error("a paint is no number");
-        } else if constexpr (std::is_same_v<Value, int>) {
-          display.*member = static_cast<int>(std::lround(value));
-        } else if constexpr (std::is_same_v<Value, bool>) {
-          display.*member = value != 0;
-        } else {
-          display.*member = static_cast<Value>(value);
-        }
-      },
-      field.member);
-}
-
-std::string value_text(const DisplayField& field, const DisplayControls& display) {
-  return std::visit([&](auto member) { return text_of(display.*member); }, field.member);
-}
-
-std::string range_text(const DisplayField& field) {
-  const NumberRule& rule = field.rule;
-  return shortest_number(rule.least) + " to " + shortest_number(rule.most);
-}
-
-std::string name_of(const DisplayField& field) {
-  std::string name = field.title;
-  name.front() = static_cast<char>(name.front() - 'A' + 'a');
-  return name;
-}
-
-void copy_group(DisplayGroup group, const DisplayControls& from, DisplayControls& to) {
-  for (const DisplayField& field : kFields) {
-    if (field.group != group) continue;
-    std::visit([&](auto member) { to.*member = from.*member; }, field.member);
-  }
-}
-
-std::string difference_of(const DisplayControls& a, const DisplayControls& b) {
-  if (a == b) return {};
-  std::string name;
-  const auto note = [&name](const std::string& differs) {
-    name = name.empty() ? differs : "display";
-  };
-  for (const DisplayField& field : kFields) {
-    if (!same(field, a, b)) note(name_of(field));
-  }
-  if (a.beside != b.beside) note("atoms beside the body");
-  return name;
 }
 
 }  // namespace alphascope

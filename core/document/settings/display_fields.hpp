@@ -34,18 +34,18 @@ struct DisplayField {
   const char* help;   // a sentence or a noun phrase without full stop
   const char* command;
   DisplayOption option = {};
-  NumberRule rule = {"", 0, 0};         // of a number
-  double step = 0;                      // of the slider
-  double slider_most = 0;               // the slider's end if it is below that of the rule
-  bool percent = false;                 // the control shows a share in percent
-  Painted painted = Painted::balls;     // of a paint
-  bool kept_by_presets = false;         // presets leave it as it is
-  bool needs_whole_complex = false;     // has no effect with “Tetrahedra only”
-  const char* menu = "";                // of a switch
-  bool line_above = false;              // in the menu
-  const char* shortcut = "";            // of a switch: "B"
-  const char* synonyms = "";            // more words to find the command by
-  const char* former_key = "";          // in session files of older versions
+  NumberRule rule = {"", 0, 0};      // of a number
+  double step = 0;                   // of the slider
+  double slider_most = 0;            // the slider's end if it is below that of the rule
+  bool percent = false;              // the control shows a share in percent
+  Painted painted = Painted::balls;  // of a paint
+  bool kept_by_presets = false;      // presets leave it as it is
+  bool needs_whole_complex = false;  // has no effect with “Tetrahedra only”
+  const char* menu = "";             // of a switch
+  bool line_above = false;           // in the menu
+  const char* shortcut = "";         // of a switch: "B"
+  const char* synonyms = "";         // more words to find the command by
+  const char* former_key = "";       // in session files of older versions
 };
 
 // In the order of session files.
@@ -77,11 +77,12 @@ struct BesideKind {
   const char* title;
   bool AtomsBesideBody::*member;
 };
-inline constexpr BesideKind kBesideKinds[] = {{"ligands", "Ligands", &AtomsBesideBody::ligands},
-                                              {"ions", "Ions", &AtomsBesideBody::ions},
-                                              {"waters", "Waters", &AtomsBesideBody::waters},
-                                              {"hydrogens", "Hydrogens",
-                                               &AtomsBesideBody::hydrogens}};
+inline constexpr BesideKind kBesideKinds[] = {
+    {"ligands", "Ligands", &AtomsBesideBody::ligands},
+    {"ions", "Ions", &AtomsBesideBody::ions},
+    {"waters", "Waters", &AtomsBesideBody::waters},
+    {"hydrogens", "Hydrogens", &AtomsBesideBody::hydrogens}};
+std::string command_of(const BesideKind& kind);  // "view.left_out_ligands"
 
 // The name of the one setting that differs, "display" for several; empty: none differs.
 std::string difference_of(const DisplayControls& a, const DisplayControls& b);

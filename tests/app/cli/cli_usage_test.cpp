@@ -172,9 +172,9 @@ TEST_F(CliUsage, NoTerminalGetsEscapeSequences) {
 
 // Every word in the sources that looks like an option is an option of a program.
 TEST_F(CliUsage, MessagesNameOptionsThatExist) {
-  std::set<std::string> known{"--script", "--shot",     "--session",       "--lesson",
-                              "--record", "--light",    "--script-help",   "--no-compare",
-                              "--size",   "--no-times", "--record-seconds"};
+  std::set<std::string> known{"--script", "--shot",     "--session",        "--lesson",
+                              "--record", "--light",    "--script-help",    "--no-compare",
+                              "--size",   "--no-times", "--record-seconds", "--display-help"};
   for (const std::string& command : commands()) known.merge(options(command, false));
   known.merge(options("", false));
   const std::regex option("(^|[ (\"])(--[a-z][a-z-]*[a-z])");

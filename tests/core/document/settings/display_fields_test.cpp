@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <string>
 
+#include "core/document/settings/display_help.hpp"
 #include "core/document/settings/display_preset.hpp"
 
 namespace alphascope {
@@ -79,6 +82,16 @@ TEST(DisplayFields, ADifferenceHasTheNameOfItsSetting) {
   b = a;
   b.complex_paint.by = ColourBy::alpha;
   EXPECT_EQ(difference_of(a, b), "colours of simplices");
+}
+
+TEST(DisplayFields, TheHelpHasALineForEach) {
+  const std::string help = display_help();
+  EXPECT_EQ(static_cast<std::size_t>(std::count(help.begin(), help.end(), '\n')),
+            1 + display_fields().size() + std::size(kBesideKinds));
+  EXPECT_NE(help.find("\n  Thickness of edges "), std::string::npos) << help;
+  EXPECT_NE(help.find("  0.02 to 1 Å  "), std::string::npos) << help;
+  EXPECT_NE(help.find("  --beside  "), std::string::npos) << help;
+  EXPECT_NE(help.find("  edge_thickness_angstrom\n"), std::string::npos) << help;
 }
 
 // A group is copied whole, and nothing else.

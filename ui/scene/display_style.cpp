@@ -28,6 +28,7 @@ SceneStyle scene_style(const DisplayControls& display, Theme theme) {
   style.complex_opacity = display.complex_opacity;
   style.cavity_opacity = display.cavity_opacity;
   style.ambient_occlusion = display.ambient_occlusion;
+  style.shadow_strength = display.shadow_strength;
   style.depth_cue = display.depth_cue;
   style.outlines = display.outlines;
   style.face_lines = display.face_lines;

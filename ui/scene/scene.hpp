@@ -33,7 +33,8 @@ struct SceneStyle {
   double complex_opacity = 1;  // above 0, at most 1
   double cavity_opacity = 1;   // of translucent layers; above 0, at most 1
   bool ambient_occlusion = true;
-  float line_scale = 1;  // factor on the widths of lines; larger on a dense screen
+  float shadow_strength = 1;  // of ambient occlusion and shadows, 0 to 1
+  float line_scale = 1;       // factor on the widths of lines; larger on a dense screen
   Theme theme = Theme::dark;
   bool orthographic = false;  // no perspective
   Cut cut{};                  // applies to everything; balls are closed where they are cut

@@ -47,6 +47,7 @@ void Scene::Impl::apply_finish(RenderQuality quality, bool transparent) {
     const int shared_by = quality == RenderQuality::fine ? style.samples : 1;
     finish.occlusion_taps = std::clamp(kOcclusionTaps / shared_by, kLeastTaps, kMostTaps);
   }
+  finish.occlusion_strength = style.shadow_strength;
   finish.near_radius = kNearOcclusion;
   const auto& b = balls->bounds;
   const double size = diagonal({b[0], b[1], b[2], b[3], b[4], b[5]});

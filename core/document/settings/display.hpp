@@ -30,6 +30,7 @@ struct DisplayControls {
   bool smooth_boundary = false;     // smooth light on the boundary
   Paint ball_paint, complex_paint;  // colours of balls and of simplices
   bool ambient_occlusion = true;
+  float shadow_strength = 1;  // of the soft shadows; 0: none
   float depth_cue = 0.4f;     // share of the background colour at the greatest depth; 0: nothing
                               // fades
   float outlines = 1.5f;      // width, pixels at scale 1; 0: none

@@ -231,9 +231,17 @@ TEST_F(TwoPlates, WhatIsBeforeTheLightCastsAShadow) {
   style_.samples = 8;
   const Image image = drawn();
   EXPECT_LT(green_at(image, 3, 3), green_at(image, -3, -3) - 15);
+  const int usual = green_at(image, 3, 3);
+  style_.shadow_strength = 0.5f;
+  const int weaker = green_at(drawn(), 3, 3);
+  style_.shadow_strength = 0;
+  const int none = green_at(drawn(), 3, 3);
+  EXPECT_GT(weaker, usual + 5);
+  EXPECT_GT(none, weaker + 5);
   style_.ambient_occlusion = false;
   const Image plain = drawn();
   EXPECT_EQ(green_at(plain, 3, 3), green_at(plain, -3, -3));
+  EXPECT_EQ(none, green_at(plain, 3, 3));
 }
 
 TEST_F(TwoPlates, FrontsOfWhatIsTranslucentAreFinishedToo) {

@@ -182,6 +182,8 @@ TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
       {"opacity", nothing, [](auto& c) { c.complex_opacity = 0.4f; }},
       {"colour", nothing, [](auto& c) { c.complex_paint.by = ColourBy::alpha; }},
       {"soft shadows", nothing, [](auto& c) { c.ambient_occlusion = true; }},
+      {"strength of shadows", [](auto& c) { c.ambient_occlusion = true; },
+       [](auto& c) { c.shadow_strength = 0.3f; }},
       {"depth cue", nothing, [](auto& c) { c.depth_cue = 0.8f; }},
       {"outlines", nothing, [](auto& c) { c.outlines = 3; }}};
   for (const auto& [name, before, change] : switches) {

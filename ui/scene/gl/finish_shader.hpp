@@ -32,7 +32,7 @@ uniform ivec2 size;         // pixels
 uniform int tapCount;       // of each scale; 0: no occlusion
 uniform int turn;           // of the spiral, of sixteen
 uniform vec2 radii;         // of both scales, Å
-uniform float strength;     // of occlusion, 0 to 1
+uniform float strength;     // of occlusion and shadows, 0 to 1
 uniform vec3 light;         // towards the key light
 uniform float shadowReach;  // of shadows, Å
 uniform vec3 cue;           // how much of the farthest is background; from and to which depth, Å
@@ -124,7 +124,7 @@ float lit(vec3 place, vec3 normal, vec2 spread, float first, int taps) {
       break;
     }
   }
-  return 1.0 - 0.4 * facing * smoothstep(0.0, 0.3, behind);
+  return 1.0 - strength * 0.4 * facing * smoothstep(0.0, 0.3, behind);
 }
 
 void main() {

@@ -108,6 +108,7 @@ SessionDocument unusual() {
        .ball_paint = {ColourBy::b_factor, ColourMap::cividis, ColourRange{-2.5, 61}, {}},
        .complex_paint = {ColourBy::single, {}, {}, Rgb8{1, 2, 250}},
        .ambient_occlusion = false,
+       .shadow_strength = 0.21f,
        .depth_cue = 0.17f,
        .outlines = 2.25f,
        .face_lines = 0.75f,

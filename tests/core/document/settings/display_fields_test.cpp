@@ -18,7 +18,7 @@ namespace {
 
 TEST(DisplayFields, NamesAreUnique) {
   std::set<std::string> ids, keys, commands, options, former;
-  ASSERT_EQ(display_fields().size(), 22u);
+  ASSERT_EQ(display_fields().size(), 23u);
   for (const DisplayField& field : display_fields()) {
     EXPECT_TRUE(ids.insert(field.id).second) << field.id;
     EXPECT_TRUE(keys.insert(field.key).second) << field.key;
@@ -45,7 +45,7 @@ TEST(DisplayFields, DefaultsAreWithinTheirBoundsAndOnAStep) {
     EXPECT_NEAR(usual / field.step, std::round(usual / field.step), 1e-5) << field.id;
     EXPECT_LE(field.slider_most, field.rule.most) << field.id;
   }
-  EXPECT_EQ(numbers, 10);
+  EXPECT_EQ(numbers, 11);
 }
 
 TEST(DisplayFields, ValuesAreSetAndRead) {
@@ -98,6 +98,7 @@ TEST(DisplayFields, TheHelpHasALineForEach) {
 TEST(DisplayFields, GroupsAreCopied) {
   DisplayControls from;
   from.ambient_occlusion = false;
+  from.shadow_strength = 0.5f;
   from.depth_cue = 0.9f;
   from.outlines = 3;
   from.face_lines = 2;

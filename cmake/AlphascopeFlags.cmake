@@ -2,6 +2,8 @@
 add_library(alphascope_flags INTERFACE)
 target_include_directories(alphascope_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(alphascope_flags INTERFACE
+  # Position-independent also in programs, as a precompiled header serves only one kind of code.
+  $<$<COMPILE_LANGUAGE:CXX>:-fPIC> $<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-fPIC>
   # No fused multiply-add, as it rounds once. The error bounds of the filtered predicates assume two
   # roundings. So does the bitwise equality of CPU and GPU results.
   $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -Wall -Wextra -Wnon-virtual-dtor>

@@ -1,5 +1,6 @@
-# alphascope_version: writes the program's version and commit at each build when they have changed.
-# Run as a script (-P), this file writes the source. Included, it makes the target.
+# alphascope_version: writes the program's version and commit, and a hash of the sources of core and
+# gpu, at each build when they have changed. Run as a script (-P), this file writes the source.
+# Included, it makes the target.
 if(CMAKE_SCRIPT_MODE_FILE)
   set(commit "unknown")
   execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=12 --exclude=*
@@ -7,12 +8,30 @@ if(CMAKE_SCRIPT_MODE_FILE)
   if(NOT failed)
     set(commit "${described}")
   endif()
+  file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR}
+    ${SOURCE_DIR}/core/*.[ch]pp ${SOURCE_DIR}/gpu/*.[ch]pp ${SOURCE_DIR}/gpu/*.cu ${SOURCE_DIR}/gpu/*.cuh)
+  list(SORT sources)
+  set(hashes)
+  foreach(source IN LISTS sources)
+    file(SHA256 ${SOURCE_DIR}/${source} hash)
+    string(APPEND hashes "${source} ${hash}\n")
+  endforeach()
+  string(SHA256 hash "${hashes}")
+  string(SUBSTRING ${hash} 0 16 hash)
   file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[
 #include "app/session/version.hpp"
+#include "core/engines/gpu_library.hpp"
+
+#ifdef __clang__
+#define ALPHASCOPE_COMPILER "clang " __clang_version__
+#else
+#define ALPHASCOPE_COMPILER "GCC " __VERSION__
+#endif
 
 namespace alphascope {
 std::string_view program_version() { return "@VERSION@"; }
 std::string_view program_commit() { return "@commit@"; }
+const char* gpu_build() { return "@VERSION@ @hash@ " ALPHASCOPE_COMPILER; }
 }  // namespace alphascope
 ]] @ONLY)
   return()

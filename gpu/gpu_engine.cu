@@ -1,5 +1,5 @@
-// Makes the CUDA engine: finds and tests the device, and runs the pipeline as an executor of
-// core/engines/short_of_memory.hpp.
+// Finds and tests the device, and runs the pipeline as an executor
+// (core/engines/short_of_memory.hpp).
 #include "gpu/gpu_engine.hpp"
 
 #include <optional>
@@ -186,23 +186,9 @@ void free_unused_gpu_memory() {
   gpu::ResultMemory::free_unused();
 }
 
-std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,
-                                        std::string* why_not, GpuOptions gpu_options) {
-  const GpuDevice& device = gpu_device();
-  std::string reason = device.why_not;
-  if (device.usable) {
-    try {
-      return make_engine_of_executors(
-          std::move(balls), options, [gpu_options](std::shared_ptr<const BallSet> of) {
-            return std::make_unique<GpuExecutor>(std::move(of), gpu_options);
-          });
-    } catch (const std::exception& error) {
-      reason = device.name + " cannot take this molecule: " + error.what() +
-               ". The CPU engine gives the same results.";
-    }
-  }
-  if (why_not != nullptr) *why_not = reason;
-  return nullptr;
+std::unique_ptr<Executor> make_gpu_executor(std::shared_ptr<const BallSet> balls,
+                                            const GpuOptions& options) {
+  return std::make_unique<GpuExecutor>(std::move(balls), options);
 }
 
 }  // namespace alphascope

@@ -1,14 +1,10 @@
-// The dual-edge engine on a CUDA device. This header is plain C++. The program also builds and runs
-// without CUDA, and these functions then tell why there is no device.
+// The dual-edge engine on a CUDA device. This header is plain C++.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <span>
-#include <string>
 
-#include "core/engine/engine.hpp"
 #include "core/engine/gpu_device.hpp"
+#include "core/engines/gpu_library.hpp"
 
 namespace alphascope {
 
@@ -21,15 +17,8 @@ bool is_gpu_memory_unused();
 // Frees that memory. Waits for the device, so it must not be called by the thread that draws.
 void free_unused_gpu_memory();
 
-// Options of the device's engine. Results do not depend on them.
-struct GpuOptions {
-  // Number of chunks of balls in a run, 1 to 16; 0: the fastest.
-  int chunks = 0;
-};
-
-// Returns null if the device cannot be used, and sets *why_not to the reason. Single requests that
-// do not fit the device are computed by the CPU engine. Their AlphaComplex says so in engine.route.
-std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls, EngineOptions options,
-                                        std::string* why_not, GpuOptions gpu_options = {});
+// For a usable device only. Throws as Executor::compute() does.
+std::unique_ptr<Executor> make_gpu_executor(std::shared_ptr<const BallSet> balls,
+                                            const GpuOptions& options);
 
 }  // namespace alphascope

@@ -4,12 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/session/gpu_engines.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/tuples/tuple_engine.hpp"
-#ifdef ALPHASCOPE_HAS_GPU
-#include "gpu/gpu_engine.hpp"
-#include "gpu/tuples/tuple_engine.hpp"
-#endif
 
 namespace alphascope {
 namespace {
@@ -21,22 +18,10 @@ EngineOptions engine_options(const EngineSettings& settings) {
   return options;
 }
 
-std::unique_ptr<Engine> try_gpu(const std::shared_ptr<const BallSet>& balls,
-                                const EngineOptions& options, std::string& why_not) {
-#ifdef ALPHASCOPE_HAS_GPU
-  return make_gpu_engine(balls, options, &why_not);
-#else
-  static_cast<void>(balls);
-  static_cast<void>(options);
-  why_not = "This build has no GPU engine. The CPU engine gives the same results.";
-  return nullptr;
-#endif
-}
-
 MadeEngine make_on_gpu(const std::shared_ptr<const BallSet>& balls, const EngineOptions& options) {
   MadeEngine made;
   std::string why_not;
-  made.engine = try_gpu(balls, options, why_not);
+  made.engine = GpuEngines::of_program().make_engine(balls, options, why_not);
   if (!made.engine) {
     throw EngineUnavailable("The GPU engine cannot be used. " + why_not +
                             " Choose the engine \"cpu\" or \"auto\" instead.");
@@ -47,7 +32,7 @@ MadeEngine make_on_gpu(const std::shared_ptr<const BallSet>& balls, const Engine
 MadeEngine make_automatic(const std::shared_ptr<const BallSet>& balls,
                           const EngineOptions& options) {
   MadeEngine made;
-  made.engine = try_gpu(balls, options, made.note);
+  made.engine = GpuEngines::of_program().make_engine(balls, options, made.note);
   if (made.engine) return {std::move(made.engine), {}};
   made.engine = make_cpu_engine(balls, options);
   return made;
@@ -56,13 +41,7 @@ MadeEngine make_automatic(const std::shared_ptr<const BallSet>& balls,
 MadeEngine make_tuples_on_gpu(std::shared_ptr<const BallSet> balls, const TupleOptions& tuples) {
   MadeEngine made;
   std::string why_not;
-#ifdef ALPHASCOPE_HAS_GPU
-  made.engine = make_gpu_tuple_engine(std::move(balls), tuples, &why_not);
-#else
-  static_cast<void>(balls);
-  static_cast<void>(tuples);
-  why_not = "This build has no GPU engine.";
-#endif
+  made.engine = GpuEngines::of_program().make_tuple_engine(std::move(balls), tuples, why_not);
   if (!made.engine) {
     throw EngineUnavailable("The tuple engine cannot be used on the GPU. " + why_not +
                             " Choose the engine \"tuples-cpu\" instead.");
@@ -73,17 +52,11 @@ MadeEngine make_tuples_on_gpu(std::shared_ptr<const BallSet> balls, const TupleO
 }  // namespace
 
 bool is_engine_memory_unused() {
-#ifdef ALPHASCOPE_HAS_GPU
-  return is_gpu_memory_unused();
-#else
-  return false;
-#endif
+  return GpuEngines::of_program().is_memory_unused();
 }
 
 void free_unused_engine_memory() {
-#ifdef ALPHASCOPE_HAS_GPU
-  free_unused_gpu_memory();
-#endif
+  GpuEngines::of_program().free_unused_memory();
 }
 
 MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,

@@ -5,9 +5,7 @@
 #include <fstream>
 #include <thread>
 
-#ifdef ALPHASCOPE_HAS_GPU
-#include "gpu/gpu_engine.hpp"
-#endif
+#include "app/session/gpu_engines.hpp"
 
 namespace alphascope {
 namespace {
@@ -23,16 +21,6 @@ std::string cpu_model() {
   return "unknown CPU";
 }
 
-GpuDevice look_for_gpu() {
-#ifdef ALPHASCOPE_HAS_GPU
-  return gpu_device();
-#else
-  GpuDevice none;
-  none.why_not = "This build has no GPU engine. The CPU engine gives the same results.";
-  return none;
-#endif
-}
-
 }  // namespace
 
 const MachineInfo& machine_info() {
@@ -40,7 +28,7 @@ const MachineInfo& machine_info() {
     MachineInfo m;
     m.cpu = cpu_model();
     m.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    m.gpu = look_for_gpu();
+    m.gpu = GpuEngines::of_program().device();
     return m;
   }();
   return machine;

@@ -1,5 +1,5 @@
 // Areas and volumes of unions of balls (core/measure/union_measures.hpp) on a CUDA device. This
-// header is plain C++; the program also builds and runs without CUDA.
+// header is plain C++.
 #pragma once
 
 #include <memory>

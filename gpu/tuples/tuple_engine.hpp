@@ -1,5 +1,4 @@
-// The tuple engine (core/tuples/tuple_engine.hpp) on a CUDA device. This header is plain C++; the
-// program also builds and runs without CUDA.
+// The tuple engine (core/tuples/tuple_engine.hpp) on a CUDA device. This header is plain C++.
 #pragma once
 
 #include <memory>

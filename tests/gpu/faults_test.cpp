@@ -10,6 +10,7 @@
 #include "gpu/dual_edge/pipeline_state.cuh"
 #include "gpu/gpu_engine.hpp"
 #include "tests/gpu/emulated/device.h"
+#include "tests/support/device_engine.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
@@ -33,7 +34,7 @@ class GpuFaults : public ::testing::TestWithParam<Given> {
   }
   void TearDown() override { emulated::be_sound(); }
   std::unique_ptr<Engine> make() const {
-    return make_gpu_engine(balls_, {}, nullptr, {GetParam().chunks});
+    return testing::make_gpu_engine(balls_, {}, nullptr, {GetParam().chunks});
   }
 
   AlphaRequest request() const { return {0.5, GetParam().tetrahedra_only}; }

@@ -248,7 +248,8 @@ TEST(Gpu, SaysWhyItCannotBeUsed) {
   balls.centres.push_back({0, 0, 0});
   balls.radii.push_back(1000);
   std::string why_not;
-  EXPECT_EQ(make_gpu_engine(std::make_shared<const BallSet>(balls), {}, &why_not), nullptr);
+  EXPECT_EQ(testing::make_gpu_engine(std::make_shared<const BallSet>(balls), {}, &why_not),
+            nullptr);
   EXPECT_EQ(why_not, device.why_not);
 }
 

@@ -8,6 +8,7 @@
 #include "gpu/measure/union_measurer.hpp"
 #include "tests/core/measure/measured_sets.hpp"
 #include "tests/gpu/emulated/device.h"
+#include "tests/support/device_engine.hpp"
 
 namespace alphascope {
 namespace {
@@ -105,7 +106,7 @@ class GpuEngineMeasureFaults : public GpuMeasureFaults {
     const auto balls = std::make_shared<const BallSet>(some_balls(40));
     WorkThreads threads(1);
     for (int n = 0;; ++n) {
-      const auto engine = make_gpu_engine(balls, {}, nullptr);
+      const auto engine = testing::make_gpu_engine(balls, {}, nullptr);
       const AlphaComplex complex = engine->compute({0.1}, {});
       const UnionMeasures expected = measure_union(*balls, complex, {1});
       fault(n);
@@ -140,7 +141,7 @@ TEST_F(GpuEngineMeasureFaults, ALostDeviceLeavesItToTheCpu) {
 TEST_F(GpuEngineMeasureFaults, MemoryForMeasuringIsGivenBackToTheComplex) {
   const auto balls = std::make_shared<const BallSet>(some_balls(200));
   WorkThreads threads(1);
-  const auto engine = make_gpu_engine(balls, {}, nullptr);
+  const auto engine = testing::make_gpu_engine(balls, {}, nullptr);
   measure_on_device(*engine, *balls, engine->compute({-0.05}, {}), threads, {});
   AlphaComplex later;
   for (const double alpha : {0.0, 0.05, 0.1, 0.2, 0.4}) {  // until it needs more memory

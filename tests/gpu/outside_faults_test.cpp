@@ -8,6 +8,7 @@
 #include "core/triangulation/outer_faces.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/gpu/emulated/device.h"
+#include "tests/support/device_engine.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
@@ -27,7 +28,7 @@ class GpuOutsideFaults : public ::testing::Test {
         std::make_shared<const BallSet>(testing::random_balls(random, 40, 400, 100, 300));
     for (int n = 0;; ++n) {
       std::string why_not;
-      const auto engine = make_gpu_engine(balls, {}, &why_not);
+      const auto engine = testing::make_gpu_engine(balls, {}, &why_not);
       AlphaComplex complex = engine->compute({0.02}, {});
       EXPECT_GT(complex.tetrahedra.size(), 10u);
       fault(n);

@@ -9,6 +9,7 @@
 #include "core/triangulation/outer_faces.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/core/measure/measured_sets.hpp"
+#include "tests/support/device_engine.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
@@ -29,7 +30,7 @@ class GpuOutside : public ::testing::Test {
                                      int chunks = 0) {
     const auto set = std::make_shared<const BallSet>(balls);
     std::string why_not;
-    const auto engine = make_gpu_engine(set, {}, &why_not, {chunks});
+    const auto engine = testing::make_gpu_engine(set, {}, &why_not, {chunks});
     EXPECT_TRUE(engine) << why_not;
     std::size_t all = 0;
     for (const double alpha : alphas) {
@@ -83,7 +84,7 @@ TEST_F(GpuOutside, OfFewBallsIsThatOfTheCpu) {
 TEST_F(GpuOutside, IsOfTheLastWholeComplexOnly) {
   const auto balls = std::make_shared<const BallSet>(balls_of_file("1crn.xyzr"));
   std::string why_not;
-  const auto engine = make_gpu_engine(balls, {}, &why_not);
+  const auto engine = testing::make_gpu_engine(balls, {}, &why_not);
   ASSERT_TRUE(engine) << why_not;
   AlphaComplex none;
   EXPECT_FALSE(engine->find_outside(none));
@@ -98,7 +99,7 @@ TEST_F(GpuOutside, IsOfTheLastWholeComplexOnly) {
 TEST_F(GpuOutside, OutlivesTheEngine) {
   const auto balls = std::make_shared<const BallSet>(balls_of_file("1crn.xyzr"));
   std::string why_not;
-  auto engine = make_gpu_engine(balls, {}, &why_not);
+  auto engine = testing::make_gpu_engine(balls, {}, &why_not);
   ASSERT_TRUE(engine) << why_not;
   AlphaComplex complex = engine->compute({2.0}, {});
   complex.outside = engine->find_outside(complex);

@@ -7,8 +7,17 @@
 #include <utility>
 
 #include "gpu/gpu_engine.hpp"
+#include "gpu/gpu_library.hpp"
 
 namespace alphascope::testing {
+
+// The engine of the device that this program contains.
+inline std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> balls,
+                                               EngineOptions options, std::string* why_not,
+                                               GpuOptions gpu_options = {}) {
+  return alphascope::make_gpu_engine(gpu_library(), std::move(balls), std::move(options), why_not,
+                                     gpu_options);
+}
 
 // Where the device fails, the GPU engine lets the CPU compute the same result, so comparisons would
 // not notice. This engine throws instead. The CPU still computes requests beyond the kernels'

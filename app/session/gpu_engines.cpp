@@ -1,0 +1,129 @@
+// Finds and loads the library with the GPU engines, and refuses one of another build.
+#include "app/session/gpu_engines.hpp"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace alphascope {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFileName = "alphascope-gpu.so";
+constexpr const char* kVariable = "ALPHASCOPE_GPU_LIBRARY";
+constexpr const char* kFallback = " The CPU engine gives the same results.";
+
+// A library that cannot be used. what() is a sentence with the remedy.
+struct Unusable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+template <class Function>
+Function function_of(void* library, const char* name) {
+  return reinterpret_cast<Function>(::dlsym(library, name));
+}
+
+// Loads a file that exists. It is never unloaded, because results refer to it.
+const GpuLibrary& load(const fs::path& file) {
+  const std::string named = "The GPU library " + file.string();
+  if (!file.is_absolute()) {
+    throw Unusable(named + " is not used, because its path is not absolute. Correct or unset " +
+                   kVariable + ".");
+  }
+  void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (library == nullptr) {
+    const char* const reason = ::dlerror();
+    throw Unusable(named + " cannot be loaded (" + (reason != nullptr ? reason : "unknown error") +
+                   "). Install it anew.");
+  }
+  const auto build = function_of<decltype(&alphascope_gpu_build)>(library, "alphascope_gpu_build");
+  const auto table =
+      function_of<decltype(&alphascope_gpu_library)>(library, "alphascope_gpu_library");
+  if (build == nullptr || table == nullptr) {
+    throw Unusable("The file " + file.string() + " is not a GPU library of Alphascope. Install " +
+                   kFileName + " anew.");
+  }
+  if (std::string_view(build()) != gpu_build()) {
+    throw Unusable(named + " belongs to another build of Alphascope (" + build() + "; this is " +
+                   gpu_build() + "). Install programs and library together.");
+  }
+  return *table();
+}
+
+const GpuLibrary& load_first(const std::vector<fs::path>& places) {
+  for (const fs::path& file : places) {
+    std::error_code ignored;
+    if (fs::exists(file, ignored)) return load(file);
+  }
+  if (std::getenv(kVariable) != nullptr) {
+    throw Unusable("No GPU library was found: " + std::string(kVariable) + " names " +
+                   (places.empty() ? std::string("nothing") : places.front().string()) +
+                   ". Correct or unset it.");
+  }
+  throw Unusable(std::string("No GPU library was found. Install ") + kFileName +
+                 ", or install NVIDIA's CUDA compiler (nvcc) and run scripts/run again.");
+}
+
+}  // namespace
+
+const GpuEngines& GpuEngines::of_program() {
+  static const GpuEngines engines([] {
+    std::error_code ignored;  // an empty path belongs to no installation
+    return gpu_library_places(fs::read_symlink("/proc/self/exe", ignored));
+  }());
+  return engines;
+}
+
+GpuEngines::GpuEngines(const std::vector<fs::path>& places) {
+  try {
+    library_ = &load_first(places);
+  } catch (const Unusable& error) {
+    none_.why_not = error.what() + std::string(kFallback);
+  }
+}
+
+const GpuDevice& GpuEngines::device() const {
+  return library_ != nullptr ? library_->device() : none_;
+}
+
+std::unique_ptr<Engine> GpuEngines::make_engine(std::shared_ptr<const BallSet> balls,
+                                                const EngineOptions& options,
+                                                std::string& why_not) const {
+  if (library_ != nullptr) return make_gpu_engine(*library_, std::move(balls), options, &why_not);
+  why_not = none_.why_not;
+  return nullptr;
+}
+
+std::unique_ptr<Engine> GpuEngines::make_tuple_engine(std::shared_ptr<const BallSet> balls,
+                                                      const TupleOptions& tuples,
+                                                      std::string& why_not) const {
+  if (library_ != nullptr) return library_->make_tuple_engine(std::move(balls), tuples, &why_not);
+  why_not = none_.why_not;
+  return nullptr;
+}
+
+std::vector<fs::path> gpu_library_places(const fs::path& program) {
+  if (const char* const named = std::getenv(kVariable)) {
+    if (*named == '\0') return {};
+    return {named};
+  }
+  // Programs are in one of two folders of an installation, whose root is what precedes the folder.
+  std::vector<fs::path> places;
+  for (const fs::path own : {ALPHASCOPE_PROGRAM_FOLDER, ALPHASCOPE_DRAWING_PROGRAM_FOLDER}) {
+    fs::path root = program.parent_path();
+    fs::path rest = own;
+    while (!rest.empty() && root.filename() == rest.filename()) {
+      root = root.parent_path();
+      rest = rest.parent_path();
+    }
+    if (rest.empty()) places.push_back(root / ALPHASCOPE_GPU_FOLDER / kFileName);
+  }
+  return places;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,13 @@
+// The symbols of the library alphascope-gpu.so. It exports nothing else.
+#include "gpu/gpu_library.hpp"
+
+extern "C" {
+
+__attribute__((visibility("default"))) const char* alphascope_gpu_build() {
+  return alphascope::gpu_build();
+}
+
+__attribute__((visibility("default"))) const alphascope::GpuLibrary* alphascope_gpu_library() {
+  return &alphascope::gpu_library();
+}
+}

@@ -1,0 +1,15 @@
+// Fills the table of the engines in this folder.
+#include "gpu/gpu_library.hpp"
+
+#include "gpu/gpu_engine.hpp"
+#include "gpu/tuples/tuple_engine.hpp"
+
+namespace alphascope {
+
+const GpuLibrary& gpu_library() {
+  static constexpr GpuLibrary table = {gpu_device, make_gpu_executor, make_gpu_tuple_engine,
+                                       is_gpu_memory_unused, free_unused_gpu_memory};
+  return table;
+}
+
+}  // namespace alphascope

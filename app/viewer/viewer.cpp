@@ -7,7 +7,7 @@
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/commands/commands.hpp"
-#include "app/viewer/parts/gestures.hpp"
+#include "app/viewer/mouse/gestures.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/state_bridge.hpp"
 #include "core/document/settings/display_preset.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/viewer/parts/gestures.hpp"
+#include "app/viewer/mouse/gestures.hpp"
 #include "app/viewer/viewer.hpp"
 #include "ui/panels/frame/window_layout.hpp"
 #include "ui/scene/picture/frame_grab.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/session/session.hpp"
-#include "app/viewer/parts/gestures.hpp"
+#include "app/viewer/mouse/gestures.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/session/editor.hpp"
 #include "ui/panels/view_state.hpp"

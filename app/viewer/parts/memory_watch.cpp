@@ -2,7 +2,7 @@
 #include "app/viewer/parts/memory_watch.hpp"
 
 #include "app/session/system_memory.hpp"
-#include "app/viewer/parts/gestures.hpp"
+#include "app/viewer/mouse/gestures.hpp"
 #include "core/run/freed_elsewhere.hpp"
 #include "core/run/freed_memory.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/viewer/parts/gestures.hpp"
+#include "app/viewer/mouse/gestures.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
 #include "core/document/store/derived.hpp"
 

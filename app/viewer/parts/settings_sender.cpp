@@ -2,7 +2,7 @@
 #include "app/viewer/parts/settings_sender.hpp"
 
 #include "app/viewer/molecule_info.hpp"
-#include "app/viewer/parts/gestures.hpp"
+#include "app/viewer/mouse/gestures.hpp"
 #include "app/viewer/state_bridge.hpp"
 #include "core/document/store/derived.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/viewer/parts/hit_text.hpp"
+#include "app/viewer/mouse/hit_text.hpp"
 #include "ui/annotation_layer.hpp"
 
 namespace alphascope {

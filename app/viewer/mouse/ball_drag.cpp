@@ -1,5 +1,5 @@
 // Moves a held ball of the sandbox: intersections of lines of sight with the plane of the drag.
-#include "app/viewer/parts/ball_drag.hpp"
+#include "app/viewer/mouse/ball_drag.hpp"
 
 #include <cmath>
 

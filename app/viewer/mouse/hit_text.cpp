@@ -1,5 +1,5 @@
 // Lines and tooltips for balls, left-out atoms and simplices.
-#include "app/viewer/parts/hit_text.hpp"
+#include "app/viewer/mouse/hit_text.hpp"
 
 #include "core/document/explain/explanation_text.hpp"
 #include "core/selection/atom_address.hpp"

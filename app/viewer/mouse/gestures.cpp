@@ -1,5 +1,5 @@
 // Finds the current gesture from ImGui's state of mouse buttons and keys.
-#include "app/viewer/parts/gestures.hpp"
+#include "app/viewer/mouse/gestures.hpp"
 
 #include <imgui.h>
 

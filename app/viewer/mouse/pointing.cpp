@@ -1,6 +1,6 @@
 // Finds the item under the mouse, and selects it on a click. Drags the handle of the clip and balls
 // of the sandbox. The wheel resizes such a ball. Elsewhere mouse and wheel move the camera.
-#include "app/viewer/parts/pointing.hpp"
+#include "app/viewer/mouse/pointing.hpp"
 
 #include <imgui.h>
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "app/viewer/parts/ball_drag.hpp"
-#include "app/viewer/parts/hit_text.hpp"
+#include "app/viewer/mouse/ball_drag.hpp"
+#include "app/viewer/mouse/hit_text.hpp"
 #include "app/viewer/parts/shown_marks.hpp"
 #include "ui/window/imgui_frame.hpp"
 

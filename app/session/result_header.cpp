@@ -49,9 +49,4 @@ std::vector<std::pair<std::string, std::string>> picture_texts(const ComplexHead
   return texts;
 }
 
-void note_hidden_atoms(std::vector<std::pair<std::string, std::string>>& texts,
-                       std::size_t hidden) {
-  if (hidden > 0) texts.emplace_back("Hidden atoms", std::to_string(hidden));
-}
-
 }  // namespace alphascope

@@ -22,7 +22,5 @@ ComplexHeader result_header(std::string_view program, const Provenance& balls,
 
 // The same as texts of a picture (docs/output-files.md).
 std::vector<std::pair<std::string, std::string>> picture_texts(const ComplexHeader& header);
-// Adds a note if atoms are hidden, since a saved picture does not show it.
-void note_hidden_atoms(std::vector<std::pair<std::string, std::string>>& texts, std::size_t hidden);
 
 }  // namespace alphascope

@@ -24,7 +24,7 @@ std::uint64_t large_object_budget(std::uint64_t held) {
 }  // namespace
 
 Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services,
-               SceneController::MeshMaker make_mesh)
+               MeshMaker make_mesh)
     : host_(host),
       frame_(host, options.light ? Theme::light : Theme::dark),
       scene_([&host] { host.wake(); },
@@ -102,8 +102,8 @@ void Viewer::take_answer() {
 void Viewer::take_shown() {
   must_render_ |= scene_.poll();
   scene_.describe(state_.viewport);
-  if (state_.result != scene_.drawn_answer()) {
-    state_.result = scene_.drawn_answer();
+  if (state_.result != scene_.drawn().answer) {
+    state_.result = scene_.drawn().answer;
     due_.ask_for_news();
     picture_is_new_ = true;
   }

@@ -43,7 +43,7 @@ class Viewer {
  public:
   Viewer(Host& host, const ViewerOptions& options,
          Session::Services services = Session::program_services(),
-         SceneController::MeshMaker make_mesh = &build_mesh);
+         MeshMaker make_mesh = &build_mesh);
   ~Viewer();
 
   // Runs until the user quits. Draws only when something has changed.
@@ -53,8 +53,8 @@ class Viewer {
   void step(ScriptedInput* input);
   // Waits until the last frame is drawn, on a GPU as well.
   void finish_frame();
-  // Times in milliseconds, as in SceneController::picture_stages().
-  const std::vector<StageTime>& picture_stages() const { return scene_.picture_stages(); }
+  // Times in milliseconds, as in Pacing::stages().
+  const std::vector<StageTime>& picture_stages() const { return scene_.shown().pacing().stages(); }
   // Takes in results until the next frame may be drawn. Returns whether anything happened.
   bool wait_for_frame();
   // True while a molecule, a complex, a comparison or a mesh is being made.

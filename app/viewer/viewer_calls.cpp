@@ -34,7 +34,7 @@ class Viewer::Queued {
     }
     void save_session(const std::filesystem::path& file) override {
       queue.put("save_session", [this, file] {
-        v.scene_.settle_view(v.state_.viewport);
+        v.scene_.cameras().settle(v.state_.viewport);
         v.opening_.save(file);
       });
     }
@@ -65,18 +65,18 @@ class Viewer::Queued {
     using Part::Part;
     void reset() override {
       queue.put("reset", [this] {
-        v.scene_.reset_view();
+        v.scene_.cameras().reset();
         v.history_.note_view_moved();
       });
     }
     void zoom(double factor) override {
-      move("zoom", [this, factor] { v.scene_.zoom(factor); });
+      move("zoom", [this, factor] { v.scene_.cameras().zoom(factor); });
     }
     void look_from(const std::array<double, 3>& side) override {
-      move("look_from", [this, side] { v.scene_.look_from(side); });
+      move("look_from", [this, side] { v.scene_.cameras().look_from(side); });
     }
     void look_across(const RealPoint& line) override {
-      move("look_across", [this, line] { v.scene_.look_across(line); });
+      move("look_across", [this, line] { v.scene_.cameras().look_across(line); });
     }
     void zoom_to_selection() override {
       move("zoom_to_selection", [this] { v.marks_.zoom_to(v.state_.settings.selection.items); });
@@ -104,7 +104,7 @@ class Viewer::Queued {
     // Starts from the view of this frame. Undo brings the previous view back.
     void move(std::string_view name, std::function<void()> how) {
       queue.put(name, [this, how = std::move(how)] {
-        v.scene_.settle_view(v.state_.viewport);
+        v.scene_.cameras().settle(v.state_.viewport);
         v.history_.move_view(how);
       });
     }
@@ -151,7 +151,7 @@ class Viewer::Queued {
 
     void of_the_view(std::string_view name, std::function<void()> job) {
       queue.put(name, [this, job = std::move(job)] {
-        v.scene_.settle_view(v.state_.viewport);
+        v.scene_.cameras().settle(v.state_.viewport);
         job();
       });
     }

@@ -12,11 +12,11 @@ namespace alphascope {
 
 // Moves the view, or a ball of a sandbox, by the mouse.
 void Viewer::move_view() {
-  const std::optional<CameraPlace> before = scene_.camera();
+  const std::optional<CameraPlace> before = scene_.cameras().place();
   for (const PointerEvent& event : state_.viewport.events) {
     if (!pointing_.drag_ball(event)) scene_.pointer(event);
   }
-  if (scene_.camera() != before) history_.note_view_moved();
+  if (scene_.cameras().place() != before) history_.note_view_moved();
 }
 
 void Viewer::act() {
@@ -71,7 +71,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   guarded([this] {
     marks_.mark_selection();
     marks_.draw_annotations();
-    scene_.set_layers(state_.layers);
+    scene_.shown().layers().set(state_.layers);
   });
   const SessionActivity a = session_.activity();
   scene_.set_pending((a.computing.unfinished() && !session_.state().up_to_date()) ||

@@ -82,7 +82,7 @@ SweepRecorder::Window SaveJobs::swept_window() {
           [this](const Alpha& angstrom2) { set_alpha(p_.state.settings.request, angstrom2); },
           [this] { return p_.state.settings.request.alpha_angstrom2; },
           [this]() -> std::optional<Alpha> {
-            const auto& answer = p_.scene.drawn_answer();
+            const auto& answer = p_.scene.drawn().answer;
             if (!answer) return std::nullopt;
             return answer->request.alpha_angstrom2;
           },
@@ -130,10 +130,10 @@ void SaveJobs::save_table(const SaveTableRequest& request) {
 // Exports the complex on screen, not one that is being computed.
 void SaveJobs::export_complex(const ExportRequest& request) {
   try {
-    const std::shared_ptr<const Answer> answer = p_.scene.drawn_answer();
+    const std::shared_ptr<const Answer> answer = p_.scene.drawn().answer;
     if (!answer) throw std::runtime_error("There is no complex yet.");
     exports_.start({request.path, "Exporting " + request.path.filename().string(), kNoExport,
-                    [answer, header = p_.scene.header(), request](const RunContext& context) {
+                    [answer, header = p_.scene.drawn().header(), request](const RunContext& context) {
                       return write_complex(*answer, header, request, context);
                     }});
     p_.session.let_engines_rest();

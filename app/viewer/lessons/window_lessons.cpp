@@ -106,7 +106,7 @@ class WindowLessons::Stage : public LessonStage {
 
   void reset() override {
     p_.history.restart(next_settings());
-    p_.scene.reset_view();  // as for a molecule that the step opens
+    p_.scene.cameras().reset();  // as for a molecule that the step opens
   }
 
   Outcome run(const std::string& command) override { return p_.commands.run_line(command); }

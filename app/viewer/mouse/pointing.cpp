@@ -40,22 +40,22 @@ std::optional<Pointing::UnderMouse> Pointing::under(int x, int y) const {
   const float scale = frame_.scale();
   const BallReferences* references = state_.references.get();
   if (references == nullptr) return std::nullopt;
-  const auto hit = scene_.pick(x, y, kBesideALine * scale);
+  const auto hit = scene_.shown().pick(x, y, kBesideALine * scale);
   if (!hit) return std::nullopt;
   if (hit->corners == 0) return UnderMouse{};  // a panel's mesh covers the rest
   if (hit->layer == kAtomInFront) return under_atom(hit->index);
   if (hit->layer == kBesideBody) {
-    const LeftOutAtom& atom = scene_.beside_body().atoms.at(hit->index);
+    const LeftOutAtom& atom = scene_.shown().beside_body().atoms.at(hit->index);
     return UnderMouse{references->atom_of_molecule(atom.atom),
                       describe_atom_beside(*references, atom)};
   }
   if (hit->corners == 1) {
     const auto ball = static_cast<BallIndex>(hit->index);
-    const Answer* answer = scene_.drawn_answer().get();
+    const Answer* answer = scene_.drawn().answer.get();
     return UnderMouse{references->atom(ball),
                       describe_ball(*references, answer ? &answer->request : nullptr, ball)};
   }
-  const Answer& drawn = *scene_.drawn_answer();
+  const Answer& drawn = *scene_.drawn().answer;
   const HitSimplex simplex =
       hit_simplex(*hit, InOwnDimension(*drawn.balls, drawn.complex).complex());
   return UnderMouse{references->reference(simplex.balls), describe_simplex(*references, simplex)};
@@ -66,7 +66,7 @@ Pointing::UnderMouse Pointing::under_atom(std::size_t atom) const {
   const BallReferences& references = *state_.references;
   const AtomRef ref = references.atom_of_molecule(atom);
   if (const auto ball = references.ball(ref)) {
-    const Answer* answer = scene_.drawn_answer().get();
+    const Answer* answer = scene_.drawn().answer.get();
     return {ref, describe_ball(references, answer ? &answer->request : nullptr, *ball)};
   }
   for (const LeftOutAtom& out : references.prepared().left_out) {
@@ -125,8 +125,8 @@ void Pointing::place_clip_handle() {
   if (state_.memory.clip_part == HandlePart::turn && !clip_pivot_) {
     clip_pivot_ = state_.viewport.clip_handle.pivot;
   }
-  state_.viewport.clip_handle =
-      scene_.clip_handle(state_.settings.clip, clip_pivot_.value_or(pivot), kSize * scale);
+  state_.viewport.clip_handle = scene_.cameras().clip_handle(
+      state_.settings.clip, clip_pivot_.value_or(pivot), kSize * scale);
 }
 
 std::optional<std::size_t> Pointing::sandbox_ball_at(int x, int y) const {
@@ -147,7 +147,7 @@ bool Pointing::drag_ball(const PointerEvent& event) {
   if (event.kind == Kind::release && event.button == 0) {
     return std::exchange(ball_drag_, std::nullopt).has_value();
   }
-  const auto ray = scene_.ray(event.x, event.y);
+  const auto ray = scene_.cameras().ray(event.x, event.y);
   if (!ray) return false;
   if (event.kind == Kind::move && ball_drag_) {
     if (ball_drag_->ball() >= state_.settings.open.sandbox->balls.size()) ball_drag_.reset();

@@ -48,7 +48,7 @@ void History::show_settings() {
 // or later with the picture of other atoms. Several moves for one entry count as one.
 void History::note_view() {
   std::optional<CameraPlace> before = std::exchange(view_before_calls_, std::nullopt);
-  if (const auto left = scene_.take_left_view(); left && !before) before = left;
+  if (const auto left = scene_.cameras().take_left(); left && !before) before = left;
   if (!before || editor_.depth() == 0) return;
   MovedView& moved =
       moved_views_.try_emplace(editor_.depth(), MovedView{*before, {}, 0}).first->second;
@@ -58,9 +58,9 @@ void History::note_view() {
 // Where the atoms change, the view changes with their picture.
 void History::bring_view_back(const CameraPlace& view, bool other_atoms) {
   if (other_atoms) {
-    scene_.set_camera_when_drawn(view);
+    scene_.cameras().set_when_drawn(view);
   } else {
-    scene_.move_camera(view);
+    scene_.cameras().move(view);
   }
 }
 
@@ -73,7 +73,7 @@ void History::undo() {
   show_settings();
   state_.notice = "Undone: " + what;
   if (moved == moved_views_.end() || moved->second.moves != view_moves_) return;
-  moved->second.after = scene_.camera();
+  moved->second.after = scene_.cameras().place();
   bring_view_back(moved->second.before, editor_.now().open != open);
 }
 
@@ -115,9 +115,9 @@ void History::take_back() {
 }
 
 void History::move_view(const std::function<void()>& how) {
-  const std::optional<CameraPlace> before = scene_.camera();
+  const std::optional<CameraPlace> before = scene_.cameras().place();
   how();
-  if (scene_.camera() == before) return;
+  if (scene_.cameras().place() == before) return;
   ++view_moves_;
   if (!view_before_calls_) view_before_calls_ = before;
 }

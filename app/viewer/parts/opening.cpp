@@ -18,7 +18,7 @@ bool Opening::may_open(const std::filesystem::path& path) {
                     " was not opened. Cancel the benchmark or wait for its end, then open it.");
     return false;
   }
-  scene_.set_camera_when_drawn(std::nullopt);
+  scene_.cameras().set_when_drawn(std::nullopt);
   state_.notice.clear();
   state_.drop_note.clear();
   drop_note_.clear();
@@ -127,7 +127,7 @@ void Opening::show_session() {
   state_.window.picture = s.view.picture;
   static_cast<RecordChoices&>(state_.memory.record) = s.view.recording;
   state_.molecule.radii = grown_radii(*session_.state().prepared, state_.settings.request);
-  if (s.view.camera.any()) scene_.set_camera_when_drawn(s.view.camera);
+  if (s.view.camera.any()) scene_.cameras().set_when_drawn(s.view.camera);
   state_.session_file = found->file;
   preferences_.take_as_seen();  // the changes are the session's, not the user's
   if (!found->complete()) {
@@ -152,7 +152,7 @@ std::optional<SessionDocument> Opening::document(const std::filesystem::path& fi
       refer_to(s.opened->molecule->source, s.opened->molecule->sha256, file.parent_path());
   document.settings = history_.settings();
   document.view = window_of_session();
-  if (const auto camera = scene_.camera()) document.view.camera = *camera;
+  if (const auto camera = scene_.cameras().place()) document.view.camera = *camera;
   return document;
 }
 

@@ -51,7 +51,7 @@ void PictureInputs::follow_picture() {
     if (shown->balls == inputs_.balls) {
       inputs_.alpha_angstrom2 = shown->request.alpha_angstrom2;
       inputs_.complex = {shown, &shown->complex};
-      inputs_.measures = shown->measures ? shown->measures : scene_.drawn_measures();
+      inputs_.measures = shown->measures ? shown->measures : scene_.drawn().measures();
       give_of_all_balls(store_, inputs_, std::exchange(*shown->made, {}));
     }
   }

@@ -12,7 +12,7 @@ namespace alphascope {
 
 // Takes the references of the new balls, if the picture shows other balls.
 void ShownMarks::follow_picture() {
-  const DrawnMolecule* drawn = scene_.drawn();
+  const DrawnMolecule* drawn = scene_.drawn().molecule.get();
   if (drawn == nullptr) {
     state_.references = nullptr;
   } else if (!state_.references || &state_.references->prepared() != drawn->prepared.get()) {
@@ -30,20 +30,20 @@ std::shared_ptr<const BallReferences> ShownMarks::references_of(const Answer& an
 // the picture lacks stay unmarked.
 void ShownMarks::mark_selection() {
   follow_picture();
-  const auto& answer = scene_.drawn_answer();
+  const auto& answer = scene_.drawn().answer;
   Marked& m = marked_;
   // The lining of a selected cavity is marked by rims: whole balls would hide the cavity and its
   // ligand.
   const bool outlines = !state_.settings.selection.cavities.empty();
   const bool same = m.items == state_.settings.selection.items &&
                     m.references == state_.references && m.answer == answer &&
-                    m.beside == scene_.beside_body().mesh && m.theme == state_.window.theme &&
-                    m.drawn.outlines == outlines;
+                    m.beside == scene_.shown().beside_body().mesh &&
+                    m.theme == state_.window.theme && m.drawn.outlines == outlines;
   if (!same) {
     m = {state_.settings.selection.items,
          state_.references,
          answer,
-         scene_.beside_body().mesh,
+         scene_.shown().beside_body().mesh,
          state_.window.theme,
          {},
          nullptr,
@@ -51,7 +51,7 @@ void ShownMarks::mark_selection() {
     m.drawn.outlines = outlines;
     find_marks();
   }
-  scene_.set_selected(m.drawn);
+  scene_.shown().set_selected(m.drawn);
   if (m.layer) state_.layers.push_back(m.layer);
 }
 
@@ -60,7 +60,7 @@ std::optional<std::size_t> ShownMarks::place_beside(const Ref& item) const {
   const AtomRef* ref = std::get_if<AtomRef>(&item);
   if (ref == nullptr || !state_.references) return std::nullopt;
   const auto atom = find_atom(state_.references->molecule(), {ref->atom, ref->copy});
-  const auto& atoms = scene_.beside_body().atoms;
+  const auto& atoms = scene_.shown().beside_body().atoms;
   const auto at = std::lower_bound(atoms.begin(), atoms.end(), atom.value_or(0),
                                    [](const LeftOutAtom& a, std::size_t i) { return a.atom < i; });
   if (!atom || at == atoms.end() || at->atom != *atom) return std::nullopt;
@@ -99,7 +99,7 @@ void ShownMarks::find_marks() {
 }
 
 void ShownMarks::save_view(const std::string& name) {
-  NamedView view = scene_.named_view(name);
+  NamedView view = scene_.cameras().named(name);
   for (NamedView& old : state_.settings.views) {
     if (old.name != name) continue;
     old = view;
@@ -113,12 +113,12 @@ void ShownMarks::go_to_view(const std::string& name) {
   for (const NamedView& view : state_.settings.views) {
     if (view.name != name) continue;
     state_.settings.display.orthographic = view.orthographic;
-    scene_.go_to(view);
+    scene_.cameras().go_to(view);
   }
 }
 
-SceneController::Selected ShownMarks::drawn_of(const RefSet& items) const {
-  SceneController::Selected all;
+SelectedItems ShownMarks::drawn_of(const RefSet& items) const {
+  SelectedItems all;
   if (!state_.references) return all;
   for (const Ref& item : items.items()) {
     const auto balls = state_.references->balls(item);
@@ -129,11 +129,11 @@ SceneController::Selected ShownMarks::drawn_of(const RefSet& items) const {
 }
 
 void ShownMarks::zoom_to(const RefSet& items) {
-  scene_.zoom_to(drawn_of(items));
+  scene_.shown().zoom_to(drawn_of(items));
 }
 
 void ShownMarks::centre_on(const RefSet& items) {
-  scene_.centre_on(drawn_of(items));
+  scene_.shown().centre_on(drawn_of(items));
 }
 
 // True if the atom is drawn: as a ball that is not hidden, or beside the body.
@@ -144,7 +144,7 @@ bool ShownMarks::is_drawn(std::size_t atom) const {
     const auto& looks = annotated_.looks;
     return !looks || !looks->hides(static_cast<BallIndex>(at - atoms.begin()));
   }
-  const std::vector<LeftOutAtom>& beside = scene_.beside_body().atoms;
+  const std::vector<LeftOutAtom>& beside = scene_.shown().beside_body().atoms;
   const auto left =
       std::lower_bound(beside.begin(), beside.end(), atom,
                        [](const LeftOutAtom& a, std::size_t i) { return a.atom < i; });
@@ -153,16 +153,17 @@ bool ShownMarks::is_drawn(std::size_t atom) const {
 
 void ShownMarks::draw_annotations() {
   follow_picture();
-  const auto& answer = scene_.drawn_answer();
+  const auto& answer = scene_.drawn().answer;
   const std::shared_ptr<const BallSet> balls = answer ? answer->balls : nullptr;
   Annotated& a = annotated_;
   const bool same = a.annotations == state_.settings.annotations &&
                     a.references == state_.references && a.balls == balls &&
-                    a.looks == scene_.drawn_looks() && a.beside == scene_.beside_body().mesh &&
-                    a.theme == state_.window.theme;
+                    a.looks == scene_.drawn().parts.looks &&
+                    a.beside == scene_.shown().beside_body().mesh && a.theme == state_.window.theme;
   if (!same) {
-    a = {state_.settings.annotations, state_.references,   balls,   scene_.drawn_looks(),
-         scene_.beside_body().mesh,   state_.window.theme, nullptr, a.key + 1};
+    a = {
+        state_.settings.annotations,       state_.references,   balls,   scene_.drawn().parts.looks,
+        scene_.shown().beside_body().mesh, state_.window.theme, nullptr, a.key + 1};
     if (a.references && a.balls) {
       a.layer =
           make_annotation_layer(a.annotations, {*a.references, a.balls,

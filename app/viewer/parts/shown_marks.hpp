@@ -30,7 +30,7 @@ class ShownMarks {
  private:
   std::optional<std::size_t> place_beside(const Ref& item) const;
   void find_marks();
-  SceneController::Selected drawn_of(const RefSet& items) const;
+  SelectedItems drawn_of(const RefSet& items) const;
   bool is_drawn(std::size_t atom) const;  // index of the atom in the molecule
 
   ViewState& state_;
@@ -41,7 +41,7 @@ class ShownMarks {
     std::shared_ptr<const Answer> answer;
     std::shared_ptr<const LayerMesh> beside;
     Theme theme = Theme::dark;
-    SceneController::Selected drawn;
+    SelectedItems drawn;
     std::shared_ptr<const Layer> layer;  // null: no simplex is marked
     std::uint64_t key = 0;
   };

@@ -103,11 +103,11 @@ void WorkStatus::compare_when_due(bool interacting) {
 
 // Appends the picture's stages to the engine's, in the run that made the complex.
 void WorkStatus::add_picture_stages() {
-  const auto& answer = scene_.drawn_answer();
+  const auto& answer = scene_.drawn().answer;
   if (!answer || answer != session_.state().ours) return;
   auto& run = answer->cold ? state_.ours.cold : state_.ours.warm;
   if (!run || run->alpha_angstrom2 != answer->request.alpha_angstrom2) return;
-  const auto& stages = scene_.picture_stages();
+  const auto& stages = scene_.shown().pacing().stages();
   if (stages.size() > 1) {
     run->times.stages.insert(run->times.stages.end(), stages.begin(), stages.end());
   }

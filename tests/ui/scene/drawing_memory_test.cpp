@@ -272,7 +272,7 @@ TEST_F(SceneMemory, SaysWhenAWorkerRunsOutOfIt) {
   free_ = [] { return std::nullopt; };
   open();
   EXPECT_EQ(viewport_.not_drawn, "");
-  EXPECT_EQ(scene_.drawn()->geometry->centres.size(), 327u);
+  EXPECT_EQ(scene_.drawn().molecule->geometry->centres.size(), 327u);
 }
 
 TEST_F(SceneMemory, IsNotAskedAgainWhileAPictureIsMade) {
@@ -291,7 +291,7 @@ TEST_F(SceneMemory, IsNotAskedAgainWhileAPictureIsMade) {
   held = false;
   finish();
   EXPECT_EQ(asked, 1);
-  EXPECT_NE(scene_.drawn(), nullptr);
+  EXPECT_NE(scene_.drawn().molecule, nullptr);
 }
 
 // Other balls of the same molecule may not fit beside the old ones.
@@ -306,15 +306,15 @@ TEST_F(SceneMemory, MakesRoomBeforeItLeavesAnythingOut) {
     answers.pop_back();
     return answer;
   };
-  auto opened = std::make_shared<OpenedMolecule>(*scene_.drawn()->opened);
+  auto opened = std::make_shared<OpenedMolecule>(*scene_.drawn().molecule->opened);
   opened->prepared = std::make_shared<const PreparedBalls>(*opened->prepared);
   scene_.set_molecule(std::move(opened));
   scene_.show_without_answer();  // as after a cancelled computation
   finish();
   EXPECT_TRUE(answers.empty());
   EXPECT_EQ(viewport_.not_drawn, "");
-  ASSERT_NE(scene_.drawn(), nullptr);
-  EXPECT_EQ(scene_.drawn()->geometry->centres.size(), 327u);
+  ASSERT_NE(scene_.drawn().molecule, nullptr);
+  EXPECT_EQ(scene_.drawn().molecule->geometry->centres.size(), 327u);
   EXPECT_DOUBLE_EQ(viewport_.angstrom_per_pixel, zoomed);
 }
 

@@ -172,12 +172,12 @@ TEST_F(PictureOrder, BallsThatMadeRoomComeBack) {
   show_boundary(false);
   ASSERT_TRUE(waits_);
   play("p");  // makes room, and asks for another drawing after the running one
-  ASSERT_EQ(scene_.drawn(), nullptr);
+  ASSERT_EQ(scene_.drawn().molecule, nullptr);
   passes_ = 1;
   while (passes_ > 0) pause();
   while (!waits_) pause();
   scene_.poll();
-  ASSERT_NE(scene_.drawn(), nullptr);
+  ASSERT_NE(scene_.drawn().molecule, nullptr);
   EXPECT_EQ(testing::differing_pixels(drawn_now(), before), 0);
   EXPECT_EQ(testing::differing_pixels(picture(), before), 0);
 }

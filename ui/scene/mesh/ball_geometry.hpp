@@ -32,7 +32,6 @@ struct BallStyle {
   double scale = 0.3;         // factor on that radius
   double solvent_radius = 0;  // Å
   double alpha = 0;           // Å²
-  friend bool operator==(const BallStyle&, const BallStyle&) = default;
 };
 
 // Radius of each ball as drawn (Å); 0 where the grown ball is empty (alpha < -(radius + solvent)²).

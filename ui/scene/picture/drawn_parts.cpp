@@ -51,11 +51,6 @@ std::shared_ptr<const BallAppearance> make_looks(const PicturedMolecule& molecul
       ball_appearance(*molecule.molecule, molecule.prepared->atom_of_ball, appearance));
 }
 
-std::vector<float> radii_of(const PicturedMolecule& molecule, const BallStyle& style,
-                            const BallAppearance* looks) {
-  return shown_radii(drawn_radii(*molecule.geometry, style), looks);
-}
-
 std::vector<Rgb8> DrawnParts::ball_colours(std::size_t balls) const {
   return painted(
       paintings.balls ? paintings.balls->balls.colours : std::vector<Rgb8>(balls, kNoValueColour),
@@ -86,14 +81,21 @@ DrawnParts make_parts(const PartsTask& task, const Paintings& earlier, const Mes
   DrawnParts parts;
   parts.looks = task.looks;
   parts.clip = task.clip;
-  parts.ball_style = ball_style(task.display, task.answer ? &task.answer->request : nullptr);
-  parts.radii = radii_of(*task.molecule, parts.ball_style, parts.looks.get());
+  set_radii(parts, *task.molecule, task.answer.get(), task.display);
   parts.paintings.balls =
       make_painting({task.molecule, task.answer, task.display.ball_paint}, earlier.balls, context);
   if (!task.answer) return parts;
   make_mesh_of(task, earlier, make_mesh, context, parts);
   parts.caps = make_caps(*task.molecule, task.answer.get(), parts, task.clip, context.cancel);
   return parts;
+}
+
+void set_radii(DrawnParts& parts, const PicturedMolecule& molecule, const EngineAnswer* answer,
+               const DisplayControls& display) {
+  parts.ball_scale = display.ball_scale;
+  parts.grown_balls = display.grown_balls;
+  const BallStyle style = ball_style(display, answer ? &answer->request : nullptr);
+  parts.radii = shown_radii(drawn_radii(*molecule.geometry, style), parts.looks.get());
 }
 
 std::shared_ptr<const CapMesh> make_caps(const PicturedMolecule& molecule,

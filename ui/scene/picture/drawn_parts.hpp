@@ -32,10 +32,6 @@ using MeshMaker = std::function<ComplexMesh(
 std::shared_ptr<const BallAppearance> make_looks(const PicturedMolecule& molecule,
                                                  const Appearance& appearance);
 
-// Radii of the balls as drawn, Å. `looks` may be null.
-std::vector<float> radii_of(const PicturedMolecule& molecule, const BallStyle& style,
-                            const BallAppearance* looks);
-
 struct Paintings {
   std::shared_ptr<const Painting> balls;      // null: no ball is drawn
   std::shared_ptr<const Painting> simplices;  // null unless simplices have colours of balls
@@ -53,7 +49,9 @@ struct PartsTask {
 struct DrawnParts {
   std::shared_ptr<const BallAppearance> looks;  // for balls and simplices; may be null
   Paintings paintings;
-  BallStyle ball_style;
+  // The display settings of the radii.
+  float ball_scale = 0;
+  bool grown_balls = false;
   std::vector<float> radii;                 // Å, as drawn; one a ball
   std::shared_ptr<const ComplexMesh> mesh;  // null: none
   MeshOptions options;                      // of mesh
@@ -75,6 +73,11 @@ struct DrawnParts {
 // make_painting() and `make_mesh` do, and Cancelled.
 DrawnParts make_parts(const PartsTask& task, const Paintings& earlier, const MeshMaker& make_mesh,
                       const RunContext& context);
+
+// Sets the radii, and the settings that they come from, in `parts`, which need looks. `answer` may
+// be null; no ball is grown then.
+void set_radii(DrawnParts& parts, const PicturedMolecule& molecule, const EngineAnswer* answer,
+               const DisplayControls& display);
 
 // The caps of a mesh at another clip. `parts` need looks, mesh, options and colours of simplices.
 // Null if the clip cuts nothing that has caps.

@@ -1,0 +1,137 @@
+// Moves the camera, and keeps or fits the view when the balls change.
+#include "app/viewer/scene/cameras.hpp"
+
+#include <numeric>
+#include <vector>
+
+#include "ui/scene/camera_place.hpp"
+#include "ui/scene/view_direction.hpp"
+
+namespace alphascope {
+
+void Cameras::settle(const ViewportInfo& viewport) {
+  if (canvas_.scene().view_is_set() || !Canvas::is_large_enough(viewport.width, viewport.height)) {
+    return;
+  }
+  canvas_.drawing().settle_view(viewport.width, viewport.height);
+}
+
+std::optional<CameraPlace> Cameras::place() const {
+  if (!picture_.any()) return std::nullopt;
+  return camera_place(canvas_.scene().viewpoint(), *picture_.molecule->geometry);
+}
+
+void Cameras::move(const CameraPlace& camera) {
+  canvas_.change().set_viewpoint(viewpoint_at(camera, *picture_.molecule->geometry));
+}
+
+void Cameras::look_from(const std::array<double, 3>& towards_viewer) {
+  const Scene& scene = canvas_.scene();
+  canvas_.change().set_viewpoint(view_of_side(scene.viewpoint(), scene.sight(), towards_viewer));
+}
+
+void Cameras::look_across(const RealPoint& line) {
+  const Sight sight = canvas_.scene().sight();
+  canvas_.change().set_viewpoint(
+      view_from(canvas_.scene().viewpoint(), sight, side_across(sight, line)));
+}
+
+void Cameras::zoom(double factor) {
+  Viewpoint view = canvas_.scene().viewpoint();
+  for (std::size_t k = 0; k < 3; ++k) {
+    view.position[k] = view.focal_point[k] + (view.position[k] - view.focal_point[k]) / factor;
+  }
+  canvas_.change().set_viewpoint(view);
+}
+
+void Cameras::zoom_to(const BallGeometry& balls) {
+  std::vector<BallIndex> all(balls.centres.size());
+  if (all.empty()) return;
+  std::iota(all.begin(), all.end(), BallIndex{0});
+  Viewpoint view = looking_at(balls, all, canvas_.scene().sight());
+  view.least_aspect = canvas_.scene().viewpoint().least_aspect;
+  canvas_.change().set_viewpoint(view);
+}
+
+void Cameras::centre_on(const BallGeometry& balls) {
+  if (balls.centres.empty()) return;
+  Viewpoint view = canvas_.scene().viewpoint();
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = 0;
+    for (const auto& centre : balls.centres) sum += centre[k];
+    const double middle = sum / static_cast<double>(balls.centres.size());
+    view.position[k] += middle - view.focal_point[k];
+    view.focal_point[k] = middle;
+  }
+  canvas_.change().set_viewpoint(view);
+}
+
+NamedView Cameras::named(const std::string& name) const {
+  const Viewpoint view = canvas_.scene().viewpoint();
+  NamedView named{name,    view.position,     view.focal_point,
+                  view.up, view.least_aspect, canvas_.style().orthographic};
+  for (std::size_t k = 0; picture_.molecule && k < 3; ++k) {
+    named.position[k] += picture_.molecule->geometry->origin[k];
+    named.focal_point[k] += picture_.molecule->geometry->origin[k];
+  }
+  return named;
+}
+
+void Cameras::go_to(const NamedView& named) {
+  if (!picture_.molecule) return;
+  Viewpoint view{named.position, named.focal_point, named.up, named.least_aspect};
+  for (std::size_t k = 0; k < 3; ++k) {
+    view.position[k] -= picture_.molecule->geometry->origin[k];
+    view.focal_point[k] -= picture_.molecule->geometry->origin[k];
+  }
+  canvas_.change().set_viewpoint(view);
+}
+
+std::optional<Ray> Cameras::ray(int x, int y) const {
+  if (!picture_.any() || canvas_.width() == 0) return std::nullopt;
+  Ray ray = canvas_.scene().ray(x, y);
+  for (std::size_t k = 0; k < 3; ++k) ray.start[k] += picture_.molecule->geometry->origin[k];
+  return ray;
+}
+
+ClipHandle Cameras::clip_handle(const Clip& clip, const std::array<double, 3>& pivot,
+                                double size) const {
+  if (!clip.on() || !picture_.any() || canvas_.width() == 0) return {};
+  const Sight sight = canvas_.scene().sight();
+  HandleView view{sight.right, sight.up, {}, {}};
+  for (std::size_t k = 0; k < 3; ++k) view.towards_viewer[k] = -sight.forward[k];
+  view.seen = [sight, origin = picture_.molecule->geometry->origin, width = canvas_.width(),
+               height = canvas_.height()](const std::array<double, 3>& place) {
+    return seen_at(sight, {place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]}, width,
+                   height);
+  };
+  return make_clip_handle(clip, pivot, view, size);
+}
+
+bool Cameras::is_set_for(const OpenedMolecule& opened) const {
+  return viewed_ && same_atoms(*viewed_, opened);
+}
+
+Cameras::Before Cameras::before(const DrawnMolecule& next) const {
+  Before before;
+  before.keep = viewed_ && (changes_sandbox(picture_.molecule.get(), next) ||
+                            same_atoms(*viewed_, *next.opened));
+  before.same_file = viewed_ && viewed_->deposited == next.opened->deposited;
+  before.camera = place();
+  if (before.keep && picture_.molecule) before.view = named("");
+  return before;
+}
+
+void Cameras::follow(const Before& before, const std::function<ViewProblem()>& problem) {
+  viewed_ = picture_.draws_nothing() ? nullptr : picture_.molecule->opened;
+  if (before.view) go_to(*before.view);
+  const ViewProblem found = problem();
+  const bool shows_none = found != ViewProblem::none && found != ViewProblem::cut_away;
+  if (!before.keep || shows_none) {
+    if (before.same_file && !when_drawn_) left_ = before.camera;
+    reset();
+  }
+  if (when_drawn_ && !picture_.draws_nothing()) move(*std::exchange(when_drawn_, {}));
+}
+
+}  // namespace alphascope

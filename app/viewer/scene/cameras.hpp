@@ -1,0 +1,80 @@
+// The camera of the picture: moves, named views, and the view that other balls get.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/viewer/scene/canvas.hpp"
+#include "app/viewer/scene/drawn_picture.hpp"
+#include "core/document/session/session_file.hpp"
+#include "core/geometry/real_point.hpp"
+#include "ui/clip_handle.hpp"
+
+namespace alphascope {
+
+class Cameras {
+ public:
+  Cameras(Canvas& canvas, const DrawnPicture& picture) : canvas_(canvas), picture_(picture) {}
+
+  void reset() { canvas_.change().reset_view(); }
+  // Call before an action that starts from the present view. Without it the view of a new molecule
+  // is fitted only with its first picture.
+  void settle(const ViewportInfo& viewport);
+  // The present view; nothing if no molecule is drawn.
+  std::optional<CameraPlace> place() const;
+  void move(const CameraPlace& camera);
+
+  // Looks at the same point from this side, at the same distance. `towards_viewer` is a unit
+  // vector.
+  void look_from(const std::array<double, 3>& towards_viewer);
+  // Turns the view until it is normal to this line (a unit vector), as side_across() does.
+  void look_across(const RealPoint& line);
+  void zoom(double factor);
+  // Moves the view until these balls fill it. Its direction stays.
+  void zoom_to(const BallGeometry& balls);
+  // Moves the view's centre of rotation to the middle of these balls. Direction and scale stay.
+  void centre_on(const BallGeometry& balls);
+
+  NamedView named(const std::string& name) const;
+  void go_to(const NamedView& view);
+
+  // The line of sight through a pixel of the picture, Å in the file's coordinates. Nothing if there
+  // is no picture.
+  std::optional<Ray> ray(int x, int y) const;
+  // The handle for the picture on screen. `size` as in make_clip_handle().
+  ClipHandle clip_handle(const Clip& clip, const std::array<double, 3>& pivot, double size) const;
+
+  // Sets the view for the next picture with other balls. Nothing: the view then shows all of them.
+  void set_when_drawn(const std::optional<CameraPlace>& camera) { when_drawn_ = camera; }
+  // The view before other atoms of the file were fitted into it, once; then nothing.
+  std::optional<CameraPlace> take_left() { return std::exchange(left_, std::nullopt); }
+
+  // Whether the view was set for the atoms of this molecule.
+  bool is_set_for(const OpenedMolecule& opened) const;
+
+  // The view while the picture gets other balls. The scene's origin is the middle of all balls,
+  // which may move.
+  struct Before {
+    bool keep = false;       // the new balls are atoms of the same molecule
+    bool same_file = false;  // or of the same file
+    std::optional<CameraPlace> camera;
+    std::optional<NamedView> view;  // to go back to
+  };
+  Before before(const DrawnMolecule& next) const;
+  // Call when the new balls are in the scene. The view stays for other atoms of the same molecule,
+  // unless `problem` says that it shows none of them.
+  void follow(const Before& before, const std::function<ViewProblem()>& problem);
+
+ private:
+  Canvas& canvas_;
+  const DrawnPicture& picture_;
+  std::shared_ptr<const OpenedMolecule> viewed_;  // the molecule for which the view was set
+  std::optional<CameraPlace> left_;
+  std::optional<CameraPlace> when_drawn_;
+};
+
+}  // namespace alphascope

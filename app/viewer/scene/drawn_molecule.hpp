@@ -1,0 +1,32 @@
+// The balls of a molecule, and the geometry made from them for drawing.
+#pragma once
+
+#include <memory>
+
+#include "app/session/open_molecule.hpp"
+#include "core/run/cancel_token.hpp"
+#include "ui/scene/pick/ball_pick.hpp"
+#include "ui/scene/picture/painting.hpp"
+
+namespace alphascope {
+
+struct DrawnMolecule : PicturedMolecule {
+  std::shared_ptr<const OpenedMolecule> opened;  // the source of the rest
+  std::shared_ptr<const BallPicker> picker;      // picks in `geometry`
+};
+
+// Throws Cancelled.
+std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMolecule> opened,
+                                                const RunContext& context);
+// A molecule without balls, for too little memory.
+std::shared_ptr<const DrawnMolecule> make_undrawn(std::shared_ptr<const OpenedMolecule> opened);
+
+// Whether the same sandbox was edited. Its view stays, so that a dragged ball stays under the
+// mouse. `before` may be null, here and in the next function.
+bool changes_sandbox(const DrawnMolecule* before, const DrawnMolecule& now);
+
+// Whether both molecules have the same balls. Two drawings begun before the first one is shown both
+// make these balls.
+bool has_same_balls(const DrawnMolecule* before, const DrawnMolecule& now);
+
+}  // namespace alphascope

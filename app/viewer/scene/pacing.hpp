@@ -1,0 +1,69 @@
+// When and how finely the picture is drawn: coarsely while something moves, finer at rest. Measures
+// the time of pictures.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "app/viewer/scene/ball_stand_in.hpp"
+#include "app/viewer/scene/canvas.hpp"
+#include "app/viewer/scene/drawn_picture.hpp"
+#include "core/run/stage_timer.hpp"
+#include "ui/scene/quality.hpp"
+
+namespace alphascope {
+
+class Pacing {
+ public:
+  static constexpr double kNotDue = 1e9;  // seconds
+
+  Pacing(Canvas& canvas, const DrawnPicture& picture) : canvas_(canvas), picture_(picture) {}
+
+  // Call when the picture gets another complex. The time limit for outdated pictures starts anew.
+  void begin_picture(double mesh_milliseconds);
+  // Call for another molecule, whose pictures take other times.
+  void forget_times();
+  // Whether a picture was begun that is not drawn yet.
+  bool has_new_picture() const { return new_picture_ && canvas_.changed(); }
+  // Call in each frame with whether the picture is older than what is wanted. Returns whether it
+  // has been so for a while. Newer pictures that arrive sooner follow the slider, and marking them
+  // would flicker.
+  bool note_age(bool outdated);
+
+  // Draws after a change, or when a finer picture is due. Returns whether it drew. `pending`: the
+  // picture will soon be replaced. `patient`: at the finest quality, however long it takes.
+  bool draw_when_due(bool interacting, bool pending, bool patient);
+  // Notes the time of a picture that the GPU may still be drawing. Call before a change on which
+  // the time depends.
+  void take_time(bool wait);
+  bool wants_frame() const { return canvas_.changed() || refine_; }
+  // Seconds until a finer picture is due, or kNotDue.
+  double seconds_to_refinement() const;
+
+  // Milliseconds for mesh, upload and drawing of the first picture of the complex on screen. Empty
+  // before this picture.
+  const std::vector<StageTime>& stages() const { return stages_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  RenderQuality quality_for_change(bool follows_computation) const;
+  void choose_stand_in(bool at_rest);
+  void draw(RenderQuality quality, bool patient);
+  bool unfinished() const;  // the picture on screen could get more samples
+  void note_times(RenderQuality quality, double picture_milliseconds);
+
+  Canvas& canvas_;
+  const DrawnPicture& picture_;
+  QualityChooser quality_;
+  BallStandIn balls_;
+  RenderQuality drawn_ = RenderQuality::draft;
+  bool refine_ = false;       // the picture on screen could be finer
+  bool new_picture_ = false;  // since the last picture while the user moved something
+  std::optional<Clock::time_point> outdated_since_;
+  Clock::time_point last_change_ = Clock::now();
+  std::vector<StageTime> stages_;
+};
+
+}  // namespace alphascope

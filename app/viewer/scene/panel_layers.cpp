@@ -1,0 +1,82 @@
+// Makes the drawings of layers, small ones at once.
+#include "app/viewer/scene/panel_layers.hpp"
+
+#include "ui/scene/mesh/drawing_memory.hpp"
+#include "ui/scene/picture/placed_label.hpp"
+
+namespace alphascope {
+namespace {
+
+// Largest number of points of layers that are made between two frames, in one or two milliseconds.
+// A worker makes larger layers.
+constexpr std::size_t kMostPointsAtOnce = 60000;
+
+}  // namespace
+
+void PanelLayers::set(const Layers& layers) {
+  Layers fitting;
+  std::vector<std::pair<std::string, std::uint64_t>> keys;
+  for (const auto& layer : layers) {
+    if (!picture_.answer || layer->balls != picture_.answer->balls) continue;
+    fitting.push_back(layer);
+    keys.emplace_back(layer->id, layer->key);
+  }
+  if (picture_.draws_nothing()) fitting.clear(), keys.clear();
+  if (keys == wanted_) return;
+  wanted_ = keys;
+  worker_.cancel();
+  if (fitting.empty()) return show({}, nullptr);
+  if (layer_points(fitting).all() > kMostPointsAtOnce) return submit(fitting);
+  auto mesh = std::make_shared<const LayerMesh>(
+      build_layer_mesh(*picture_.molecule->geometry, fitting));
+  show({fitting, mesh, {}, body_layers(mesh), atom_layer(mesh)}, make_layer_data(mesh));
+}
+
+void PanelLayers::submit(const Layers& layers) {
+  const auto tell = [this](const std::string& why) { show({{}, nullptr, why, {}, {}}, nullptr); };
+  worker_.submit(
+      [this, tell, layers, molecule = picture_.molecule](const RunContext&) -> Worker::Delivery {
+        const std::string not_drawn = layers_not_drawn_text(layer_points(layers), free_memory_());
+        if (!not_drawn.empty()) return [tell, not_drawn] { tell(not_drawn); };
+        auto mesh =
+            std::make_shared<const LayerMesh>(build_layer_mesh(*molecule->geometry, layers));
+        return [this, layers, molecule, mesh, picks = body_layers(mesh), atoms = atom_layer(mesh),
+                data = make_layer_data(mesh)] {
+          if (molecule == picture_.molecule) show({layers, mesh, {}, picks, atoms}, data);
+        };
+      },
+      [tell](const Worker::Failure& failure) {
+        if (!failure.cancelled) tell("What is chosen below is not drawn: " + failure.message);
+      });
+}
+
+void PanelLayers::show(Drawn drawn, std::shared_ptr<LayerData> data) {
+  drawn_ = std::move(drawn);
+  canvas_.change().set_layers(std::move(data));
+}
+
+void PanelLayers::forget() {
+  worker_.cancel();
+  wanted_.clear();
+  drawn_ = {};
+}
+
+Layers PanelLayers::for_saved_pictures() const {
+  Layers layers;
+  for (const auto& layer : drawn_.layers) {
+    if (layer->in_pictures) layers.push_back(layer);
+  }
+  return layers;
+}
+
+std::uint64_t PanelLayers::bytes() const {
+  return layer_bytes(layer_points(drawn_.layers));
+}
+
+std::vector<PictureLabel> PanelLayers::labels() const {
+  if (!drawn_.mesh) return {};
+  return labels_seen(drawn_.mesh->labels, canvas_.scene().sight(), canvas_.style().cut,
+                     canvas_.width(), canvas_.height());
+}
+
+}  // namespace alphascope

@@ -1,0 +1,19 @@
+// The controls that the picture follows: the display settings, and what else changes its look.
+#pragma once
+
+#include "core/document/reference/appearance.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/document/settings/display.hpp"
+#include "ui/theme.hpp"
+
+namespace alphascope {
+
+struct SceneControls {
+  DisplayControls display;
+  Theme theme = Theme::dark;
+  float line_scale = 1;  // as in SceneStyle
+  Clip clip;
+  Appearance appearance;  // hidden atoms and chosen colours
+};
+
+}  // namespace alphascope

@@ -5,16 +5,16 @@ namespace alphascope {
 
 void BallColours::make(const Paint& paint) {
   if (!picture_.any()) return;
-  worker_.submit([this, molecule = picture_.molecule, answer = picture_.answer, paint,
-                  earlier = picture_.parts.paintings.balls](
-                     const RunContext& context) -> Worker::Delivery {
-    return [this, molecule, answer,
-            painting = make_painting({molecule, answer, paint}, earlier, context)] {
-      if (molecule != picture_.molecule || answer != picture_.answer) return;
-      picture_.parts.paintings.balls = painting;
-      show();
-    };
-  });
+  worker_.submit(
+      [this, molecule = picture_.molecule, answer = picture_.answer, paint,
+       earlier = picture_.parts.paintings.balls](const RunContext& context) -> Worker::Delivery {
+        return [this, molecule, answer,
+                painting = make_painting({molecule, answer, paint}, earlier, context)] {
+          if (molecule != picture_.molecule || answer != picture_.answer) return;
+          picture_.parts.paintings.balls = painting;
+          show();
+        };
+      });
 }
 
 void BallColours::show() {

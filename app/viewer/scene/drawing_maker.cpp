@@ -76,7 +76,9 @@ Worker::Delivery DrawingMaker::run(const WantedDrawing& wanted, const RunContext
                   wanted.agreement ? &wanted.agreement->comparison : nullptr,
                   mesh_options(wanted.controls.display, wanted.controls.theme)});
   if (!plan.complete() && wanted.drawn) return events_.short_of_memory;
-  return [this, drawing = draw(wanted, plan, context)] { events_.ready(drawing); };
+  // Shared, since a delivery is copied and a drawing is large.
+  const auto drawing = std::make_shared<Drawing>(draw(wanted, plan, context));
+  return [this, drawing] { events_.ready(std::move(*drawing)); };
 }
 
 Drawing DrawingMaker::draw(const WantedDrawing& wanted, const DrawingPlan& plan,

@@ -20,8 +20,7 @@ std::string DrawnPicture::lacks(bool with_balls) const {
 
 void DrawnPicture::describe(bool with_balls, ViewportInfo& viewport) const {
   const auto& painting = parts.paintings.balls;
-  const std::optional<PaintKey> balls =
-      with_balls && painting ? painting->balls.key : std::nullopt;
+  const std::optional<PaintKey> balls = with_balls && painting ? painting->balls.key : std::nullopt;
   const std::optional<PaintKey> simplices = parts.simplex_key();
   const auto range = [](const std::optional<PaintKey>& key) {
     return key && key->scale ? std::optional(key->scale->range) : std::nullopt;

@@ -101,8 +101,7 @@ void Pacing::draw(RenderQuality quality, bool patient) {
 }
 
 bool Pacing::unfinished() const {
-  return drawn_ != RenderQuality::fine ||
-         canvas_.scene().samples_drawn() < canvas_.style().samples;
+  return drawn_ != RenderQuality::fine || canvas_.scene().samples_drawn() < canvas_.style().samples;
 }
 
 void Pacing::take_time(bool wait) {

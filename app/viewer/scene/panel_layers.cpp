@@ -27,8 +27,8 @@ void PanelLayers::set(const Layers& layers) {
   worker_.cancel();
   if (fitting.empty()) return show({}, nullptr);
   if (layer_points(fitting).all() > kMostPointsAtOnce) return submit(fitting);
-  auto mesh = std::make_shared<const LayerMesh>(
-      build_layer_mesh(*picture_.molecule->geometry, fitting));
+  auto mesh =
+      std::make_shared<const LayerMesh>(build_layer_mesh(*picture_.molecule->geometry, fitting));
   show({fitting, mesh, {}, body_layers(mesh), atom_layer(mesh)}, make_layer_data(mesh));
 }
 

@@ -21,8 +21,8 @@ void Picking::forget() {
 
 PickLayer Picking::balls() const {
   return {"balls", [this](const PickLine& line) -> std::optional<Hit> {
-            const auto ball = picture_.molecule->picker->pick(picture_.parts.radii, margin_,
-                                                              line.ray, line.kept);
+            const auto ball =
+                picture_.molecule->picker->pick(picture_.parts.radii, margin_, line.ray, line.kept);
             if (!ball) return std::nullopt;
             return Hit{"balls", 1, ball->ball, {}, ball->depth, {}};
           }};

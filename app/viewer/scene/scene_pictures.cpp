@@ -12,8 +12,7 @@ namespace alphascope {
 // Lines keep the share of the picture that they have in the window.
 float SceneController::line_scale_of(int height) const {
   const int shown = shown_.canvas().height();
-  const float factor =
-      shown > 0 ? static_cast<float>(height) / static_cast<float>(shown) : 1.0f;
+  const float factor = shown > 0 ? static_cast<float>(height) / static_cast<float>(shown) : 1.0f;
   return controls_.line_scale * factor;
 }
 
@@ -24,10 +23,10 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
   }
   PictureFrame frame;
   frame.layers = shown_.layers().for_saved_pictures();
-  require_room(request.options.width, request.options.height, free_memory_(),
-               second_scene_bytes(drawn().molecule->geometry->centres.size(),
-                                  drawn().parts.mesh.get()) +
-                   layer_bytes(layer_points(frame.layers)));
+  require_room(
+      request.options.width, request.options.height, free_memory_(),
+      second_scene_bytes(drawn().molecule->geometry->centres.size(), drawn().parts.mesh.get()) +
+          layer_bytes(layer_points(frame.layers)));
   frame.style = shown_.canvas().style();
   frame.style.line_scale = line_scale_of(request.options.height);
   frame.viewpoint = shown_.canvas().scene().viewpoint();
@@ -51,18 +50,18 @@ FrameSource SceneController::frames(const RecordRequest& request) const {
   if (!drawn().answer) throw std::runtime_error("There is no complex yet.");
   // Later changes in the window do not reach this copy. Drawings of pages belong to one alpha, so
   // SweepRecorder records sweeps that have them.
-  const auto maker = std::make_shared<PictureMaker>(
-      *drawn().molecule,
-      PictureSettings{controls_.display,
-                      controls_.theme,
-                      line_scale_of(request.options.height),
-                      controls_.appearance,
-                      {drawn().parts.clip, false, true, {}},
-                      cameras().place(),
-                      request.options,
-                      {},
-                      free_memory_},
-      make_mesh_);
+  const auto maker =
+      std::make_shared<PictureMaker>(*drawn().molecule,
+                                     PictureSettings{controls_.display,
+                                                     controls_.theme,
+                                                     line_scale_of(request.options.height),
+                                                     controls_.appearance,
+                                                     {drawn().parts.clip, false, true, {}},
+                                                     cameras().place(),
+                                                     request.options,
+                                                     {},
+                                                     free_memory_},
+                                     make_mesh_);
   const auto engines = std::make_shared<EngineCache>(&make_engine);
   return {[maker, engines, opened = drawn().molecule->opened, wanted = drawn().answer->request](
               std::optional<double> alpha, const RunContext& context) {

@@ -89,12 +89,12 @@ void ShownPicture::make_balls(Drawing& drawing) {
 }
 
 void ShownPicture::exchange_parts(Drawing& drawing, bool new_balls) {
-  const DrawnParts before = std::exchange(picture_.parts, std::move(drawing.parts));
+  DrawnParts before = std::exchange(picture_.parts, std::move(drawing.parts));
   DrawnParts& parts = picture_.parts;
   picture_.answer = drawing.answer;
   picture_.not_drawn = std::move(drawing.not_drawn);
   picture_.molecule = std::move(drawing.molecule);
-  parts.clip = before.clip;  // until the caps are exchanged
+  parts.clip = before.clip;        // until the caps are exchanged
   if (new_balls) forget_layers();  // layers belong to their balls
   const bool new_painting = before.paintings.balls != parts.paintings.balls && !new_balls;
   // Each drawing makes its own looks, which are mostly equal.
@@ -104,7 +104,7 @@ void ShownPicture::exchange_parts(Drawing& drawing, bool new_balls) {
   } else {
     parts.ball_scale = before.ball_scale;
     parts.grown_balls = before.grown_balls;
-    parts.radii = before.radii;
+    parts.radii = std::move(before.radii);
   }
   if (new_painting || new_looks) colours_.show();
   const auto& painting = parts.paintings.balls;
@@ -174,13 +174,13 @@ ViewProblem ShownPicture::view_problem() const {
   const Cut& cut = canvas_.style().cut;
   if (cut.on() && !keeps_any(cut, geometry)) return ViewProblem::cut_away;
   if (!complex && parts.looks && parts.looks->hidden_balls > 0) {
-    const bool any_ball = balls && std::any_of(radii.begin(), radii.end(),
-                                               [](float radius) { return radius > 0; });
+    const bool any_ball =
+        balls && std::any_of(radii.begin(), radii.end(), [](float radius) { return radius > 0; });
     if (!any_ball) return beside_.body().mesh ? ViewProblem::none : ViewProblem::all_hidden;
   }
   if (!complex && !balls) return ViewProblem::none;  // nothing is switched on
-  return alphascope::view_problem(geometry, balls ? radii : std::vector<float>(), canvas_.scene().sight(),
-                      complex);
+  return alphascope::view_problem(geometry, balls ? radii : std::vector<float>(),
+                                  canvas_.scene().sight(), complex);
 }
 
 void ShownPicture::poll() {

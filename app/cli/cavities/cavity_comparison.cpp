@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "app/cli/cavities/cavity_records.hpp"
-#include "app/cli/text/table.hpp"
+#include "app/cli/cavities/comparison_columns.hpp"
+#include "app/cli/text/printed_columns.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
+#include "core/document/tables/column_json.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
@@ -102,33 +104,45 @@ std::string cell(const CavityComparison& comparison, std::size_t n, std::size_t 
   return other.parts > 1 ? number + " /" + std::to_string(other.parts) : number;
 }
 
-// Number of cavities in an answer that match none of the first answer.
-std::size_t new_ones(const CavityComparison& comparison, std::size_t n) {
-  std::size_t count = 0;
-  for (const std::size_t row : comparison.answers()[n].rows) {
-    count += comparison.first_id(n, row) == 0;
+void print_variants(const CavityComparison& comparison) {
+  constexpr PrintedColumn kPrinted[] = {{"variant", 18, true},
+                                        {"voids", 6},
+                                        {"pockets", 7},
+                                        {"mouths", 6},
+                                        {"volume_of_voids", 15},
+                                        {"volume_of_pockets", 13},
+                                        {"new", 6},
+                                        {"choices", 0, true}};
+  const PrintedTable<ComparedVariant> table(variant_columns(), kPrinted);
+  std::cout << table.heading();
+  for (std::size_t n = 0; n < comparison.answers().size(); ++n) {
+    std::cout << table.line(ComparedVariant{comparison, n});
   }
-  return count;
 }
 
-void print_variants(const CavityComparison& comparison) {
-  const Table columns({{"radii, solvent Å", 18, true},
-                       {"voids", 6},
-                       {"pockets", 7},
-                       {"mouths", 6},
-                       {"SA vol of voids", 15},
-                       {"of pockets", 13},
-                       {"new", 6},
-                       {"", 0, true}});
-  std::cout << columns.heading();
-  for (std::size_t n = 0; n < comparison.answers().size(); ++n) {
-    const CavityAnswer& answer = comparison.answers()[n];
-    const CavityTable& table = answer.table();
-    std::cout << columns.line(
-        {variant_text(answer), std::to_string(table.voids), std::to_string(table.pockets),
-         std::to_string(table.mouths), format_text("%.3f", table.volume_sa_angstrom3(true)),
-         format_text("%.3f", table.volume_sa_angstrom3(false)),
-         std::to_string(new_ones(comparison, n)), comparable_text(answer.differences)});
+// The columns of the first answer's cavities, with one for each answer before the last two.
+void print_side_by_side(const CavityComparison& comparison, std::size_t shown) {
+  constexpr PrintedColumn kPrinted[] = {
+      {"id", 4},
+      {"kind", 6, true},
+      {.id = "spread_percent", .width = 7, .decimals = 0, .none = ""},
+      {"name", 0, true}};
+  const PrintedTable<ComparedCavity> table(compared_cavity_columns(), kPrinted);
+  std::vector<TableColumn> headings = table.columns();
+  std::size_t at = 2;
+  for (const CavityAnswer& answer : comparison.answers()) {
+    headings.insert(headings.begin() + static_cast<std::ptrdiff_t>(at++),
+                    {variant_text(answer), 14});
+  }
+  const Table wide(headings);
+  std::cout << wide.heading();
+  for (std::size_t k = 0; k < shown; ++k) {
+    const std::size_t row = comparison.answers().front().rows[k];
+    std::vector<std::string> cells = table.cells(ComparedCavity{comparison, row});
+    for (std::size_t n = 0; n < comparison.answers().size(); ++n) {
+      cells.insert(cells.begin() + static_cast<std::ptrdiff_t>(2 + n), cell(comparison, n, row));
+    }
+    std::cout << wide.line(cells);
   }
 }
 
@@ -140,27 +154,7 @@ void print_comparison(const CavityComparison& comparison, const CavitiesOptions&
             << "alpha       " << shortest_number(first.request.alpha_angstrom2) << " Å²\n";
   print_variants(comparison);
   const std::size_t shown = std::min(first.rows.size(), static_cast<std::size_t>(options.shown));
-  if (shown > 0) {
-    std::vector<TableColumn> headings{{"#", 4}, {"kind", 6, true}};
-    for (const CavityAnswer& answer : comparison.answers()) {
-      headings.push_back({variant_text(answer), 14});
-    }
-    headings.push_back({"spread", 7});
-    headings.push_back({"SA volume in Å³ of (atoms of the deepest sink)", 0, true});
-    const Table columns(headings);
-    std::cout << columns.heading();
-    for (std::size_t k = 0; k < shown; ++k) {
-      const std::size_t row = first.rows[k];
-      std::vector<std::string> cells{std::to_string(row + 1), first.kind(row)};
-      for (std::size_t n = 0; n < comparison.answers().size(); ++n) {
-        cells.push_back(cell(comparison, n, row));
-      }
-      const std::optional<double> spread = comparison.spread_percent(row);
-      cells.push_back(spread ? format_text("%.0f %%", *spread) : "");
-      cells.push_back(first.name(row));
-      std::cout << columns.line(cells);
-    }
-  }
+  if (shown > 0) print_side_by_side(comparison, shown);
   if (verbosity() != Verbosity::quiet && shown > 0) {
     std::cout
         << "Cavities are those of the first column. /2: it has come apart into 2, the largest "
@@ -181,20 +175,12 @@ Json comparison_json(const CavityComparison& comparison, const CavitiesOptions& 
   for (const std::size_t row : first.rows) {
     Json in = Json::array();
     for (std::size_t n = 0; n < comparison.answers().size(); ++n) {
-      const Counterpart other = comparison.counterpart(n, row);
-      const CavityAnswer& answer = comparison.answers()[n];
-      in.push_back(
-          {{"variant", variant_text(answer)},
-           {"id", other.row ? Json(*other.row + 1) : Json()},
-           {"same", other.same},
-           {"parts", other.row ? other.parts : 0},
-           {"volume_sa_angstrom3", other.same ? Json(volume(answer, *other.row)) : Json()}});
+      add_keys_up_to(in.emplace_back(Json::object()), counterpart_columns(),
+                     ComparedCounterpart{comparison, n, row});
     }
-    const std::optional<double> spread = comparison.spread_percent(row);
-    side_by_side.push_back({{"id", row + 1},
-                            {"name", first.name(row)},
-                            {"spread_percent", spread ? Json(*spread) : Json()},
-                            {"in", in}});
+    Json& cavity = side_by_side.emplace_back(Json::object());
+    add_keys_up_to(cavity, compared_cavity_columns(), ComparedCavity{comparison, row});
+    cavity["in"] = in;
   }
   return {{"variants", variants}, {"side_by_side", side_by_side}};
 }

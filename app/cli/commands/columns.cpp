@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/bench/thesis_table.hpp"
+#include "app/cli/cavities/comparison_columns.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/commands/bench.hpp"
 #include "app/cli/option_groups.hpp"
@@ -25,13 +26,19 @@ struct ColumnsOptions {
 };
 
 std::vector<TableInfo> all_tables() {
-  return {{"cavities", "a row for each cavity", infos_of(cavity_columns())},
-          {"lives", "a row for each cavity at any alpha", infos_of(life_columns())},
-          {"channel", "a row for each sample of the centre line", infos_of(sample_columns())},
-          {"ways", "a row for each way through the molecule", infos_of(way_columns())},
-          {"measure", "a row for each group", infos_of(measure_columns())},
-          {"bench", "a row for each file, number of threads and alpha", bench_columns()},
-          {"suite", "a row for each measurement of the thesis' suite", infos_of(thesis_columns())}};
+  return {
+      {"cavities", "a row for each cavity", infos_of(cavity_columns())},
+      {"variants", "a row for each compared radii set and solvent radius",
+       infos_of(variant_columns())},
+      {"side_by_side", "a row for each cavity of the first variant",
+       infos_of(compared_cavity_columns())},
+      {"counterparts", "a row for each variant of such a cavity", infos_of(counterpart_columns())},
+      {"lives", "a row for each cavity at any alpha", infos_of(life_columns())},
+      {"channel", "a row for each sample of the centre line", infos_of(sample_columns())},
+      {"ways", "a row for each way through the molecule", infos_of(way_columns())},
+      {"measure", "a row for each group", infos_of(measure_columns())},
+      {"bench", "a row for each file, number of threads and alpha", bench_columns()},
+      {"suite", "a row for each measurement of the thesis' suite", infos_of(thesis_columns())}};
 }
 
 std::string table_ids() {

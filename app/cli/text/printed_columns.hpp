@@ -24,8 +24,14 @@ template <class Row>
 class PrintedTable {
  public:
   PrintedTable(std::span<const Column<Row>> columns, std::span<const PrintedColumn> printed)
-      : printed_(printed), table_(headings(columns, printed)) {
-    for (const PrintedColumn& p : printed) columns_.push_back(&column_of(columns, p.id));
+      : printed_(printed), columns_(chosen(columns, printed)), table_(this->columns()) {}
+  // The headings, for a table that has further columns between these.
+  std::vector<TableColumn> columns() const {
+    std::vector<TableColumn> found;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      found.push_back({columns_[k]->heading(), printed_[k].width, printed_[k].left});
+    }
+    return found;
   }
   std::string heading() const { return table_.heading(); }
   std::vector<std::string> cells(const Row& row) const {
@@ -40,12 +46,10 @@ class PrintedTable {
   std::string line(const Row& row) const { return line(cells(row)); }
 
  private:
-  static std::vector<TableColumn> headings(std::span<const Column<Row>> columns,
-                                           std::span<const PrintedColumn> printed) {
-    std::vector<TableColumn> found;
-    for (const PrintedColumn& p : printed) {
-      found.push_back({column_of(columns, p.id).heading(), p.width, p.left});
-    }
+  static std::vector<const Column<Row>*> chosen(std::span<const Column<Row>> columns,
+                                                std::span<const PrintedColumn> printed) {
+    std::vector<const Column<Row>*> found;
+    for (const PrintedColumn& p : printed) found.push_back(&column_of(columns, p.id));
     return found;
   }
 

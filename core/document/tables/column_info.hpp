@@ -29,7 +29,7 @@ std::vector<ColumnInfo> infos_of(std::span<const Column<Row>> columns) {
   return infos;
 }
 
-// "CSV and JSON", "CSV", "JSON" or "window".
+// "CSV and JSON", "CSV" or "JSON"; "screen" for columns of window or terminal alone.
 inline const char* files_text(InFiles files) {
   switch (files) {
     case InFiles::both:
@@ -41,7 +41,7 @@ inline const char* files_text(InFiles files) {
     case InFiles::none:
       break;
   }
-  return "window";
+  return "screen";
 }
 
 }  // namespace alphascope

@@ -114,7 +114,7 @@ TEST(Columns, TheirInfosNameTheFiles) {
   EXPECT_STREQ(files_text(infos[2].files), "CSV and JSON");
   EXPECT_STREQ(files_text(infos[4].files), "CSV");
   EXPECT_STREQ(files_text(infos[5].files), "JSON");
-  EXPECT_STREQ(files_text(infos[6].files), "window");
+  EXPECT_STREQ(files_text(infos[6].files), "screen");
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+// The columns of a comparison of cavities: variants, cavities side by side, and their counterparts.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "app/cli/cavities/cavity_comparison.hpp"
+#include "core/document/tables/column.hpp"
+
+namespace alphascope::cli {
+
+// An answer of the comparison.
+struct ComparedVariant {
+  const CavityComparison& all;
+  std::size_t answer = 0;
+};
+std::span<const Column<ComparedVariant>> variant_columns();
+
+// A cavity of the first answer.
+struct ComparedCavity {
+  const CavityComparison& all;
+  std::size_t first_row = 0;
+};
+std::span<const Column<ComparedCavity>> compared_cavity_columns();
+
+// A cavity of the first answer in another one. The list is that of "in" in JSON.
+struct ComparedCounterpart {
+  const CavityComparison& all;
+  std::size_t answer = 0, first_row = 0;
+};
+std::span<const Column<ComparedCounterpart>> counterpart_columns();
+
+}  // namespace alphascope::cli

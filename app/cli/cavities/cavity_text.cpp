@@ -36,6 +36,7 @@ constexpr PrintedColumn kPrinted[] = {{"id", 4},
                                       {"mouth_area_angstrom2", 9},
                                       {.id = "depth_angstrom", .width = 7, .decimals = 1},
                                       {"lining_residues", 8},
+                                      {.id = "polar_lining_percent", .width = 7, .decimals = 1},
                                       {"name", 0, true}};
 
 void print_rows(const CavityAnswer& answer, std::size_t shown) {

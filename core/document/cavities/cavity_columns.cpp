@@ -74,6 +74,22 @@ std::string bottleneck_text(const Row& r) {
   return b->is_open() ? measure_text(b->radius_angstrom) : "closed";
 }
 
+// The share of nitrogen and oxygen among the lining atoms that are no hydrogens. None if there is
+// no such atom, or if an element is unknown.
+CellValue polar_percent(const Row& r) {
+  constexpr Element kNitrogen = 7, kOxygen = 8;
+  std::size_t heavy = 0, polar = 0;
+  for (const BallIndex ball : measures(r).lining) {
+    const Element element =
+        r.of.atoms->molecule().atoms[r.of.atoms->prepared().atom_of_ball[ball]].element;
+    if (element == kUnknownElement) return {};
+    heavy += element != kHydrogen;
+    polar += element == kNitrogen || element == kOxygen;
+  }
+  if (heavy == 0) return {};
+  return 100.0 * static_cast<double>(polar) / static_cast<double>(heavy);
+}
+
 std::string residues_text(const Row& r) {
   std::string text;
   for (const LiningResidue& residue : lining_residues(*r.of.atoms, r.of.table(), r.row)) {
@@ -278,6 +294,17 @@ const Column<Row> kColumns[] = {
      .help = "The number of residues that line it: a part of an atom's surface lies in the cavity.",
      .value = [](const Row& r) { return count(r.of.lining_residues(r.row)); },
      .files = InFiles::none},
+    {.id = "polar_lining_percent",
+     .title = "polar",
+     .unit = "%",
+     .help = "The share of nitrogen and oxygen among the lining atoms. Hydrogens do not count. It "
+             "is unknown if the file does not give the element of a lining atom.",
+     .value = polar_percent,
+     .text =
+         [](const Row& r) {
+           const CellValue value = polar_percent(r);
+           return value.index() == 0 ? "–" : readable_cell(value);
+         }},
     {.id = "residues",
      .title = "lining",
      .help = "The residues that line it: “A:HIS 87; A:LEU 91”.",

@@ -57,6 +57,37 @@ TEST(CavityColumns, ValuesAreThoseOfTheTable) {
             CellValue(std::uint64_t{lining_residues(*of.atoms, of.table(), 3).size()}));
 }
 
+TEST(CavityColumns, PolarLiningCountsNitrogenAndOxygenButNoHydrogen) {
+  KnownCavities of = haemoglobin();
+  Molecule molecule = of.atoms->molecule();
+  const std::vector<std::uint32_t>& atom_of_ball = of.atoms->prepared().atom_of_ball;
+  std::size_t polar = 0;
+  const std::vector<BallIndex>& lining = of.table().measure(3).lining;
+  for (const BallIndex ball : lining) {
+    const char first = molecule.text(molecule.atoms[atom_of_ball[ball]].name)[0];
+    polar += first == 'N' || first == 'O';  // names of atoms of proteins begin with the element
+  }
+  ASSERT_GT(polar, 2u);
+  const auto percent = [](std::size_t part, std::size_t whole) {
+    return CellValue(100.0 * static_cast<double>(part) / static_cast<double>(whole));
+  };
+  EXPECT_EQ(value(of, "polar_lining_percent", 3), percent(polar, lining.size()));
+  const auto with_element = [&](Element element) {
+    molecule.atoms[atom_of_ball[lining.front()]].element = element;
+    of.atoms = std::make_shared<const BallReferences>(
+        std::make_shared<const Molecule>(molecule),
+        std::make_shared<const PreparedBalls>(of.atoms->prepared()));
+  };
+  const Element before = molecule.atoms[atom_of_ball[lining.front()]].element;
+  const bool was_polar = before == 7 || before == 8;
+  with_element(kHydrogen);
+  EXPECT_EQ(value(of, "polar_lining_percent", 3),
+            percent(polar - (was_polar ? 1 : 0), lining.size() - 1));
+  with_element(kUnknownElement);
+  EXPECT_EQ(value(of, "polar_lining_percent", 3), CellValue());
+  EXPECT_EQ(text(of, "polar_lining_percent", 3), "–");
+}
+
 TEST(CavityColumns, ResultsThatAreNotKnownHaveNoValue) {
   const KnownCavities& of = haemoglobin();
   for (const char* id :

@@ -37,3 +37,16 @@ include("${CMAKE_CURRENT_LIST_DIR}/alphascopeTargets.cmake")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/alphascopeConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/package/ DESTINATION ${package} COMPONENT devel EXCLUDE_FROM_ALL)
+# For programs that are built without CMake.
+file(RELATIVE_PATH to_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/alphascope.pc @ONLY CONTENT [[
+prefix=${pcfiledir}/@to_prefix@
+Name: alphascope
+Description: exact alpha complexes of molecules
+Version: @PROJECT_VERSION@
+Requires: tbb zlib gmp
+Cflags: -I${prefix}/@CMAKE_INSTALL_INCLUDEDIR@
+Libs: -L${prefix}/@CMAKE_INSTALL_LIBDIR@ -lalphascope_core -ltbbmalloc
+]])
+install(FILES ${PROJECT_BINARY_DIR}/alphascope.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+  COMPONENT devel EXCLUDE_FROM_ALL)

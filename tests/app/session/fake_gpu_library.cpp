@@ -15,7 +15,7 @@ std::atomic<bool> unused{true};
 class FakeExecutor : public Executor {
  public:
   std::optional<AlphaComplex> compute(const AlphaRequest& request, const RunContext&) override {
-    if (request.alpha_angstrom2 < 0) throw ExecutorFailed("the fake GPU is lost");
+    if (request.alpha_angstrom2.nearest() < 0) throw ExecutorFailed("the fake GPU is lost");
     return std::nullopt;
   }
 };

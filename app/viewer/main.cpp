@@ -24,6 +24,7 @@
 #include "core/files/small_text.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,6 +10,7 @@
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
+#include "ui/panels/whole_state.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

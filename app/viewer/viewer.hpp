@@ -32,7 +32,7 @@
 #include "core/document/store/store.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/panel_list.hpp"
-#include "ui/panels/view_state.hpp"
+#include "ui/panels/whole_state.hpp"
 #include "ui/widgets/widget_rects.hpp"
 #include "ui/window/host.hpp"
 #include "ui/window/imgui_frame.hpp"

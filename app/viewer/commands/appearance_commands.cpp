@@ -4,6 +4,7 @@
 
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/chart/colour_words.hpp"
+#include "core/document/reference/reference.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

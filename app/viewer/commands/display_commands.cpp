@@ -6,6 +6,7 @@
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {

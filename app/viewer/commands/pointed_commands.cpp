@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/reference/reference.hpp"
 
 namespace alphascope {
 

@@ -1,6 +1,7 @@
 // Commands of the page that shows an engine's steps for one ball.
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/explain/steps_results.hpp"
+#include "core/document/store/answer.hpp"
 
 namespace alphascope {
 namespace {

@@ -132,10 +132,11 @@ void SaveJobs::export_complex(const ExportRequest& request) {
   try {
     const std::shared_ptr<const Answer> answer = p_.scene.drawn().answer;
     if (!answer) throw std::runtime_error("There is no complex yet.");
-    exports_.start({request.path, "Exporting " + request.path.filename().string(), kNoExport,
-                    [answer, header = p_.scene.drawn().header(), request](const RunContext& context) {
-                      return write_complex(*answer, header, request, context);
-                    }});
+    exports_.start(
+        {request.path, "Exporting " + request.path.filename().string(), kNoExport,
+         [answer, header = p_.scene.drawn().header(), request](const RunContext& context) {
+           return write_complex(*answer, header, request, context);
+         }});
     p_.session.let_engines_rest();
     p_.state.notice.clear();
   } catch (const std::exception& error) {

@@ -10,6 +10,7 @@
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/files/read_error.hpp"
+#include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
 namespace {

@@ -21,6 +21,7 @@
 #include "core/run/freed_elsewhere.hpp"
 #include "core/text/text_parts.hpp"
 #include "ui/no_calls.hpp"
+#include "ui/panels/whole_state.hpp"
 #include "ui/widgets/keys.hpp"
 
 namespace alphascope {

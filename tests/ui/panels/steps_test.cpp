@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/document/explain/step_names.hpp"
+#include "core/document/explain/steps_results.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/explain/steps_layer.hpp"
 

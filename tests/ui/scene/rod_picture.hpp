@@ -32,7 +32,7 @@ inline PictureSettings plain_settings(std::size_t balls, int width, int height) 
   PictureSettings settings;
   settings.options = {.width = width, .height = height, .legend = false};
   DisplayControls& display = settings.display;
-  display.depth_cue = display.silhouettes = display.face_edges = 0;
+  display.depth_cue = display.outlines = display.face_lines = 0;
   display.samples = 4;
   const auto count = static_cast<std::uint32_t>(balls);
   settings.appearance.colours = {{kRed, AtomSet({{0, 0, count / 2 - 1}})},

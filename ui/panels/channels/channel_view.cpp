@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/store/answer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 

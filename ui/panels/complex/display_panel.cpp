@@ -1,8 +1,10 @@
 // The sections “Display” and “Light”: which parts of the complex are drawn, and how.
 #include <string>
 
+#include "core/document/reference/reference.hpp"
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/panels/complex/display_rows.hpp"
 #include "ui/panels/complex/paint_rows.hpp"

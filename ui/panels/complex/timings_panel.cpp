@@ -1,6 +1,7 @@
 // The page of timings: our engine's times beside CGAL's, and whether both complexes are equal.
 #include <optional>
 
+#include "core/document/store/answer.hpp"
 #include "ui/panels/complex/timings_memory.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/molecule/begin_anew.hpp"

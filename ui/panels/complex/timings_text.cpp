@@ -1,6 +1,7 @@
 // The texts of the page of timings, and the speed-up against CGAL.
 #include "ui/panels/complex/timings_text.hpp"
 
+#include "core/document/store/answer.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/document/reference/reference.hpp"
 #include "core/selection/atom_address.hpp"
 #include "ui/panels/panels.hpp"
 

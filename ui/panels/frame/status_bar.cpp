@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/document/store/answer.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 

@@ -1,6 +1,7 @@
 // The table of measured distances and angles, which selects, removes and copies them.
 #include <imgui.h>
 
+#include "core/document/reference/reference.hpp"
 #include "core/selection/atom_address.hpp"
 #include "ui/annotation_layer.hpp"
 #include "ui/panels/panels.hpp"

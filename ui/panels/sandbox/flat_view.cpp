@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/chart/flat_svg.hpp"
+#include "core/document/store/answer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 

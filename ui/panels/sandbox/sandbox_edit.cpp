@@ -1,5 +1,6 @@
 // Makes a sandbox of the balls on screen, and selects, removes and rounds in it.
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "core/document/store/answer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "core/chart/flat_drawing.hpp"
 #include "core/document/explain/dimension_words.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/panel.hpp"

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <vector>
 
-#include "ui/panels/viewport_info.hpp"
 #include "ui/scene/camera_place.hpp"
 #include "ui/scene/view_direction.hpp"
 

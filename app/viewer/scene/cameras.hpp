@@ -13,6 +13,7 @@
 #include "core/document/session/session_file.hpp"
 #include "core/geometry/real_point.hpp"
 #include "ui/clip_handle.hpp"
+#include "ui/panels/viewport_info.hpp"
 
 namespace alphascope {
 

@@ -2,7 +2,6 @@
 #include "app/viewer/scene/drawn_picture.hpp"
 
 #include "app/session/result_header.hpp"
-#include "ui/panels/viewport_info.hpp"
 
 namespace alphascope {
 

@@ -10,6 +10,7 @@
 #include "core/document/store/answer.hpp"
 #include "core/write/write_complex.hpp"
 #include "ui/panels/view_info.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/scene/cut.hpp"
 #include "ui/scene/picture/drawn_parts.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "core/chart/colour_map.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/complex/display_rows.hpp"

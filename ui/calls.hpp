@@ -45,7 +45,8 @@ class ViewCalls {
   virtual void zoom(double factor) = 0;  // factor on the size of things in the view
   // Looks from this direction, which leads from the middle to the viewer.
   virtual void look_from(const std::array<double, 3>& side) = 0;
-  // Turns the view as little as possible, until it looks across this line.
+  // Turns the view until it looks across this line: as little as possible, but not to a view from
+  // above or below.
   virtual void look_across(const RealPoint& line) = 0;
   virtual void zoom_to_selection() = 0;
   virtual void zoom_to(const RefSet& items) = 0;  // fills the view with the items

@@ -1,4 +1,4 @@
-// Reads, computes and writes measurements.
+// Reads and computes measurements.
 #include "core/document/reference/atom_measurements.hpp"
 
 #include <stdexcept>
@@ -7,7 +7,6 @@
 #include "core/files/line_reader.hpp"
 #include "core/measure/angles.hpp"
 #include "core/selection/atom_address.hpp"
-#include "core/write/csv.hpp"
 
 namespace alphascope {
 namespace {
@@ -93,23 +92,6 @@ AskedMeasurement asked_measurement(const Selection& selection) {
             std::string("Select two to four atoms, one after the other (Ctrl+click). ") + kHowMany};
   }
   return {Measurement{atoms}, {}};
-}
-
-std::string measurements_csv(const Molecule& molecule, const Measurements& measurements) {
-  std::vector<CsvRow> rows;
-  for (const Measurement& m : measurements) {
-    const auto of = measured(molecule, m);
-    CsvRow row{{"number", std::to_string(rows.size() + 1)},
-               {"kind", measurement_name(m)},
-               {"value", of && of->value ? all_digits(*of->value) : ""},
-               {"unit", m.atoms.size() == 2 ? "angstrom" : "degree"}};
-    for (std::size_t n = 0; n < kMost; ++n) {
-      row.emplace_back("atom_" + std::to_string(n + 1),
-                       of && n < of->atoms.size() ? atom_address(molecule, of->atoms[n]) : "");
-    }
-    rows.push_back(std::move(row));
-  }
-  return csv_text(rows);
 }
 
 }  // namespace alphascope

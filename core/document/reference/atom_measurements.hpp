@@ -47,8 +47,4 @@ struct AskedMeasurement {
 // The measurement for a selection: an edge, or atoms in the order of their selection.
 AskedMeasurement asked_measurement(const Selection& selection);
 
-// A CSV table with all digits: number, kind, value, unit and the addresses of the atoms. A value is
-// empty if it is undefined, or if the molecule lacks an atom.
-std::string measurements_csv(const Molecule& molecule, const Measurements& measurements);
-
 }  // namespace alphascope

@@ -3,6 +3,7 @@
 
 #include "core/document/reference/reference.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/document/reference/measurement_columns.hpp"
 #include "ui/annotation_layer.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/table_cells.hpp"
@@ -19,13 +20,8 @@ void command_button(PanelContext& ctx, const char* name, const char* label, cons
   tooltip(ctx, (reason.empty() ? spec->help + "." : reason).c_str());
 }
 
-std::string atoms_text(const Molecule& molecule, const std::optional<Measured>& of) {
-  if (!of) return "";
-  std::string text;
-  for (const std::size_t atom : of->atoms) {
-    text += (text.empty() ? "" : " – ") + atom_address(molecule, atom);
-  }
-  return text;
+const Column<MeasurementRow>& column(const char* id) {
+  return column_of(measurement_columns(), id);
 }
 
 // Draws a row. Returns whether its measurement is to be removed.
@@ -33,8 +29,8 @@ bool draw_row(PanelContext& ctx, std::size_t row) {
   ViewState& s = ctx.state;
   const Measurement& m = s.settings.annotations.measurements[row];
   const Molecule& molecule = s.references->molecule();
-  const std::optional<Measured> of = measured(molecule, m);
-  const std::string number = std::to_string(row + 1);
+  const MeasurementRow cells{molecule, m, row + 1};
+  const std::string number = column("number").shown_text(cells);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(row));
@@ -49,11 +45,11 @@ bool draw_row(PanelContext& ctx, std::size_t row) {
       ctx,
       (measurement_text(molecule, m) + "\nA click selects its atoms; Z looks at them.").c_str());
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(m.atoms.size() == 4 ? "dihedral" : measurement_name(m));
+  ImGui::TextUnformatted(column("kind").shown_text(cells).c_str());
   ImGui::TableNextColumn();
-  const std::string between = atoms_text(molecule, of);
+  const std::string between = column("between").shown_text(cells);
   ImGui::TextUnformatted(fitted_text(between, ImGui::GetContentRegionAvail().x).c_str());
-  number_cell(measured_text(m, of));
+  number_cell(measured_text(m, cells.of));
   ImGui::TableNextColumn();
   const bool removes = row_button(ctx, ("details.remove." + number).c_str(), "×", 22);
   tooltip(ctx, "Takes it away.");
@@ -65,10 +61,10 @@ void table(PanelContext& ctx) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg;
   if (!ImGui::BeginTable("measured", 5, kFlags)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, ctx.px(30));
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, ctx.px(62));
-  ImGui::TableSetupColumn("between", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, ctx.px(72));
+  ImGui::TableSetupColumn(column("number").title, ImGuiTableColumnFlags_WidthFixed, ctx.px(30));
+  ImGui::TableSetupColumn(column("kind").title, ImGuiTableColumnFlags_WidthFixed, ctx.px(62));
+  ImGui::TableSetupColumn(column("between").title, ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn(column("value").title, ImGuiTableColumnFlags_WidthFixed, ctx.px(72));
   ImGui::TableSetupColumn("##remove", ImGuiTableColumnFlags_WidthFixed, ctx.px(26));
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
   ImGui::TableHeadersRow();

@@ -1,5 +1,7 @@
 // Tests measured distances and angles: in the order of selection, under other options, in words.
 #include "core/document/reference/atom_measurements.hpp"
+
+#include "core/document/reference/measurement_columns.hpp"
 #include "core/document/reference/reference.hpp"
 
 #include <gtest/gtest.h>

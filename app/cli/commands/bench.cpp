@@ -10,6 +10,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/commands/bench.hpp"
+#include "app/cli/commands/columns.hpp"
 #include "app/cli/failure.hpp"
 #include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"

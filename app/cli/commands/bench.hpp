@@ -7,7 +7,6 @@
 #include "app/cli/input_options.hpp"
 #include "app/options/exit_code.hpp"
 #include "core/document/settings/request.hpp"
-#include "core/document/tables/column_info.hpp"
 
 namespace alphascope::cli {
 
@@ -26,9 +25,6 @@ struct BenchOptions {
   bool ablation = true;
   std::string json, charts;  // charts: path of a folder
 };
-
-// The columns of --csv, without provenance.
-std::vector<ColumnInfo> bench_columns();
 
 ExitCode run_thesis_bench(const BenchOptions& options);
 

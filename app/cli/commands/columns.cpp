@@ -7,7 +7,7 @@
 #include "app/bench/thesis_table.hpp"
 #include "app/cli/cavities/comparison_columns.hpp"
 #include "app/cli/command.hpp"
-#include "app/cli/commands/bench.hpp"
+#include "app/cli/commands/columns.hpp"
 #include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/text/terminal.hpp"
@@ -15,6 +15,7 @@
 #include "core/document/cavities/cavity_columns.hpp"
 #include "core/document/channels/channel_columns.hpp"
 #include "core/document/measures/measure_columns.hpp"
+#include "core/document/reference/measurement_columns.hpp"
 #include "core/document/tables/column_info.hpp"
 
 namespace alphascope::cli {
@@ -27,6 +28,8 @@ struct ColumnsOptions {
 
 std::vector<TableInfo> all_tables() {
   return {
+      {"info", "a row for each file or model", info_columns()},
+      {"compute", "a row for each file or model", compute_columns()},
       {"cavities", "a row for each cavity", infos_of(cavity_columns())},
       {"variants", "a row for each compared radii set and solvent radius",
        infos_of(variant_columns())},
@@ -37,13 +40,15 @@ std::vector<TableInfo> all_tables() {
       {"channel", "a row for each sample of the centre line", infos_of(sample_columns())},
       {"ways", "a row for each way through the molecule", infos_of(way_columns())},
       {"measure", "a row for each group", infos_of(measure_columns())},
+      {"distances", "a row for each distance or angle that the window copies",
+       infos_of(measurement_columns())},
       {"bench", "a row for each file, number of threads and alpha", bench_columns()},
       {"suite", "a row for each measurement of the thesis' suite", infos_of(thesis_columns())}};
 }
 
-std::string table_ids() {
+std::string table_ids(const char* between) {
   std::string ids;
-  for (const TableInfo& table : all_tables()) ids += (ids.empty() ? "" : "|") + table.id;
+  for (const TableInfo& table : all_tables()) ids += (ids.empty() ? "" : between) + table.id;
   return ids;
 }
 
@@ -91,7 +96,8 @@ ExitCode run_columns(const ColumnsOptions& options) {
 
 OptionCommand table_of_columns(ColumnsOptions& options) {
   OptionCommand command{"columns", "List the columns of tables, with unit and meaning", {}};
-  Option table = choice_option({"TABLE", table_ids(), "The table"}, options.table);
+  Option table =
+      choice_option({"TABLE", table_ids("|"), "One of " + table_ids(", ")}, options.table);
   table.fallback = "all";
   command.options = {table, output("--csv", "The list as CSV; - for standard output", options.csv)};
   return command;

@@ -1,9 +1,14 @@
 // Runs alphascope-cli compute: prints the numbers of each file's or model's complex, and writes its
 // simplices to a file.
+#include <cstdint>
 #include <iostream>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "app/cli/command.hpp"
+#include "app/cli/commands/columns.hpp"
 #include "app/cli/failure.hpp"
 #include "app/cli/files_command.hpp"
 #include "app/cli/option_groups.hpp"
@@ -27,33 +32,125 @@ struct ComputeOptions {
   std::string json, csv, out;
 };
 
-// The count, or "" for a list that a tetrahedra-only complex lacks.
-template <class List>
-std::string count_text(const AlphaComplex& complex, const List& list) {
-  return complex.tetrahedra_only ? "" : std::to_string(list.size());
-}
+// A row of the CSV.
+struct Computed {
+  const Input& input;
+  const EngineAnswer& result;
+
+  const AlphaComplex& complex() const { return result.complex; }
+  // None for a list that a tetrahedra-only complex lacks.
+  template <class List>
+  CellValue count_of(const List& list) const {
+    if (complex().tetrahedra_only) return {};
+    return static_cast<std::uint64_t>(list.size());
+  }
+};
+
+const Column<Computed> kColumns[] = {
+    {.id = "model",
+     .title = "model",
+     .help = "The model of the file, from 1; “joined” for all models as one.",
+     .value = [](const Computed& r) -> CellValue { return model_text(r.input.balls.model); },
+     .files = InFiles::csv},
+    {.id = "balls",
+     .title = "balls",
+     .help = "The number of balls.",
+     .value = [](const Computed& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.input.prepared().balls->size());
+     },
+     .files = InFiles::csv},
+    {.id = "alpha_angstrom2",
+     .title = "α",
+     .unit = "Å²",
+     .help = "The requested alpha.",
+     .value = [](const Computed& r) -> CellValue {
+       return shortest_number(r.result.request.alpha_angstrom2);
+     },
+     .files = InFiles::csv},
+    {.id = "solvent_radius_angstrom",
+     .title = "solvent radius",
+     .unit = "Å",
+     .help = "The requested solvent radius.",
+     .value = [](const Computed& r) -> CellValue {
+       return shortest_number(r.result.request.solvent_radius_angstrom);
+     },
+     .files = InFiles::csv},
+    {.id = "solvent_rounding_angstrom",
+     .title = "rounding",
+     .unit = "Å",
+     .help =
+         "The change of the solvent radius to a multiple of the lattice unit; 0 if it is exact.",
+     .value = [](const Computed& r) -> CellValue {
+       return shortest_number(solvent_rounding_angstrom(r.result.request, r.complex().lattice));
+     },
+     .files = InFiles::csv},
+    {.id = "tetrahedra_only",
+     .title = "tetrahedra only",
+     .help = "Only tetrahedra were computed.",
+     .value = [](const Computed& r) -> CellValue { return r.complex().tetrahedra_only; },
+     .files = InFiles::csv},
+    {.id = "vertices",
+     .title = "vertices",
+     .help = "The number of vertices; empty if only tetrahedra were computed.",
+     .value = [](const Computed& r) -> CellValue { return r.count_of(r.complex().vertices); },
+     .files = InFiles::csv},
+    {.id = "edges",
+     .title = "edges",
+     .help = "The number of edges; empty if only tetrahedra were computed.",
+     .value = [](const Computed& r) -> CellValue { return r.count_of(r.complex().edges); },
+     .files = InFiles::csv},
+    {.id = "triangles",
+     .title = "triangles",
+     .help = "The number of triangles; empty if only tetrahedra were computed.",
+     .value = [](const Computed& r) -> CellValue { return r.count_of(r.complex().triangles); },
+     .files = InFiles::csv},
+    {.id = "tetrahedra",
+     .title = "tetrahedra",
+     .help = "The number of tetrahedra.",
+     .value = [](const Computed& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.complex().tetrahedra.size());
+     },
+     .files = InFiles::csv},
+    {.id = "euler_characteristic",
+     .title = "Euler characteristic",
+     .help = "V − E + F − T; empty if only tetrahedra were computed.",
+     .value = [](const Computed& r) -> CellValue {
+       return r.complex().tetrahedra_only ? "" : std::to_string(r.complex().euler_characteristic());
+     },
+     .files = InFiles::csv},
+    {.id = "hash",
+     .title = "hash",
+     .help = "The set of simplices as 16 hexadecimal digits, the same on every engine.",
+     .value = [](const Computed& r) -> CellValue { return hash_text(r.complex().hash); },
+     .files = InFiles::csv},
+    {.id = "engine",
+     .title = "engine",
+     .help = "The engine that computed.",
+     .value = [](const Computed& r) -> CellValue { return r.complex().engine.name; },
+     .files = InFiles::csv},
+    {.id = "device",
+     .title = "device",
+     .help = "The device that computed.",
+     .value = [](const Computed& r) -> CellValue { return r.complex().engine.device; },
+     .files = InFiles::csv},
+    {.id = "route",
+     .title = "route",
+     .help = "The way in which this alpha was computed.",
+     .value = [](const Computed& r) -> CellValue { return r.complex().engine.route; },
+     .files = InFiles::csv},
+    {.id = "wall_ms",
+     .title = "wall time",
+     .unit = "ms",
+     .help = "The wall time.",
+     .value = [](const Computed& r) -> CellValue {
+       return csv_milliseconds(r.complex().timings.wall_milliseconds);
+     },
+     .files = InFiles::csv}};
+constexpr std::span<const Column<Computed>> kAllColumns(kColumns);
 
 CsvRow csv_row(const Input& input, const EngineAnswer& result) {
-  const Request& request = result.request;
   const AlphaComplex& complex = result.complex;
-  CsvRow row{{"model", model_text(input.balls.model)},
-             {"balls", std::to_string(input.prepared().balls->size())},
-             {"alpha_angstrom2", shortest_number(request.alpha_angstrom2)},
-             {"solvent_radius_angstrom", shortest_number(request.solvent_radius_angstrom)},
-             {"solvent_rounding_angstrom",
-              shortest_number(solvent_rounding_angstrom(request, complex.lattice))},
-             {"tetrahedra_only", complex.tetrahedra_only ? "1" : "0"},
-             {"vertices", count_text(complex, complex.vertices)},
-             {"edges", count_text(complex, complex.edges)},
-             {"triangles", count_text(complex, complex.triangles)},
-             {"tetrahedra", std::to_string(complex.tetrahedra.size())},
-             {"euler_characteristic",
-              complex.tetrahedra_only ? "" : std::to_string(complex.euler_characteristic())},
-             {"hash", hash_text(complex.hash)},
-             {"engine", complex.engine.name},
-             {"device", complex.engine.device},
-             {"route", complex.engine.route},
-             {"wall_ms", csv_milliseconds(complex.timings.wall_milliseconds)}};
+  CsvRow row = csv_row_of(kAllColumns, {input, result});
   for (auto& [key, value] : input.provenance()) {
     // The solvent radius may need a finer lattice.
     if (key == "lattice_unit_angstrom") value = lattice_unit_text(complex.lattice);
@@ -205,6 +302,10 @@ OptionCommand table_of_compute(ComputeOptions& options) {
 }
 
 }  // namespace
+
+std::vector<ColumnInfo> compute_columns() {
+  return infos_of(kAllColumns);
+}
 
 Command compute_command() {
   return make_command<ComputeOptions>(

@@ -1,10 +1,15 @@
 // Runs alphascope-cli info: prints the contents of files, and the atoms that would be used.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <map>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "app/cli/command.hpp"
+#include "app/cli/commands/columns.hpp"
 #include "app/cli/failure.hpp"
 #include "app/cli/files_command.hpp"
 #include "app/cli/option_groups.hpp"
@@ -221,17 +226,61 @@ std::string table_line(const Table& table, const std::string& file, const Input&
                      report.radii_name});
 }
 
+const Column<Input> kColumns[] = {
+    {.id = "file",
+     .title = "file",
+     .help = "The file as it was named.",
+     .value = [](const Input& r) -> CellValue { return printable(r.molecule().source.string()); },
+     .files = InFiles::csv},
+    {.id = "model",
+     .title = "model",
+     .help = "The model of the file, from 1; “joined” for all models as one.",
+     .value = [](const Input& r) -> CellValue { return model_text(r.balls.model); },
+     .files = InFiles::csv},
+    {.id = "models",
+     .title = "models",
+     .help = "The number of models in the file.",
+     .value = [](const Input& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.molecule().models.size());
+     },
+     .files = InFiles::csv},
+    {.id = "atoms",
+     .title = "atoms",
+     .help = "The number of atoms of the model.",
+     .value = [](const Input& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.prepared().report.total);
+     },
+     .files = InFiles::csv},
+    {.id = "balls",
+     .title = "balls",
+     .help = "The number of atoms that are used.",
+     .value = [](const Input& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.prepared().balls->size());
+     },
+     .files = InFiles::csv},
+    {.id = "guessed_atoms",
+     .title = "guessed",
+     .help = "The number of atoms whose radius was guessed.",
+     .value = [](const Input& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.prepared().report.guessed_atoms);
+     },
+     .files = InFiles::csv},
+    {.id = "coincident_centres",
+     .title = "coincident",
+     .help = "The number of balls at the place of another one.",
+     .value = [](const Input& r) -> CellValue {
+       return static_cast<std::uint64_t>(r.prepared().report.coincident_centres);
+     },
+     .files = InFiles::csv},
+    {.id = "title",
+     .title = "title",
+     .help = "The title in the file.",
+     .value = [](const Input& r) -> CellValue { return r.molecule().title; },
+     .files = InFiles::csv}};
+constexpr std::span<const Column<Input>> kAllColumns(kColumns);
+
 CsvRow csv_row(const Input& input) {
-  const Molecule& molecule = input.molecule();
-  const SelectionReport& report = input.prepared().report;
-  CsvRow row{{"file", printable(molecule.source.string())},
-             {"model", model_text(input.balls.model)},
-             {"models", std::to_string(molecule.models.size())},
-             {"atoms", std::to_string(report.total)},
-             {"balls", std::to_string(input.prepared().balls->size())},
-             {"guessed_atoms", std::to_string(report.guessed_atoms)},
-             {"coincident_centres", std::to_string(report.coincident_centres)},
-             {"title", molecule.title}};
+  CsvRow row = csv_row_of(kAllColumns, input);
   for (auto& [key, value] : input.provenance()) {
     if (key != "model" && key != "file") row.emplace_back(key, std::move(value));
   }
@@ -292,6 +341,10 @@ OptionCommand table_of_info(InfoOptions& options) {
 }
 
 }  // namespace
+
+std::vector<ColumnInfo> info_columns() {
+  return infos_of(kAllColumns);
+}
 
 Command info_command() {
   return make_command<InfoOptions>(

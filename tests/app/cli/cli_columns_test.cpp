@@ -22,6 +22,8 @@ class CliColumns : public Cli {
 
 TEST_F(CliColumns, TheListBeginsTheFirstLineOfTheCsv) {
   const std::pair<std::string, std::string> cases[] = {
+      {"info", "info -q --csv - " + kCrambin},
+      {"compute", "compute -q --alpha 1 --csv - " + kCrambin},
       {"cavities", "cavities -q --csv - " + kCrambin},
       {"channel", "channel -q --csv - --way 1 " + kCrambin},
       {"measure", "measure -q --csv - --per atom --derivatives " + kCrambin},

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/nice_step.hpp"
+#include "core/chart/ticks.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/caption.hpp"
 #include "ui/number_text.hpp"
@@ -46,8 +46,8 @@ std::vector<Tick> ticks_at(const ColourLegend& legend, double step, float width,
                            const MarkType& type) {
   constexpr int kDecimals = 9;  // for multiples of a step with one digit
   std::vector<Tick> ticks;
-  const ColourRange range{legend.stops.front().value, legend.stops.back().value};
-  for (const double value : round_values(range, step)) {
+  const double low = legend.stops.front().value, high = legend.stops.back().value;
+  for (const double value : round_values(low, high, step)) {
     Tick tick{width * share_of(legend.stops, value), 0, short_number_text(value, kDecimals)};
     const float length = type.text_width(tick.number);
     // Numbers at the bar's ends may extend beyond it by kStickOut, but not beyond the margin.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/nice_step.hpp"
+#include "core/chart/ticks.hpp"
 
 namespace alphascope {
 namespace {
@@ -34,16 +34,6 @@ ColourRange round_range(double low, double high) {
   }
   const double step = nice_step(high - low, kStepsOfARange);
   return {std::floor(low / step + kSlack) * step, std::ceil(high / step - kSlack) * step};
-}
-
-std::vector<double> round_values(const ColourRange& range, double step) {
-  constexpr double kMost = 1000;
-  std::vector<double> values;
-  const double first = std::ceil(range.low / step - kSlack);
-  const double last = std::floor(range.high / step + kSlack);
-  if (!(last - first < kMost)) return values;
-  for (double k = first; k <= last; ++k) values.push_back(k == 0 ? 0 : k * step);
-  return values;
 }
 
 }  // namespace alphascope

@@ -30,7 +30,4 @@ struct ColourScale {
 // in its middle; if both are 0, at its lower end.
 ColourRange round_range(double low, double high);
 
-// Multiples of `step` within the range, ascending.
-std::vector<double> round_values(const ColourRange& range, double step);
-
 }  // namespace alphascope

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/nice_step.hpp"
 #include "core/chart/readable_number.hpp"
+#include "core/chart/ticks.hpp"
 
 namespace alphascope {
 namespace {
@@ -13,6 +13,7 @@ namespace {
 // The axis is logarithmic from this ratio of values on. Small values would be unreadable on a
 // linear one.
 constexpr double kLogarithmicFrom = 30;
+constexpr float kCurve = 2;  // width of curves, pixels
 
 struct Range {
   double low = 0, high = 1;
@@ -71,11 +72,11 @@ std::vector<double> ticks_of(const Range& range, int most) {
     }
     return ticks;
   }
-  const double step = nice_step(range.high - range.low, most);
-  const auto first = static_cast<long>(std::ceil(range.low / step - 1e-9));
-  const auto last = static_cast<long>(std::floor(range.high / step + 1e-9));
-  for (long n = first; n <= last; ++n) ticks.push_back(static_cast<double>(n) * step);
-  return ticks;
+  return round_values(range.low, range.high, nice_step(range.high - range.low, most));
+}
+
+ChartPaint paint_of_series(std::size_t n) {
+  return {ChartInk::text, chart_colour(n), 1};
 }
 
 class Layout {
@@ -157,10 +158,10 @@ class Layout {
       }
       if (chart_.kind == ChartKind::lines) {
         drawing_.lines.push_back({x, y_ + row_ / 2, x + swatch * 1.2f, y_ + row_ / 2,
-                                  ChartInk::grid, s, s >= kChartColours});
+                                  paint_of_series(s), kCurve, s >= kChartColours});
       } else {
-        drawing_.boxes.push_back(
-            {x, y_ + (row_ - swatch) / 2, swatch, swatch, s, chart_.series[s].name});
+        drawing_.boxes.push_back({x, y_ + (row_ - swatch) / 2, swatch, swatch, paint_of_series(s),
+                                  chart_.series[s].name});
       }
       text(x + swatch * 1.5f, y_ + row_ / 2, chart_.series[s].name, ChartInk::text);
       x += needed + type_.font * 1.4f;
@@ -180,7 +181,7 @@ class Layout {
     for (const double t : ticks_of(range, most)) {
       const float x = value_x(range, t);
       text(x, y_ + row_ / 2, chart_number(t), ChartInk::muted, ChartAnchor::middle);
-      drawing_.lines.push_back({x, axis_top_, x, bottom, ChartInk::grid});
+      drawing_.lines.push_back({x, axis_top_, x, bottom, {ChartInk::grid}});
     }
     y_ += row_;
   }
@@ -229,10 +230,10 @@ class Layout {
 
   void zero_line(const Range& range, float bottom) {
     const float start = value_x(range, base(range));
-    drawing_.lines.push_back({start, axis_top_, start, bottom, ChartInk::axis});
+    drawing_.lines.push_back({start, axis_top_, start, bottom, {ChartInk::axis}});
     if (!chart_.reference) return;
     const float x = value_x(range, *chart_.reference);
-    drawing_.lines.push_back({x, axis_top_, x, bottom, ChartInk::axis, {}, true});
+    drawing_.lines.push_back({x, axis_top_, x, bottom, {ChartInk::axis}, 1, true});
     text(x, bottom + row_ / 2, chart_.reference_label, ChartInk::muted, ChartAnchor::middle);
   }
 
@@ -254,8 +255,8 @@ class Layout {
       const double value = *series.values[c];
       const float end = value_x(range, value);
       drawing_.boxes.push_back({std::min(start, end), top + bar * 0.08f,
-                                std::max(1.0f, std::fabs(end - start)), bar * 0.84f, s,
-                                tip(c, series, value)});
+                                std::max(1.0f, std::fabs(end - start)), bar * 0.84f,
+                                paint_of_series(s), tip(c, series, value)});
       text(std::max(start, end) + type_.font * 0.4f, middle,
            note.empty() ? chart_number(value) : note);
     }
@@ -268,8 +269,8 @@ class Layout {
       if (c >= series.values.size() || !series.values[c]) continue;
       const float start = value_x(range, sum);
       sum += *series.values[c];
-      drawing_.boxes.push_back({start, top, std::max(0.5f, value_x(range, sum) - start), bar, s,
-                                tip(c, series, *series.values[c])});
+      drawing_.boxes.push_back({start, top, std::max(0.5f, value_x(range, sum) - start), bar,
+                                paint_of_series(s), tip(c, series, *series.values[c])});
     }
     if (sum > 0) return;
     const auto has_note = [c](const ChartSeries& s) { return c < s.notes.size(); };
@@ -308,20 +309,21 @@ class Layout {
     };
     for (const double t : ticks) {
       text(left_ - type_.font * 0.6f, at(t), chart_number(t), ChartInk::muted, ChartAnchor::end);
-      drawing_.lines.push_back({left_, at(t), end_, at(t), ChartInk::grid});
+      drawing_.lines.push_back({left_, at(t), end_, at(t), {ChartInk::grid}});
     }
     const int most_x = std::max(2, static_cast<int>((end_ - left_) / (5 * type_.font)));
     for (const double t : ticks_of(x, most_x)) {
       text(value_x(x, t), bottom + row_ * 0.6f, chart_number(t), ChartInk::muted,
            ChartAnchor::middle);
-      drawing_.lines.push_back({value_x(x, t), bottom, value_x(x, t), bottom + 4, ChartInk::axis});
+      drawing_.lines.push_back(
+          {value_x(x, t), bottom, value_x(x, t), bottom + 4, {ChartInk::axis}});
     }
     const double zero = y_range.logarithmic ? y_range.low : 0;
-    drawing_.lines.push_back({left_, at(zero), end_, at(zero), ChartInk::axis});
-    drawing_.lines.push_back({left_, top, left_, bottom, ChartInk::axis});
+    drawing_.lines.push_back({left_, at(zero), end_, at(zero), {ChartInk::axis}});
+    drawing_.lines.push_back({left_, top, left_, bottom, {ChartInk::axis}});
     if (chart_.reference) {
       const float y = at(*chart_.reference);
-      drawing_.lines.push_back({left_, y, end_, y, ChartInk::axis, {}, true});
+      drawing_.lines.push_back({left_, y, end_, y, {ChartInk::axis}, 1, true});
       text(end_, y - row_ / 2, chart_.reference_label, ChartInk::muted, ChartAnchor::end);
     }
     for (std::size_t s = 0; s < chart_.series.size(); ++s) curve(s, x, at);
@@ -339,12 +341,13 @@ class Layout {
         last.reset();  // a missing value leaves a gap
         continue;
       }
-      ChartDot dot{value_x(x, series.x[n]), at(*series.values[n]), s,
+      ChartDot dot{value_x(x, series.x[n]), at(*series.values[n]), paint_of_series(s),
                    series.name + ", " + chart_.x_label + " " + chart_number(series.x[n]) + ": " +
-                       chart_number(*series.values[n])};
+                       chart_number(*series.values[n]),
+                   3.5f * type_.pixel};
       if (last) {
         drawing_.lines.push_back(
-            {last->x, last->y, dot.x, dot.y, ChartInk::grid, s, s >= kChartColours});
+            {last->x, last->y, dot.x, dot.y, dot.paint, kCurve, s >= kChartColours});
       }
       drawing_.dots.push_back(dot);
       last = std::move(dot);

@@ -1,10 +1,11 @@
-// Writes charts as SVG files.
+// Writes charts and plots as SVG.
 #include "core/chart/svg.hpp"
 
 #include <cstdio>
 #include <list>
 
 #include "core/chart/layout.hpp"
+#include "core/chart/plot.hpp"
 #include "core/chart/xml_text.hpp"
 #include "core/files/atomic_file.hpp"
 
@@ -42,6 +43,10 @@ const char* colour(ChartInk ink) {
       return "#dfe3e8";
     case ChartInk::axis:
       return "#6e7781";
+    case ChartInk::accent:
+      return "#0969da";
+    case ChartInk::ground:
+      return "#ffffff";
   }
   return "#000000";
 }
@@ -50,13 +55,51 @@ const char* anchor(ChartAnchor a) {
   return a == ChartAnchor::start ? "start" : a == ChartAnchor::middle ? "middle" : "end";
 }
 
+std::string colour(const ChartPaint& paint) {
+  return paint.colour ? hex(*paint.colour) : colour(paint.ink);
+}
+
+// An attribute such as " fill-opacity"; nothing where the colour is opaque.
+std::string opacity(const char* attribute, const ChartPaint& paint) {
+  return paint.opacity < 1 ? format(" %s=\"%.2f\"", attribute, static_cast<double>(paint.opacity))
+                           : "";
+}
+
 std::string svg_line(const ChartLine& l) {
-  const std::string stroke = l.series ? hex(chart_colour(*l.series)) : colour(l.ink);
-  return format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" ",
+  return format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"%s ",
                 static_cast<double>(l.x0), static_cast<double>(l.y0), static_cast<double>(l.x1),
-                static_cast<double>(l.y1), stroke.c_str()) +
-         (l.series ? "stroke-width=\"2\"" : "stroke-width=\"1\"") +
+                static_cast<double>(l.y1), colour(l.paint).c_str(),
+                opacity("stroke-opacity", l.paint).c_str()) +
+         format("stroke-width=\"%g\"", static_cast<double>(l.width)) +
          (l.dashed ? " stroke-dasharray=\"5 4\"/>\n" : "/>\n");
+}
+
+std::string svg_box(const ChartBox& b) {
+  const std::string paint =
+      b.filled ? "fill=\"" + colour(b.paint) + "\"" + opacity("fill-opacity", b.paint)
+               : "fill=\"none\" stroke=\"" + colour(b.paint) + "\"";
+  return format("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" %s>",
+                static_cast<double>(b.x), static_cast<double>(b.y), static_cast<double>(b.width),
+                static_cast<double>(b.height), paint.c_str()) +
+         "<title>" + xml_text(b.tip) + "</title></rect>\n";
+}
+
+std::string svg_path(const ChartPath& p) {
+  std::string points;
+  for (const ChartPoint& point : p.points) {
+    points += format("%.1f,%.1f ", static_cast<double>(point.x), static_cast<double>(point.y));
+  }
+  if (!points.empty()) points.pop_back();
+  return "<polyline points=\"" + points +
+         format("\" fill=\"none\" stroke=\"%s\"%s stroke-width=\"%g\"/>\n", colour(p.paint).c_str(),
+                opacity("stroke-opacity", p.paint).c_str(), static_cast<double>(p.width));
+}
+
+std::string svg_dot(const ChartDot& d) {
+  const std::string paint = d.ring ? "#ffffff\" stroke=\"" + colour(d.paint) : colour(d.paint);
+  return format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\">", static_cast<double>(d.x),
+                static_cast<double>(d.y), static_cast<double>(d.radius), paint.c_str()) +
+         "<title>" + xml_text(d.tip) + "</title></circle>\n";
 }
 
 std::string svg_text(const ChartText& t) {
@@ -68,8 +111,7 @@ std::string svg_text(const ChartText& t) {
 
 }  // namespace
 
-std::string chart_svg(const Chart& chart, float width) {
-  const ChartDrawing d = lay_out(chart, width, {kFont, estimated_width});
+std::string drawing_svg(const ChartDrawing& d) {
   std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   svg += format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" "
@@ -77,21 +119,45 @@ std::string chart_svg(const Chart& chart, float width) {
       static_cast<double>(d.width), static_cast<double>(d.height), static_cast<double>(d.width),
       static_cast<double>(d.height), static_cast<double>(kFont));
   svg += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  for (const ChartLine& l : d.lines) svg += svg_line(l);
-  for (const ChartBox& b : d.boxes) {
-    svg += format("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\">",
-                  static_cast<double>(b.x), static_cast<double>(b.y), static_cast<double>(b.width),
-                  static_cast<double>(b.height), hex(chart_colour(b.series)).c_str()) +
-           "<title>" + xml_text(b.tip) + "</title></rect>\n";
-  }
-  for (const ChartDot& p : d.dots) {
-    svg +=
-        format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\">", static_cast<double>(p.x),
-               static_cast<double>(p.y), hex(chart_colour(p.series)).c_str()) +
-        "<title>" + xml_text(p.tip) + "</title></circle>\n";
-  }
-  for (const ChartText& t : d.texts) svg += svg_text(t);
+  for (const ChartLine& line : d.lines) svg += svg_line(line);
+  for (const ChartBox& box : d.boxes) svg += svg_box(box);
+  for (const ChartPath& path : d.paths) svg += svg_path(path);
+  for (const ChartDot& dot : d.dots) svg += svg_dot(dot);
+  for (const ChartText& text : d.texts) svg += svg_text(text);
   return svg + "</svg>\n";
+}
+
+std::string chart_svg(const Chart& chart, float width) {
+  return drawing_svg(lay_out(chart, width, {kFont, estimated_width}));
+}
+
+std::string plot_svg(const Plot& plot, const std::string& title, float width) {
+  const ChartType type{kFont, estimated_width};
+  constexpr float kLeft = 70, kRight = 20, kRow = 1.5f * kFont, kBelow = 3.2f * kFont;
+  ChartDrawing legend;
+  float y = kRow;
+  legend.texts.push_back({kFont, y, title, ChartInk::text, ChartAnchor::start, true});
+  y += kRow;
+  float x = kFont;
+  for (const PlotCurve& curve : plot.curves) {
+    if (curve.name.empty()) continue;
+    const float needed = 1.5f * kFont + estimated_width(curve.name);
+    if (x > kFont && x + needed > width - kFont) {
+      x = kFont;
+      y += kRow;
+    }
+    legend.boxes.push_back({x, y - 5, 10, 10, curve.paint, curve.name});
+    legend.texts.push_back({x + 1.2f * kFont, y, curve.name});
+    x += needed + kFont;
+  }
+  const float top = y + 1.5f * kRow, bottom = top + 0.45f * width;
+  const PlotArea area{kLeft, top, width - kRight, bottom, plot.x.range, plot.y.range};
+  ChartDrawing drawing = lay_out(plot, area, type);
+  drawing.width = width;
+  drawing.height = bottom + kBelow;
+  drawing.boxes.insert(drawing.boxes.end(), legend.boxes.begin(), legend.boxes.end());
+  drawing.texts.insert(drawing.texts.end(), legend.texts.begin(), legend.texts.end());
+  return drawing_svg(drawing);
 }
 
 std::vector<std::filesystem::path> write_charts(const std::vector<Chart>& charts,

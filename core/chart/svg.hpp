@@ -1,15 +1,19 @@
-// A chart as SVG 1.1, readable in browsers and word processors.
+// Charts and plots as SVG 1.1, readable in browsers and word processors.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
 #include "core/chart/chart.hpp"
+#include "core/chart/plot.hpp"
 
 namespace alphascope {
 
-// A complete document on white.
+// Complete documents on white.
+std::string drawing_svg(const ChartDrawing& drawing);
 std::string chart_svg(const Chart& chart, float width = 760);
+// With a legend of the curves that have names.
+std::string plot_svg(const Plot& plot, const std::string& title, float width = 760);
 
 // Writes `folder`/<id>.svg for each chart and returns the paths. Creates the folder if it does not
 // exist. Throws WriteError.

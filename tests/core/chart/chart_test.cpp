@@ -135,7 +135,7 @@ TEST(Chart, LinesLeaveAGapWhereNothingWasMeasured) {
   const ChartDrawing d = lay_out(lines(), 600, kType);
   ASSERT_EQ(d.dots.size(), 3u);
   const auto drawn = std::count_if(d.lines.begin(), d.lines.end(),
-                                   [](const ChartLine& l) { return l.series.has_value(); });
+                                   [](const ChartLine& l) { return l.paint.colour.has_value(); });
   EXPECT_EQ(drawn, 1) << "from 2 to 4 only";
   EXPECT_LT(d.dots[1].y, d.dots[2].y) << "30 is above 20";
   EXPECT_NEAR(d.dots[2].x - d.dots[1].x, d.dots[1].x - d.dots[0].x, 0.01);

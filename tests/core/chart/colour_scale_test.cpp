@@ -102,12 +102,5 @@ TEST(ColourScale, RoundRangesHoldTheirValues) {
   }
 }
 
-TEST(ColourScale, RoundValuesAreMultiplesWithinTheRange) {
-  EXPECT_EQ(round_values({-0.5, 2.1}, 1), (std::vector<double>{0, 1, 2}));
-  EXPECT_EQ(round_values({0.1, 0.3}, 0.1).size(), 3u) << "ends count";
-  EXPECT_TRUE(round_values({0.1, 0.9}, 1).empty());
-  EXPECT_TRUE(round_values({0, 1e9}, 1).empty()) << "more than anybody reads";
-}
-
 }  // namespace
 }  // namespace alphascope

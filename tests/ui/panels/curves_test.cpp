@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/document/cavities/cavity_names.hpp"
+#include "tests/support/well_formed_xml.hpp"
 #include "tests/ui/panel_memory.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
@@ -97,6 +98,15 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntr
   run("click save_table.ok\n");
   settle();
   EXPECT_EQ(bytes("curve.csv"), csv);
+  run("click curves.save\nframes 3\n");
+  viewer_->state().memory.save_table.path = (folder_ / "curve.svg").string();
+  run("click save_table.ok\n");
+  settle();
+  const std::string svg = bytes("curve.svg");
+  EXPECT_EQ(test::xml_error(svg), "") << svg;
+  EXPECT_NE(svg.find("SA area (Å²)"), std::string::npos);
+  EXPECT_NE(svg.find("pocket 4"), std::string::npos);
+  EXPECT_NE(svg.find("<polyline"), std::string::npos);
 }
 
 // The page of cavities is not drawn meanwhile.

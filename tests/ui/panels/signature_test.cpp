@@ -1,9 +1,13 @@
 // Tests the signature panel in the whole window: curves, a click that sets alpha, marks in the
 // picture.
 #include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
 
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "tests/support/well_formed_xml.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope::testing {
@@ -31,6 +35,37 @@ TEST_F(SignatureTest, AClickSetsAlphaAndIsOneEntry) {
   run("edit.undo\nwait-idle\n");
   EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 0);
   EXPECT_EQ(viewer_->state().undo_text, "");
+}
+
+// The last row of the table has all simplices that there are at the right end.
+TEST_F(SignatureTest, IsSavedAsATableAndAsAFigure) {
+  open_signature();
+  const auto saved = [&](const char* name) {
+    run("click signature.save\nframes 3\n");
+    viewer_->state().memory.save_table.path = (folder_ / name).string();
+    run("click save_table.ok\nwait-idle\nframes 3\nwait-idle\n");
+    std::ifstream file(folder_ / name);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  };
+  const std::string csv = saved("signature.csv");
+  EXPECT_NE(csv.find("\nalpha (Å²),vertices,edges,triangles,tetrahedra,Euler characteristic\n"),
+            std::string::npos)
+      << csv.substr(0, 800);
+  EXPECT_NE(csv.find("# sha256: "), std::string::npos);
+  run("alpha.set 10\nwait-idle\n");
+  const AlphaComplex& complex = viewer_->state().result->complex;
+  std::string last = "\n10";
+  for (const std::size_t n : {complex.vertices.size(), complex.edges.size(),
+                              complex.triangles.size(), complex.tetrahedra.size()}) {
+    last += "," + std::to_string(n);
+  }
+  EXPECT_NE(csv.find(last + ","), std::string::npos) << last << "\n"
+                                                     << csv.substr(csv.size() - 200);
+  const std::string svg = saved("signature.svg");
+  EXPECT_EQ(test::xml_error(svg), "");
+  EXPECT_NE(svg.find("Euler characteristic"), std::string::npos);
 }
 
 TEST_F(SignatureTest, MarksWhatAppearsInThePicture) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/chart/plot.hpp"
 #include "core/document/channels/channel_texts.hpp"
 #include "ui/panels/channels/channel_memory.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -23,6 +24,8 @@ void draw_channel_ends(PanelContext& ctx, ChannelMemory& memory);
 // Draws a line for each way through the molecule. A click chooses the way.
 void draw_ways(PanelContext& ctx, ChannelMemory& memory, const FoundWays& ways);
 
+// Radius against length, with the limits of HOLE's colours.
+Plot profile_plot(const Channel& channel);
 // Draws radius against length in the remaining room, and sets the cursor.
 void draw_channel_profile(PanelContext& ctx, ChannelMemory& memory, const Channel& channel);
 

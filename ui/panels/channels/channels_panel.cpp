@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/chart/svg.hpp"
 #include "core/document/channels/channel_export.hpp"
 #include "core/document/channels/channel_records.hpp"
 #include "core/document/store/store.hpp"
@@ -66,9 +67,7 @@ void take_answer(const PanelContext& ctx, ChannelMemory& memory,
   memory.covering.clear();
   const BallReferences& atoms = *ctx.state.references;
   if (found->channel) memory.touching = touching_text(atoms, *found->channel);
-  if (found->covering) {
-    memory.covering = atom_text(atoms, *found->covering);
-  }
+  if (found->covering) memory.covering = atom_text(atoms, *found->covering);
 }
 
 // Turns the view across the line from one sample to another.
@@ -195,11 +194,12 @@ void cover_lines(PanelContext& ctx, const FoundChannel& found) {
 }
 
 std::vector<FormatToSave> exports_of(const std::shared_ptr<const FoundChannel>& found,
-                                     const RecordSource& source) {
+                                     const RecordSource& source, const std::string& title) {
   std::vector<FormatToSave> formats;
   for (const ShapeExportInfo& info : channel_exports()) {
     formats.push_back(format_to_save(info, channel_export(info, found, source)));
   }
+  formats.push_back(figure_to_save(plot_svg(profile_plot(*found->channel), title)));
   return formats;
 }
 
@@ -237,12 +237,11 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
                       channel_as_json(memory.shown, source),
                       {},
                       false,
-                      exports_of(memory.shown, source)});
+                      exports_of(memory.shown, source, ctx.state.molecule.name)});
   }
-  tooltip(
-      ctx,
-      "The profile as a CSV file, or all of the channel as a JSON file; or its surface, spheres "
-      "along it, or a script, for other programs.");
+  tooltip(ctx,
+          "The profile as a CSV or SVG file, the channel as a JSON file, or its surface, spheres "
+          "along it or a script for other programs.");
   ImGui::EndDisabled();
 }
 

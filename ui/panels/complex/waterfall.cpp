@@ -1,13 +1,13 @@
 // The waterfall of the timings. Each stage is one line and starts where the previous one ended. Our
 // engine is above CGAL, on one time axis.
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <string>
+#include <vector>
 
-#include "core/chart/readable_number.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/plot.hpp"
 
 namespace alphascope {
 namespace {
@@ -41,82 +41,64 @@ void add_lines(std::vector<Line>& lines, const EngineInfo& engine, const Measure
   }
 }
 
-// Returns 1, 2 or 5 times a power of ten, so that at most `most` ticks cover `range`.
-double tick_step(double range, int most) {
-  double step = std::pow(10.0, std::floor(std::log10(std::max(range, 1e-9))) - 1);
-  for (const double factor : {2.0, 2.5, 2.0, 2.0, 2.5, 2.0, 2.0}) {
-    if (range / step <= most) break;
-    step *= factor;
-  }
-  return step;
-}
-
 class Waterfall {
  public:
   Waterfall(PanelContext& ctx, double range, std::size_t lines, float gutter)
-      : ctx_(ctx), draw_(ImGui::GetWindowDrawList()), range_(std::max(range, 1e-6)) {
+      : ctx_(ctx), draw_(ImGui::GetWindowDrawList()) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    gutter_ = corner.x + std::min(ctx.px(gutter), 0.36f * width);
     left_ = corner.x;
-    right_ = corner.x + width - ctx.px(86);  // room for the last duration
-    top_ = corner.y;
     row_ = ctx.px(15.5f);
-    bottom_ = top_ + row_ * static_cast<float>(lines + 1);
+    plot_.numbers_above = true;
+    plot_.x = {.range = {0, std::max(range, 1e-6)}, .unit = "ms"};
+    plot_.y = {.range = {static_cast<double>(lines), 0}, .numbered = false};
+    area_.left = corner.x + std::min(ctx.px(gutter), 0.36f * width);
+    area_.right = corner.x + width - ctx.px(86);  // room for the last duration
+    area_.top = corner.y + row_;
+    area_.bottom = area_.top + row_ * static_cast<float>(lines);
+    area_.x = plot_.x.range;
+    area_.y = plot_.y.range;
   }
 
-  float x(double ms) const {
-    return gutter_ + static_cast<float>(ms / range_) * (right_ - gutter_);
+  void add(const Line& line, std::size_t index) {
+    // The whole run is a thin rail, and its stages hang below it.
+    const double middle = static_cast<double>(index) + 0.5;
+    const double half = line.heading ? 2 / 15.5 : 0.5 - 3 / 15.5;
+    const double least = area_.x_at(area_.left + 2) - area_.x.low;  // two pixels
+    plot_.boxes.push_back({line.start, line.start + std::max(line.length, least), middle - half,
+                           middle + half, plot_colour(line.colour, line.heading ? 0.45f : 1), true,
+                           2});
   }
 
-  void axis() {
-    const int most = std::max(2, static_cast<int>((right_ - gutter_) / ctx_.px(90)));
-    const double step = tick_step(range_, most);
-    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-    for (int i = 0; i * step <= range_ * (1 + 1e-9); ++i) {
-      const float tick = std::round(x(i * step));
-      draw_->AddLine({tick, top_ + row_}, {tick, bottom_}, to_u32(ctx_.palette.border), 1);
-      char printed[32];
-      std::snprintf(printed, sizeof printed, "%.*f", decimals, i * step);
-      const std::string text = separated_number(printed) + (i == 0 ? " ms" : "");
-      draw_->AddText({tick, top_}, to_u32(ctx_.palette.text_muted), text.c_str());
-    }
-  }
+  void draw() { draw_plot(ctx_, plot_, area_); }
 
-  void line(const Line& line, int index) {
-    const float y = top_ + row_ * static_cast<float>(index + 1);
-    const float pad = ctx_.px(3);
-    const float start = x(line.start), end = std::max(x(line.start + line.length), start + 2);
+  // Draws the name and the duration, beside the bar.
+  void name(const Line& line, int index) {
+    const float y = area_.top + row_ * static_cast<float>(index);
     ImGui::SetCursorScreenPos({left_, y});
     ImGui::PushID(index);
-    ImGui::InvisibleButton("##line", {right_ - left_ + ctx_.px(80), row_});
+    ImGui::InvisibleButton("##line", {area_.right - left_ + ctx_.px(80), row_});
     ImGui::PopID();
     tooltip(ctx_, (line.label + ": " + milliseconds_text(line.length)).c_str());
     if (line.heading) ImGui::PushFont(ctx_.fonts.strong);
     const float indent = line.heading ? 0 : ctx_.px(12);
-    const std::string label = fitted_text(line.label, gutter_ - left_ - indent - ctx_.px(10));
-    draw_->AddText({left_ + indent, y + (row_ - ImGui::GetFontSize()) / 2},
+    const std::string label = fitted_text(line.label, area_.left - left_ - indent - ctx_.px(10));
+    const float text = y + (row_ - ImGui::GetFontSize()) / 2;
+    draw_->AddText({left_ + indent, text},
                    to_u32(line.heading ? ctx_.palette.text : ctx_.palette.text_muted),
                    label.c_str());
-    if (line.heading) {
-      // The whole run is a thin rail, and its stages hang below it.
-      const float middle = std::round(y + row_ / 2);
-      draw_->AddRectFilled({start, middle - ctx_.px(2)}, {end, middle + ctx_.px(2)},
-                           to_u32(line.colour, 0.45f), ctx_.px(2));
-    } else {
-      draw_->AddRectFilled({start, y + pad}, {end, y + row_ - pad}, to_u32(line.colour),
-                           ctx_.px(2));
-    }
-    draw_->AddText({end + ctx_.px(6), y + (row_ - ImGui::GetFontSize()) / 2},
-                   to_u32(ctx_.palette.text), milliseconds_text(line.length).c_str());
+    const float end =
+        std::max(area_.x_of(line.start + line.length), area_.x_of(line.start) + 2) + ctx_.px(6);
+    draw_->AddText({end, text}, to_u32(ctx_.palette.text), milliseconds_text(line.length).c_str());
     if (line.heading) ImGui::PopFont();
   }
 
  private:
   PanelContext& ctx_;
   ImDrawList* draw_;
-  double range_;
-  float left_, gutter_, right_, top_, bottom_, row_;
+  Plot plot_;
+  PlotArea area_;
+  float left_, row_;
 };
 
 void missing(PanelContext& ctx, bool cold) {
@@ -165,8 +147,9 @@ void draw_waterfall(PanelContext& ctx, bool cold, float height) {
   }
   if (!lines.empty()) {
     Waterfall chart(ctx, range, lines.size(), only_tetrahedra ? kWideGutter : kGutter);
-    chart.axis();
-    for (std::size_t i = 0; i < lines.size(); ++i) chart.line(lines[i], static_cast<int>(i));
+    for (std::size_t i = 0; i < lines.size(); ++i) chart.add(lines[i], i);
+    chart.draw();
+    for (std::size_t i = 0; i < lines.size(); ++i) chart.name(lines[i], static_cast<int>(i));
   }
   ImGui::PopStyleVar();
   missing(ctx, cold);

@@ -3,84 +3,22 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/chart/layout.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/plot.hpp"
 
 namespace alphascope {
 namespace {
 
-ImU32 ink(const Palette& p, ChartInk ink) {
-  switch (ink) {
-    case ChartInk::text:
-      return to_u32(p.text);
-    case ChartInk::grid:
-      return to_u32(p.border);
-    case ChartInk::muted:
-    case ChartInk::axis:
-      break;
-  }
-  return to_u32(p.text_muted);
-}
-
-ImU32 ink_of_series(std::size_t n) {
-  const ChartColour c = chart_colour(n);
-  return IM_COL32(c.r, c.g, c.b, 255);
-}
-
-void dashed(ImDrawList* draw, ImVec2 from, ImVec2 to, ImU32 colour, float dash) {
-  const float dx = to.x - from.x, dy = to.y - from.y;
-  const float length = std::max(1.0f, std::sqrt(dx * dx + dy * dy));
-  const int dashes = static_cast<int>(std::ceil(length / (2 * dash)));
-  for (int n = 0; n < dashes; ++n) {
-    const float at = 2 * dash * static_cast<float>(n);
-    const float end = std::min(at + dash, length);
-    draw->AddLine({from.x + dx * at / length, from.y + dy * at / length},
-                  {from.x + dx * end / length, from.y + dy * end / length}, colour, 1);
-  }
-}
-
 void draw_chart(PanelContext& ctx, const Chart& chart) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
-  const ChartDrawing d = lay_out(chart, ImGui::GetContentRegionAvail().x - ctx.px(8),
-                                 {ImGui::GetFontSize(), width_of});
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const auto at = [&](float x, float y) { return ImVec2{origin.x + x, origin.y + y}; };
-  for (const ChartLine& l : d.lines) {
-    const ImU32 colour = l.series ? ink_of_series(*l.series) : ink(ctx.palette, l.ink);
-    if (l.dashed) {
-      dashed(draw, at(l.x0, l.y0), at(l.x1, l.y1), colour, ctx.px(4));
-    } else {
-      draw->AddLine(at(l.x0, l.y0), at(l.x1, l.y1), colour, l.series ? ctx.px(2) : 1);
-    }
-  }
-  std::string tip;
-  const auto over = [&](float x0, float y0, float x1, float y1, const std::string& what) {
-    if (ImGui::IsMouseHoveringRect(at(x0, y0), at(x1, y1))) tip = what;
-  };
-  for (const ChartBox& b : d.boxes) {
-    draw->AddRectFilled(at(b.x, b.y), at(b.x + b.width, b.y + b.height), ink_of_series(b.series));
-    over(b.x, b.y, b.x + b.width, b.y + b.height, b.tip);
-  }
-  const float r = ctx.px(3.5f);
-  for (const ChartDot& p : d.dots) {
-    draw->AddCircleFilled(at(p.x, p.y), r, ink_of_series(p.series));
-    over(p.x - r, p.y - r, p.x + r, p.y + r, p.tip);
-  }
-  for (const ChartText& t : d.texts) {
-    const float width = width_of(t.text), middle = ImGui::GetFontSize() / 2;
-    const float shift = t.anchor == ChartAnchor::start    ? 0
-                        : t.anchor == ChartAnchor::middle ? width / 2
-                                                          : width;
-    if (t.title) ImGui::PushFont(ctx.fonts.strong);
-    draw->AddText(at(t.x - shift, t.y - middle), ink(ctx.palette, t.ink), t.text.c_str());
-    if (t.title) ImGui::PopFont();
-  }
+  const ChartDrawing d =
+      lay_out(chart, ImGui::GetContentRegionAvail().x - ctx.px(8), chart_type(ctx));
+  const std::string tip = draw_drawing(ctx, d, origin);
   ImGui::Dummy({d.width, d.height + ctx.px(16)});
   if (!tip.empty()) ImGui::SetTooltip("%s", tip.c_str());
 }

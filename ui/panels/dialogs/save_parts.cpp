@@ -2,6 +2,8 @@
 #include "ui/panels/dialogs/save_parts.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <utility>
 
 #include "ui/panels/dialogs/table_to_save.hpp"
@@ -24,6 +26,30 @@ FormatToSave format_to_save(const ShapeExportInfo& info, Definition<FileWriter> 
             return shape_export_files(format, path);
           },
           std::move(writer)};
+}
+
+FormatToSave figure_to_save(std::string svg) {
+  const auto text = std::make_shared<const std::string>(std::move(svg));
+  const auto key = [number = std::hash<std::string>()(*text)](const Inputs&) {
+    return Key{1, 0, number | 1};
+  };
+  const auto write = [text](const std::filesystem::path&, const std::vector<AtomicFile*>& files,
+                            const RunContext&) { files.front()->write(*text); };
+  return {".svg",
+          "SVG: figure",
+          "the plot, for word processors and browsers",
+          [](const std::filesystem::path& path) { return std::vector{path}; },
+          {{.id = "figure",
+            .title = "A figure",
+            .key = key,
+            .memory =
+                [](const Inputs&) {
+                  return MemoryNeed{0, 0};
+                },
+            .keep_stale = false},
+           [write](const Inputs&, const RunContext&) {
+             return std::make_shared<const FileWriter>(FileWriter{write});
+           }}};
 }
 
 RecordSource source_on_screen(const PanelContext& ctx) {

@@ -16,6 +16,8 @@ namespace alphascope {
 
 // Makes an entry for a format that is not a table's.
 FormatToSave format_to_save(const ShapeExportInfo& info, Definition<FileWriter> writer);
+// Makes an entry for the figure of a page, which is this SVG document.
+FormatToSave figure_to_save(std::string svg);
 // Opens the dialog that saves a table.
 void ask_to_save(PanelContext& ctx, TableToSave table);
 // Returns the source of the numbers on screen. ViewState::references must not be null.

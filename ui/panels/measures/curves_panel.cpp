@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/chart/colour_map.hpp"
+#include "core/chart/svg.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
 #include "core/document/store/finished_text.hpp"
@@ -11,13 +12,13 @@
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/measures/curve_memory.hpp"
+#include "ui/panels/measures/curves_plot.hpp"
 #include "ui/panels/measures/lives_view.hpp"
 #include "ui/panels/molecule/begin_anew.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/widgets/controls.hpp"
-#include "ui/widgets/curve_plot.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/plot.hpp"
 
 namespace alphascope {
 namespace {
@@ -120,39 +121,10 @@ std::string csv_of(const PanelContext& ctx, const CurveMemory& memory) {
   return chart_csv(memory.chart.chart, comments);
 }
 
-void table_buttons(PanelContext& ctx, const CurveMemory& memory, bool current) {
-  ImGui::BeginDisabled(!current || !ctx.state.references);
-  if (button(ctx, "curves.copy", "Copy CSV")) {
-    ImGui::SetClipboardText(csv_of(ctx, memory).c_str());
-    ctx.state.notice = "Curves copied as CSV.";
-  }
-  tooltip(ctx, "Copies the curves as a table with commas between the numbers");
-  ImGui::SameLine(0, ctx.px(4));
-  if (button(ctx, "curves.save", "Save…")) {
-    ask_to_save(ctx, {"Curves",
-                      file_name_for(ctx, "curves"),
-                      finished_text(csv_of(ctx, memory)),
-                      {},
-                      {},
-                      false});
-  }
-  tooltip(ctx, "The curves as a CSV file");
-  ImGui::EndDisabled();
-}
-
 void legend(PanelContext& ctx, const CurveMemory& memory) {
   const std::vector<ChartSeries>& series = memory.chart.chart.series;
   for (std::size_t s = 0; s < series.size(); ++s) {
-    ImGui::SameLine(0, ctx.px(14));
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float side = ctx.px(9), middle = corner.y + ImGui::GetFrameHeight() / 2;
-    const Rgb8& c = memory.colours[s];
-    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, middle - side / 2},
-                                              {corner.x + side, middle + side / 2},
-                                              IM_COL32(c.r, c.g, c.b, 255));
-    ImGui::SetCursorScreenPos({corner.x + side + ctx.px(5), corner.y});
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(series[s].name.c_str());
+    legend_entry(ctx, memory.colours[s], series[s].name);
   }
   if (!memory.chart.marks.empty()) {
     ImGui::SameLine(0, ctx.px(14));
@@ -207,16 +179,44 @@ double shown_at(const PanelContext& ctx, CurveAxis axis) {
   return ctx.state.settings.open.balls.model;
 }
 
-void draw_plot(PanelContext& ctx, const CurveMemory& memory) {
-  const CurveAxis axis = memory.chart_axis;
-  CurvePlot plot{&memory.chart, &memory.colours, axis, shown_at(ctx, axis), "", "", ""};
-  plot.unit = axis == CurveAxis::alpha ? "Å²" : axis == CurveAxis::solvent ? "Å" : "";
-  plot.value_unit = memory.chart_quantity == 1 ? "Å²" : "Å³";
-  plot.click = axis == CurveAxis::alpha     ? "Click or drag to set alpha."
-               : axis == CurveAxis::solvent ? "Click or drag to set the solvent radius."
-                                            : "Click to show this model.";
-  const auto at = draw_curve_plot(ctx, plot);
-  if (at) take_click(ctx, axis, *at);
+void table_buttons(PanelContext& ctx, const CurveMemory& memory, bool current) {
+  ImGui::BeginDisabled(!current || !ctx.state.references);
+  if (button(ctx, "curves.copy", "Copy CSV")) {
+    ImGui::SetClipboardText(csv_of(ctx, memory).c_str());
+    ctx.state.notice = "Curves copied as CSV.";
+  }
+  tooltip(ctx, "Copies the curves as a table with commas between the numbers.");
+  ImGui::SameLine(0, ctx.px(4));
+  if (button(ctx, "curves.save", "Save…")) {
+    ask_to_save(ctx,
+                {"Curves",
+                 file_name_for(ctx, "curves"),
+                 finished_text(csv_of(ctx, memory)),
+                 {},
+                 {},
+                 false,
+                 {figure_to_save(plot_svg(curves_plot(memory, shown_at(ctx, memory.chart_axis)),
+                                          ctx.state.molecule.name))}});
+  }
+  tooltip(ctx, "The curves as a CSV file, or their plot as an SVG file.");
+  ImGui::EndDisabled();
+}
+
+void draw_curves_plot(PanelContext& ctx, const CurveMemory& memory) {
+  auto area = plot_area(ctx, {});
+  if (!area) return;
+  const Plot plot = curves_plot(memory, shown_at(ctx, memory.chart_axis));
+  draw_plot(ctx, plot, *area);
+  const PlotMouse mouse = plot_mouse(ctx, *area, "curves.plot");
+  const auto sample = nearest_point(plot.curves.front(), mouse.x);
+  if (mouse.hovered && sample) {
+    const double at = plot.curves.front().points[*sample].x;
+    if (at >= area->x.low && at <= area->x.high) {
+      draw_cursor(ctx, plot, *area, at);
+      ImGui::SetTooltip("%s", curves_text(memory, *sample).c_str());
+    }
+  }
+  if (mouse.held) take_click(ctx, memory.chart_axis, mouse.x);
 }
 
 // --- when there is nothing to plot
@@ -327,7 +327,7 @@ void draw_curves(PanelContext& ctx, CurveMemory& memory) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
   ImGui::PushFont(ctx.fonts.small);
-  draw_plot(ctx, memory);
+  draw_curves_plot(ctx, memory);
   ImGui::PopFont();
   ImGui::PopStyleVar();
 }

@@ -7,7 +7,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "core/chart/svg.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/store/finished_text.hpp"
@@ -16,7 +19,7 @@
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/widgets/controls.hpp"
 #include "ui/widgets/format.hpp"
-#include "ui/widgets/plot_axis.hpp"
+#include "ui/widgets/plot.hpp"
 
 namespace alphascope {
 namespace {
@@ -26,7 +29,6 @@ using Lives = CurveMemory::Lives;
 constexpr double kStep = 0.01;  // Å², as the slider's step
 constexpr std::size_t kMostBars = 100;
 constexpr float kLeastRow = 5, kMostRow = 14;  // pixels at scale 1, height of a bar
-constexpr float kDrag = 4;                     // pixels at scale 1; a shorter move is a click
 
 // The results behind the bars, and whether they belong to the picture.
 struct Known {
@@ -79,6 +81,95 @@ std::size_t row_of(const Lives& memory, const CavityPage& page, std::size_t bar)
 
 // --- the line above the bars
 
+void legend(PanelContext& ctx, const Lives& memory, std::size_t drawn) {
+  const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
+  std::string text = "thin: pocket · thick: void · grey: not there at this alpha";
+  if (drawn < memory.bars.all) {
+    text = "the " + number(drawn) + " longest of " + number(memory.bars.all) + " · " + text;
+  }
+  ImGui::SameLine(0, ctx.px(14));
+  ImGui::AlignTextToFramePadding();
+  muted_text(ctx, fitted_text(text, ImGui::GetContentRegionAvail().x));
+  record(ctx, "curves.legend");
+}
+
+// --- the bars
+
+// Lays out as many bars as fit; the y axis counts them from the top. None: there is no room.
+struct BarsPlot {
+  Plot plot = {};
+  PlotArea area = {};
+  std::size_t drawn = 0;
+
+  float row() const { return area.y_of(1) - area.y_of(0); }  // pixels
+  // Returns the bar under the mouse.
+  std::optional<std::size_t> bar_at(const std::vector<CavityBar>& bars, const PlotMouse& at) const {
+    const double n = std::floor(at.y);
+    if (n < 0 || n >= static_cast<double>(drawn)) return {};
+    const auto bar = static_cast<std::size_t>(n);
+    // Half a row of slack makes short bars easier to hit.
+    const double slack = area.x_at(area.left + row() / 2) - area.x.low;
+    const bool hit =
+        at.x >= bars[bar].born_angstrom2 - slack && at.x <= bars[bar].gone_angstrom2 + slack;
+    return hit ? std::optional(bar) : std::nullopt;
+  }
+};
+
+std::optional<BarsPlot> place(const PanelContext& ctx, const Lives& memory, double shown) {
+  const auto area = plot_area(ctx, {.left = 16, .least_height = 30});
+  if (!area) return {};
+  BarsPlot bars{.area = *area};
+  const auto fit = static_cast<std::size_t>(area->height() / ctx.px(kLeastRow));
+  bars.drawn = std::min(fit, memory.bars.longest.size());
+  if (bars.drawn == 0) return {};
+  const float row = std::min(area->height() / static_cast<float>(bars.drawn), ctx.px(kMostRow));
+  bars.plot.x = {.range = {memory.from_angstrom2, shown}, .label = axis_label(CurveAxis::alpha)};
+  for (std::size_t k = 0; k < bars.drawn; ++k) {
+    bars.plot.x.range.take(memory.bars.longest[k].gone_angstrom2);
+  }
+  PlotRange& alpha = bars.plot.x.range;
+  alpha.high += 0.04 * (alpha.high - alpha.low);
+  bars.plot.y = {.range = {static_cast<double>(area->height() / row), 0}, .numbered = false};
+  bars.area.x = alpha;
+  bars.area.y = bars.plot.y.range;
+  return bars;
+}
+
+void add_bar(BarsPlot& bars, const CavityBar& bar, std::size_t k, const ChartPaint& paint) {
+  const double middle = static_cast<double>(k) + 0.5;
+  const double least = 0.5 / static_cast<double>(bars.row());  // half a pixel
+  const PlotRange& alpha = bars.plot.x.range;
+  const auto part = [&](double from, double to, double share) {
+    const double half = std::max(share / 2, least);
+    bars.plot.boxes.push_back(
+        {std::max(from, alpha.low), std::min(to, alpha.high), middle - half, middle + half, paint});
+  };
+  const double closed = std::clamp(bar.closed_angstrom2, bar.born_angstrom2, bar.gone_angstrom2);
+  if (bar.born_angstrom2 < closed) part(bar.born_angstrom2, closed, 0.3);
+  if (bar.is_ever_void()) part(closed, bar.gone_angstrom2, 0.8);
+}
+
+void add_bars(PanelContext& ctx, BarsPlot& bars, const Lives& memory, const CavityPage& page) {
+  const PlotArea& area = bars.area;
+  const double edge = area.x_at(area.left + ctx.px(2)) - area.x.low;
+  for (std::size_t k = 0; k < bars.drawn; ++k) {
+    const CavityBar& bar = memory.bars.longest[k];
+    const std::size_t row = row_of(memory, page, k);
+    const bool there = row != Lives::kNoRow;
+    add_bar(bars, bar, k,
+            there ? plot_colour(cavity_colour(page, row)) : plot_ink(ChartInk::muted, 0.45f));
+    const auto top = static_cast<double>(k);
+    ctx.rects["curves.life." + std::to_string(k + 1)] = {
+        area.x_of(std::max(bar.born_angstrom2, area.x.low)), area.y_of(top),
+        area.x_of(bar.gone_angstrom2), area.y_of(top + 1)};
+    const auto& chosen = page.chosen_rows;
+    if (!there || !std::binary_search(chosen.begin(), chosen.end(), row)) continue;
+    bars.plot.boxes.push_back({std::max(bar.born_angstrom2, area.x.low) - edge,
+                               bar.gone_angstrom2 + edge, top, top + 1, plot_ink(ChartInk::text),
+                               false});
+  }
+}
+
 void table_buttons(PanelContext& ctx, const Lives& memory, const Known& known) {
   const auto csv = [&] {
     std::vector<std::string> comments = comments_on_screen(ctx);
@@ -95,121 +186,21 @@ void table_buttons(PanelContext& ctx, const Lives& memory, const Known& known) {
           "Copies the alphas between which each of these cavities is there, the longest first.");
   ImGui::SameLine(0, ctx.px(4));
   if (button(ctx, "curves.save", "Save…")) {
-    ask_to_save(
-        ctx,
-        {"Lives of cavities", file_name_for(ctx, "lives"), finished_text(csv()), {}, {}, false});
+    std::vector<FormatToSave> figure;
+    if (auto bars = place(ctx, memory, ctx.state.settings.request.alpha_angstrom2)) {
+      add_bars(ctx, *bars, memory, *known.page);
+      figure.push_back(figure_to_save(plot_svg(bars->plot, ctx.state.molecule.name)));
+    }
+    ask_to_save(ctx, {"Lives of cavities",
+                      file_name_for(ctx, "lives"),
+                      finished_text(csv()),
+                      {},
+                      {},
+                      false,
+                      std::move(figure)});
   }
-  tooltip(ctx, "The same as a CSV file.");
+  tooltip(ctx, "The same as a CSV file, or the drawn bars as an SVG file.");
   ImGui::EndDisabled();
-}
-
-void legend(PanelContext& ctx, const Lives& memory, std::size_t drawn) {
-  const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
-  std::string text = "thin: pocket · thick: void · grey: not there at this alpha";
-  if (drawn < memory.bars.all) {
-    text = "the " + number(drawn) + " longest of " + number(memory.bars.all) + " · " + text;
-  }
-  ImGui::SameLine(0, ctx.px(14));
-  ImGui::AlignTextToFramePadding();
-  muted_text(ctx, fitted_text(text, ImGui::GetContentRegionAvail().x));
-  record(ctx, "curves.legend");
-}
-
-// --- the bars
-
-struct Plot {
-  ImVec2 from, to;  // pixels: the top left and bottom right corner
-  PlotRange alpha;  // Å²
-  float row = 0;    // pixels
-  std::size_t drawn = 0;
-
-  float x_of(double value) const {
-    const double share = std::clamp(alpha.share(value), 0.0, 1.0);
-    return from.x + static_cast<float>(share) * (to.x - from.x);
-  }
-  double at(float pixel) const {
-    return alpha.low +
-           (alpha.high - alpha.low) * static_cast<double>((pixel - from.x) / (to.x - from.x));
-  }
-  float middle_of(std::size_t bar) const { return from.y + (static_cast<float>(bar) + 0.5f) * row; }
-  // Returns the bar under the mouse.
-  std::optional<std::size_t> bar_at(const std::vector<CavityBar>& bars, ImVec2 mouse) const {
-    const auto n = static_cast<std::ptrdiff_t>(std::floor((mouse.y - from.y) / row));
-    if (n < 0 || n >= static_cast<std::ptrdiff_t>(drawn)) return {};
-    const auto bar = static_cast<std::size_t>(n);
-    const float slack = row / 2;  // makes short bars easier to hit
-    const bool hit = mouse.x >= x_of(bars[bar].born_angstrom2) - slack &&
-                     mouse.x <= x_of(bars[bar].gone_angstrom2) + slack;
-    return hit ? std::optional(bar) : std::nullopt;
-  }
-};
-
-// Lays out as many bars as fit. `drawn` is 0 if none does.
-Plot place(const PanelContext& ctx, const Lives& memory, double shown) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  Plot plot;
-  plot.from = {corner.x + ctx.px(16), corner.y + ctx.px(2)};
-  plot.to = {corner.x + room.x - ctx.px(16),
-             corner.y + room.y - 2 * ImGui::GetTextLineHeight() - ctx.px(6)};
-  const float height = plot.to.y - plot.from.y;
-  if (height < ctx.px(30) || plot.to.x - plot.from.x < ctx.px(120)) return plot;
-  const auto fit = static_cast<std::size_t>(height / ctx.px(kLeastRow));
-  plot.drawn = std::min(fit, memory.bars.longest.size());
-  plot.row =
-      std::min(height / static_cast<float>(std::max<std::size_t>(plot.drawn, 1)), ctx.px(kMostRow));
-  plot.alpha = {memory.from_angstrom2, shown};
-  for (std::size_t k = 0; k < plot.drawn; ++k) {
-    plot.alpha.take(memory.bars.longest[k].gone_angstrom2);
-  }
-  plot.alpha.high += 0.04 * (plot.alpha.high - plot.alpha.low);
-  return plot;
-}
-
-void frame(PanelContext& ctx, const Plot& plot) {
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImU32 muted = to_u32(ctx.palette.text_muted);
-  const int most = static_cast<int>((plot.to.x - plot.from.x) / ctx.px(70));
-  for_ticks(plot.alpha, tick_step(plot.alpha, most), [&](double value) {
-    const float x = plot.x_of(value);
-    const std::string text = short_number_text(value, 2);
-    draw->AddLine({x, plot.from.y}, {x, plot.to.y}, to_u32(ctx.palette.border, 0.6f));
-    draw->AddText({x - ImGui::CalcTextSize(text.c_str()).x / 2, plot.to.y + ctx.px(3)}, muted,
-                  text.c_str());
-  });
-  draw->AddRect(plot.from, plot.to, to_u32(ctx.palette.border));
-  const std::string label = axis_label(CurveAxis::alpha);
-  const float width = ImGui::CalcTextSize(label.c_str()).x;
-  draw->AddText(
-      {(plot.from.x + plot.to.x - width) / 2, plot.to.y + ctx.px(3) + ImGui::GetTextLineHeight()},
-      muted, label.c_str());
-}
-
-void bars(PanelContext& ctx, const Plot& plot, const Lives& memory, const CavityPage& page) {
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const float alpha = ImGui::GetStyle().Alpha, least = ctx.px(1);
-  for (std::size_t k = 0; k < plot.drawn; ++k) {
-    const CavityBar& bar = memory.bars.longest[k];
-    const std::size_t row = row_of(memory, page, k);
-    const bool there = row != Lives::kNoRow;
-    const ImU32 ink = there ? to_u32(cavity_colour(page, row), alpha)
-                            : to_u32(ctx.palette.text_muted, 0.45f * alpha);
-    const float y = plot.middle_of(k);
-    const auto part = [&](double from, double to, float share) {
-      const float x = plot.x_of(from), half = std::max(share * plot.row / 2, least / 2);
-      draw->AddRectFilled({x, y - half}, {std::max(plot.x_of(to), x + least), y + half}, ink);
-    };
-    const double closed = std::clamp(bar.closed_angstrom2, bar.born_angstrom2, bar.gone_angstrom2);
-    if (bar.born_angstrom2 < closed) part(bar.born_angstrom2, closed, 0.3f);
-    if (bar.is_ever_void()) part(closed, bar.gone_angstrom2, 0.8f);
-    ctx.rects["curves.life." + std::to_string(k + 1)] = {
-        plot.x_of(bar.born_angstrom2), y - plot.row / 2, plot.x_of(bar.gone_angstrom2),
-        y + plot.row / 2};
-    const auto& chosen = page.chosen_rows;
-    if (!there || !std::binary_search(chosen.begin(), chosen.end(), row)) continue;
-    draw->AddRect({plot.x_of(bar.born_angstrom2) - ctx.px(2), y - plot.row / 2},
-                  {plot.x_of(bar.gone_angstrom2) + ctx.px(2), y + plot.row / 2},
-                  to_u32(ctx.palette.text, alpha), 0, 0, ctx.px(1.2f));
-  }
 }
 
 std::string hover_text(const PanelContext& ctx, const Lives& memory, const Known& known,
@@ -241,28 +232,22 @@ void choose(PanelContext& ctx, const Lives& memory, const Known& known, std::siz
   set_alpha_to(ctx, alpha_within(memory.bars.longest[bar], memory.from_angstrom2));
 }
 
-void take_mouse(PanelContext& ctx, const Plot& plot, const Lives& memory, const Known& known) {
-  ImGui::SetCursorScreenPos(plot.from);
-  ImGui::InvisibleButton("##lives", {plot.to.x - plot.from.x, plot.to.y - plot.from.y});
-  record(ctx, "curves.lives");
+void take_mouse(PanelContext& ctx, const BarsPlot& bars, const Lives& memory, const Known& known) {
+  const PlotMouse mouse = plot_mouse(ctx, bars.area, "curves.lives");
   if (!known.current) return;
-  const ImGuiIO& io = ImGui::GetIO();
-  const bool dragged = io.MouseDragMaxDistanceSqr[0] > ctx.px(kDrag) * ctx.px(kDrag);
-  const double at =
-      std::round(std::clamp(plot.at(io.MousePos.x), plot.alpha.low, plot.alpha.high) / kStep) *
-      kStep;
-  if (ImGui::IsItemActive()) {
-    if (dragged) set_alpha_to(ctx, at);
+  const double at = std::round(mouse.x / kStep) * kStep;
+  if (mouse.held) {
+    if (mouse.dragged) set_alpha_to(ctx, at);
     return;
   }
-  const auto bar = plot.bar_at(memory.bars.longest, io.MousePos);
-  if (ImGui::IsItemDeactivated() && !dragged && ImGui::IsItemHovered()) {
+  const auto bar = bars.bar_at(memory.bars.longest, mouse);
+  if (mouse.clicked) {
     if (bar) {
       choose(ctx, memory, known, *bar);
     } else {
       set_alpha_to(ctx, at);
     }
-  } else if (ImGui::IsItemHovered()) {
+  } else if (mouse.hovered) {
     ImGui::SetTooltip(
         "%s", bar ? hover_text(ctx, memory, known, *bar).c_str() : "Click or drag to set alpha.");
   }
@@ -302,17 +287,15 @@ void draw_cavity_lives(PanelContext& ctx, CurveMemory::Lives& memory) {
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, known.current ? 1.0f : 0.55f);
   ImGui::PushFont(ctx.fonts.small);
   const double shown = ctx.state.settings.request.alpha_angstrom2;
-  const Plot plot = place(ctx, memory, shown);
+  auto bars = place(ctx, memory, shown);
   ImGui::PopFont();
-  if (plot.drawn > 0) {
-    legend(ctx, memory, plot.drawn);
+  if (bars) {
+    legend(ctx, memory, bars->drawn);
     ImGui::PushFont(ctx.fonts.small);
-    frame(ctx, plot);
-    bars(ctx, plot, memory, *known.page);
-    ImGui::GetWindowDrawList()->AddLine({plot.x_of(shown), plot.from.y},
-                                        {plot.x_of(shown), plot.to.y}, to_u32(ctx.palette.accent),
-                                        ctx.px(1.5f));
-    take_mouse(ctx, plot, memory, known);
+    add_bars(ctx, *bars, memory, *known.page);
+    bars->plot.lines.push_back({shown, plot_ink(ChartInk::accent), 1.5f});
+    draw_plot(ctx, bars->plot, bars->area);
+    take_mouse(ctx, *bars, memory, known);
     ImGui::PopFont();
   } else {
     muted_wrapped(ctx, "There is no room for bars here: drag the upper edge of this page up.");

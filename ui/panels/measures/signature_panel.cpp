@@ -1,16 +1,25 @@
 // The page of the signature: counts of simplices and the Euler characteristic against alpha. A
 // cursor sets alpha, and marks in the view show which simplices appear there.
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/chart/chart.hpp"
+#include "core/chart/svg.hpp"
+#include "core/chart/ticks.hpp"
 #include "core/document/alpha/signature.hpp"
+#include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/document/store/finished_text.hpp"
 #include "core/document/store/store.hpp"
+#include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/controls.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/plot.hpp"
 
 namespace alphascope {
 namespace {
@@ -85,141 +94,151 @@ void mark_what_appears(PanelContext& ctx, bool& on) {
 
 // --- the curves
 
-struct Plot {
-  ImVec2 from, to;             // pixels: the top left and bottom right corner
-  double low, high;            // ends of the x axis, Å²
-  double bottom = 0, top = 1;  // ends of the y axis
-
-  float x(double alpha) const {
-    return from.x + static_cast<float>((alpha - low) / (high - low)) * (to.x - from.x);
-  }
-  float y(double value) const {
-    return to.y - static_cast<float>((value - bottom) / (top - bottom)) * (to.y - from.y);
-  }
-  double alpha_at(float pixel) const {
-    return low + (high - low) * static_cast<double>((pixel - from.x) / (to.x - from.x));
-  }
-  // Returns the number of points of a curve: one every two pixels.
-  int points() const { return to.x < from.x ? 0 : 1 + static_cast<int>((to.x - from.x) / 2); }
-  float x_of_point(int n) const { return from.x + 2 * static_cast<float>(n); }
-};
-
-ImU32 series_colour(std::size_t n) {
-  const ChartColour c = chart_colour(n);
-  return IM_COL32(c.r, c.g, c.b, 255);
-}
-
-template <class Value>
-void curve(const Plot& plot, ImU32 colour, float width, const Value& value) {
-  std::vector<ImVec2> points;
-  for (int n = 0; n < plot.points(); ++n) {
-    const float x = plot.x_of_point(n);
-    points.push_back({x, plot.y(static_cast<double>(value(plot.alpha_at(x))))});
-  }
-  ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0,
-                                          width);
-}
-
-void frame(PanelContext& ctx, const Plot& plot, const char* what) {
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImU32 muted = to_u32(ctx.palette.text_muted), line = to_u32(ctx.palette.border);
-  draw->AddRect(plot.from, plot.to, line);
-  const float name = plot.to.x - ImGui::CalcTextSize(what).x - ctx.px(6);
-  draw->AddText({name, plot.from.y + ctx.px(2)}, muted, what);
-  const auto number = [](double value) { return with_separators(std::llround(value)); };
-  const float right = plot.from.x - ctx.px(6);
-  const auto label = [&](double value, float y) {
-    const std::string text = number(value);
-    draw->AddText({right - ImGui::CalcTextSize(text.c_str()).x, y}, muted, text.c_str());
-  };
-  label(plot.top, plot.from.y);
-  label(plot.bottom, plot.to.y - ImGui::GetTextLineHeight());
-}
-
-void alpha_axis(PanelContext& ctx, const Plot& plot) {
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const double step = plot.high - plot.low > 40
-                          ? std::pow(10, std::floor(std::log10(plot.high - plot.low))) / 2
-                          : 2;
-  const long first = std::lround(std::ceil(plot.low / step));
-  const long last = std::lround(std::floor(plot.high / step));
-  for (long n = first; n <= last; ++n) {
-    const double a = static_cast<double>(n) * step;
-    const std::string text = short_number_text(a, 2) + (n == last ? " Å²" : "");
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
-    draw->AddLine({plot.x(a), plot.to.y}, {plot.x(a), plot.to.y + ctx.px(3)},
-                  to_u32(ctx.palette.text_muted));
-    draw->AddText({std::min(plot.x(a) - width / 2, plot.to.x - width), plot.to.y + ctx.px(4)},
-                  to_u32(ctx.palette.text_muted), text.c_str());
-  }
+Rgb8 series_colour(int dimension) {
+  const ChartColour c = chart_colour(static_cast<std::size_t>(dimension));
+  return {c.r, c.g, c.b};
 }
 
 void legend_line(PanelContext& ctx, const Signature& signature, double alpha) {
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, "α " + short_number_text(alpha, 2) + " Å²");
   for (int d = 0; d < 4; ++d) {
-    ImGui::SameLine(0, ctx.px(14));
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float side = ctx.px(9), middle = corner.y + ImGui::GetFrameHeight() / 2;
-    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, middle - side / 2},
-                                              {corner.x + side, middle + side / 2},
-                                              series_colour(static_cast<std::size_t>(d)));
-    ImGui::SetCursorScreenPos({corner.x + side + ctx.px(5), corner.y});
-    ImGui::AlignTextToFramePadding();
-    ImGui::Text("%s %s", kNames[d],
-                with_separators(static_cast<long long>(signature.count(d, alpha))).c_str());
+    legend_entry(ctx, series_colour(d),
+                 std::string(kNames[d]) + " " +
+                     with_separators(static_cast<long long>(signature.count(d, alpha))));
   }
   ImGui::SameLine(0, ctx.px(14));
   strong_text(ctx, "Euler χ " + with_separators(signature.euler(alpha)));
   record(ctx, "signature.values");
 }
 
-void set_ranges(const Signature& signature, Plot& counts, Plot& euler) {
-  counts.top = 1;
-  for (int d = 0; d < 4; ++d) {
-    counts.top = std::max(counts.top, static_cast<double>(signature.count(d, counts.high)));
+// One every two pixels.
+std::vector<double> alphas_of(const PlotRange& range, float width) {
+  std::vector<double> alphas;
+  const int points = 1 + static_cast<int>(width / 2);
+  for (int n = 0; n < points; ++n) {
+    alphas.push_back(range.at(static_cast<double>(2 * static_cast<float>(n) / width)));
   }
-  euler.bottom = 0;
-  euler.top = 1;
-  for (int n = 0; n < euler.points(); ++n) {
-    const double alpha = euler.alpha_at(euler.x_of_point(n));
-    const auto value = static_cast<double>(signature.euler(alpha));
-    euler.bottom = std::min(euler.bottom, value);
-    euler.top = std::max(euler.top, value);
+  return alphas;
+}
+
+template <class Value>
+PlotCurve sampled(const std::vector<double>& alphas, const Value& value) {
+  PlotCurve curve{.width = 1.5f};
+  for (const double at : alphas) curve.points.push_back({at, static_cast<double>(value(at))});
+  return curve;
+}
+
+// The y range from 0 to 1 or further, as far as the curves reach.
+void take_values(Plot& plot) {
+  plot.y.range = {0, 1};
+  for (const PlotCurve& curve : plot.curves) {
+    for (const PlotCurve::Point& point : curve.points) plot.y.range.take(*point.y);
   }
 }
 
-void plots(PanelContext& ctx, const Signature& signature) {
-  Request& request = ctx.state.settings.request;
-  const double shown = ctx.inputs.alpha_angstrom2;
-  const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const float left = corner.x + ctx.px(64), right = corner.x + room.x - ctx.px(16);
-  const float bottom = corner.y + room.y - ctx.px(22);
-  const float middle = corner.y + (bottom - corner.y) * 0.62f;
-  if (bottom - corner.y < ctx.px(60) || right - left < ctx.px(120)) return;
-  const double high = std::max(kLeastHigh, shown),
-               low = std::min({signature.least_alpha(), shown, high - 1});
-  Plot counts{{left, corner.y}, {right, middle - ctx.px(6)}, low, high};
-  Plot euler{{left, middle}, {right, bottom}, low, high};
-  set_ranges(signature, counts, euler);
-  frame(ctx, counts, "simplices");
-  frame(ctx, euler, "Euler χ");
+Plot plot_of_counts(const Signature& signature, const PlotRange& alpha,
+                    const std::vector<double>& alphas) {
+  Plot plot;
+  plot.x = {.range = alpha, .numbered = false};
+  plot.y = {.label = "simplices", .whole = true};
   for (int d = 0; d < 4; ++d) {
-    curve(counts, series_colour(static_cast<std::size_t>(d)), ctx.px(1.5f),
-          [&](double a) { return signature.count(d, a); });
+    plot.curves.push_back(sampled(alphas, [&](double at) { return signature.count(d, at); }));
+    plot.curves.back().name = kNames[d];
+    plot.curves.back().paint = plot_colour(series_colour(d));
   }
-  curve(euler, to_u32(ctx.palette.text), ctx.px(1.5f),
-        [&](double a) { return signature.euler(a); });
-  alpha_axis(ctx, euler);
-  ImGui::GetWindowDrawList()->AddLine({counts.x(shown), counts.from.y}, {counts.x(shown), bottom},
-                                      to_u32(ctx.palette.accent), ctx.px(1.5f));
-  ImGui::SetCursorScreenPos(counts.from);
-  ImGui::InvisibleButton("##signature", {right - left, bottom - corner.y});
-  record(ctx, "signature.plot");
+  take_values(plot);
+  return plot;
+}
+
+Plot plot_of_euler(const Signature& signature, const PlotRange& alpha,
+                   const std::vector<double>& alphas) {
+  Plot plot;
+  plot.x = {.range = alpha, .unit = "Å²"};
+  plot.y = {.label = "Euler χ", .whole = true};
+  plot.curves.push_back(sampled(alphas, [&](double at) { return signature.euler(at); }));
+  plot.curves.back().paint = plot_ink(ChartInk::text);
+  take_values(plot);
+  return plot;
+}
+
+PlotRange alpha_range(const PanelContext& ctx, const Signature& signature) {
+  const double shown = ctx.inputs.alpha_angstrom2;
+  const double high = std::max(kLeastHigh, shown);
+  return {std::min({signature.least_alpha(), shown, high - 1}), high};
+}
+
+// All curves in one plot, at up to 500 round alphas.
+Plot plot_of_all(const Signature& signature, const PlotRange& alpha) {
+  std::vector<double> alphas =
+      round_values(alpha.low, alpha.high, nice_step(alpha.high - alpha.low, 500));
+  for (double& at : alphas) at = std::round(at * 1e6) / 1e6;  // 0.15, not 3 · 0.05
+  Plot plot = plot_of_counts(signature, alpha, alphas);
+  Plot euler = plot_of_euler(signature, alpha, alphas);
+  plot.x = {.range = alpha, .label = "alpha (Å²)"};
+  plot.y.label.clear();
+  plot.curves.push_back(std::move(euler.curves.front()));
+  plot.curves.back().name = "Euler characteristic";
+  take_values(plot);
+  return plot;
+}
+
+std::string csv_of(const Plot& plot, std::vector<std::string> comments, double solvent) {
+  comments.push_back("solvent radius: " + short_number_text(solvent, 2) + " Å");
+  Chart chart{.kind = ChartKind::lines, .x_label = plot.x.label};
+  for (const PlotCurve& curve : plot.curves) {
+    ChartSeries series{.name = curve.name};
+    for (const PlotCurve::Point& point : curve.points) {
+      series.x.push_back(point.x);
+      series.values.push_back(point.y);
+    }
+    chart.series.push_back(std::move(series));
+  }
+  return chart_csv(chart, comments);
+}
+
+void save_button(PanelContext& ctx, const Signature& signature) {
+  ImGui::SameLine(0, ctx.px(10));
+  ImGui::BeginDisabled(!ctx.state.references);
+  if (button(ctx, "signature.save", "Save…")) {
+    const Plot plot = plot_of_all(signature, alpha_range(ctx, signature));
+    ask_to_save(
+        ctx,
+        {"Signature",
+         file_name_for(ctx, "signature"),
+         finished_text(csv_of(plot, comments_on_screen(ctx), ctx.inputs.solvent_radius_angstrom)),
+         {},
+         {},
+         false,
+         {figure_to_save(plot_svg(plot, ctx.state.molecule.name))}});
+  }
+  tooltip(ctx, "Numbers of simplices against alpha as a CSV file, or their plot as an SVG file.");
+  ImGui::EndDisabled();
+}
+
+void plots(PanelContext& ctx, const Signature& signature) {
+  const double shown = ctx.inputs.alpha_angstrom2;
+  const auto area =
+      plot_area(ctx, {.left = 64, .top = 0, .bottom = 22, .lines_below = 0, .least_height = 60});
+  if (!area) return;
+  const PlotRange alpha = alpha_range(ctx, signature);
+  const float middle = area->top + area->height() * 0.62f;
+  PlotArea above = *area, below = *area;
+  above.bottom = middle - ctx.px(6);
+  below.top = middle;
+  const std::vector<double> alphas = alphas_of(alpha, area->width());
+  Plot counts = plot_of_counts(signature, alpha, alphas);
+  Plot euler = plot_of_euler(signature, alpha, alphas);
+  for (Plot* plot : {&counts, &euler}) {
+    plot->lines.push_back({shown, plot_ink(ChartInk::accent), 1.5f});
+  }
+  draw_plot(ctx, counts, above);
+  draw_plot(ctx, euler, below);
+  above.bottom = below.bottom;  // the mouse is over both
+  const PlotMouse mouse = plot_mouse(ctx, above, "signature.plot");
   tooltip(ctx, "Click or drag to set alpha.");
-  if (!ImGui::IsItemActive()) return;
-  const double wanted = std::clamp(counts.alpha_at(ImGui::GetIO().MousePos.x), low, high);
-  set_alpha(request, std::round(wanted / kStep) * kStep);
+  if (!mouse.held) return;
+  set_alpha(ctx.state.settings.request, std::round(mouse.x / kStep) * kStep);
   ctx.state.playback.alpha = false;
 }
 
@@ -241,6 +260,7 @@ void draw_signature(PanelContext& ctx, SignatureMemory& memory) {
     record(ctx, "signature.waiting");
     return;
   }
+  save_button(ctx, *signature.value);
   ImGui::SameLine(0, ctx.px(14));
   legend_line(ctx, *signature.value, ctx.inputs.alpha_angstrom2);
   ImGui::PushFont(ctx.fonts.small);

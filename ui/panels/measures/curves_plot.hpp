@@ -1,0 +1,17 @@
+// The chart of the page of curves as a plot.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "core/chart/plot.hpp"
+#include "ui/panels/measures/curve_memory.hpp"
+
+namespace alphascope {
+
+// `shown` is the present setting on the x axis.
+Plot curves_plot(const CurveMemory& memory, double shown);
+// The values of all curves at a sample, for the tooltip.
+std::string curves_text(const CurveMemory& memory, std::size_t sample);
+
+}  // namespace alphascope

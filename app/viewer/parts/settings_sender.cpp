@@ -16,10 +16,13 @@ constexpr std::chrono::milliseconds kModelGrace{300};
 }  // namespace
 
 void SettingsSender::begin() {
-  request_ = state_.settings.request;
   options_ = state_.settings.open;
-  session_.set_request(canonical(request_));
+  session_.set_request(canonical(state_.settings.request));
   session_.set_open_options(options_);
+}
+
+bool SettingsSender::request_is_sent() const {
+  return canonical(state_.settings.request) == session_.state().request;
 }
 
 bool SettingsSender::settled() const {
@@ -31,20 +34,20 @@ bool SettingsSender::settled() const {
 // balls. Otherwise the computations would take all cores, and the tables would fall behind.
 bool SettingsSender::awaits_panels() const {
   const auto& ours = session_.state().ours;
-  const bool other_balls =
-      state_.settings.request.solvent_radius_angstrom != request_.solvent_radius_angstrom;
+  const bool other_balls = state_.settings.request.solvent_radius_angstrom !=
+                           session_.state().request.solvent_radius_angstrom;
   const bool ahead =
       session_.activity().computing.busy || (ours && ours->balls != inputs_.now().balls);
   return other_balls && ahead && interacting(state_) && store_.busy(Lane::interactive);
 }
 
 void SettingsSender::send_request() {
-  if (state_.settings.request == request_ || awaits_panels()) return;
-  request_ = state_.settings.request;
-  session_.set_request(canonical(request_), of_all_balls(store_, inputs_.now()));
+  if (request_is_sent() || awaits_panels()) return;
+  const Request& request = state_.settings.request;
+  session_.set_request(canonical(request), of_all_balls(store_, inputs_.now()));
   state_.compute_error.clear();  // the message was about another alpha
   const SessionState& s = session_.state();
-  if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, request_);
+  if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, request);
   due_.ask();
 }
 

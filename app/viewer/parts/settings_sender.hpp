@@ -31,16 +31,15 @@ class SettingsSender {
   void send_selection();
   void send_look(float line_scale);  // `line_scale` as in SceneStyle
 
-  // Calls for settings that the session already has.
   void take_options();  // the session's options become those of the panels
-  void take_request() { request_ = state_.settings.request; }
 
   bool options_are_sent() const { return state_.settings.open == options_; }
-  bool all_is_sent() const { return state_.settings.request == request_ && options_are_sent(); }
+  bool all_is_sent() const { return request_is_sent() && options_are_sent(); }
   bool settled() const;  // whether the latest request is answered
 
  private:
   using Clock = std::chrono::steady_clock;
+  bool request_is_sent() const;
   bool awaits_panels() const;
 
   ViewState& state_;
@@ -49,7 +48,6 @@ class SettingsSender {
   Store& store_;
   const PictureInputs& inputs_;
   DueFrames& due_;
-  Request request_;      // sent last
   OpenOptions options_;  // sent last
   Clock::time_point options_sent_at_{};
 };

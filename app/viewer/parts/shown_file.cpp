@@ -51,10 +51,7 @@ void ShownFile::take_file() {
   if (!of_session || session->is_recent) {
     p_.preferences.note_recent_file(of_session && !session->file.empty() ? session->file : source);
   }
-  if (of_session) {
-    p_.opening.show_session();
-    p_.sender.take_request();
-  }
+  if (of_session) p_.opening.show_session();
   start_preset();
   p_.history.restart();
   if (of_session) p_.history.take_back();

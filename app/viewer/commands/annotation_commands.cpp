@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "app/viewer/commands/command_parts.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/document/reference/measurement_columns.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/session/setting_ids.hpp"
 #include "core/document/session/settings_fields.hpp"
 #include "core/explain/power_diagram.hpp"

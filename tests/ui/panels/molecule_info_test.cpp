@@ -7,6 +7,7 @@
 #include "core/selection/selection_expression.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
+#include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
 namespace {

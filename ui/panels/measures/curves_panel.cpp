@@ -19,6 +19,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
+#include "ui/widgets/controls.hpp"
 
 namespace alphascope {
 namespace {

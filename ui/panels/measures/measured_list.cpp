@@ -1,9 +1,9 @@
 // The table of measured distances and angles, which selects, removes and copies them.
 #include <imgui.h>
 
+#include "core/document/reference/measurement_columns.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/selection/atom_address.hpp"
-#include "core/document/reference/measurement_columns.hpp"
 #include "ui/annotation_layer.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/table_cells.hpp"

@@ -9,6 +9,7 @@
 #include "core/cavity_shape/cavity_shape.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/selection/atom_groups.hpp"
 
 namespace alphascope {
 namespace {

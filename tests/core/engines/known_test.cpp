@@ -50,7 +50,7 @@ class EngineThatKnows : public ::testing::Test {
 TEST_F(EngineThatKnows, AnswersEveryAlphaByThresholdOfTheFiltration) {
   for (const auto& make : {make_cpu_engine, make_cgal_engine}) {
     const auto engine = make(balls_, {1});
-    KnownOfBalls known{{balls_, nullptr, filtration_}};
+    KnownOfBalls known{{balls_, nullptr, filtration_}, {}, {}};
     for (const double alpha : {-3000.0, 100.0, 1e4, 1e300}) {
       for (const bool tetrahedra_only : {false, true}) {
         const AlphaComplex found = engine->compute({alpha, tetrahedra_only}, known, {});
@@ -114,7 +114,7 @@ TEST_F(EngineThatKnows, AFiltrationTakesThePlaceOfTheLastComplex) {
 
 TEST_F(EngineThatKnows, DoesNotTriangulateAgain) {
   const auto engine = make_cgal_engine(balls_, {1});
-  KnownOfBalls known{{balls_, triangulation_, nullptr}};
+  KnownOfBalls known{{balls_, triangulation_, nullptr}, {}, {}};
   const AlphaComplex only = engine->compute({1e4, true}, known, {});
   EXPECT_EQ(only.engine.route, "threshold of the whole triangulation");
   EXPECT_EQ(only.timings.setup_milliseconds(), 0);
@@ -127,7 +127,7 @@ TEST_F(EngineThatKnows, DoesNotTriangulateAgain) {
   EXPECT_EQ(known.triangulation, triangulation_);
 
   // Here the CPU engine would triangulate.
-  KnownOfBalls another{{balls_, triangulation_, nullptr}};
+  KnownOfBalls another{{balls_, triangulation_, nullptr}, {}, {}};
   const auto cpu = make_cpu_engine(balls_, {1});
   EXPECT_EQ(route(*cpu, 1e300, another), "filtration of the whole triangulation, then threshold");
   known = another = {};
@@ -173,14 +173,11 @@ TEST_F(EngineThatKnows, RefusesWhatIsOfOtherBalls) {
   const auto filtration = std::make_shared<const Filtration>(other, *triangulation);
   const auto top = std::make_shared<const AlphaComplex>(expected(100));
   const auto bounded = std::make_shared<const Filtration>(balls_, top);
-  const KnownOfBalls wrong[] = {{{other, triangulation, nullptr}},
-                                {{balls_, triangulation, nullptr}},
-                                {{balls_, nullptr, filtration}},
-                                {{other, nullptr, filtration_}},
-                                {{balls_, nullptr, bounded}},
-                                {{nullptr, triangulation_, nullptr}},
-                                {{other, nullptr, nullptr}, top, nullptr},
-                                {{balls_, nullptr, nullptr}, nullptr, filtration}};
+  const KnownOfBalls wrong[] = {
+      {{other, triangulation, nullptr}, {}, {}}, {{balls_, triangulation, nullptr}, {}, {}},
+      {{balls_, nullptr, filtration}, {}, {}},   {{other, nullptr, filtration_}, {}, {}},
+      {{balls_, nullptr, bounded}, {}, {}},      {{nullptr, triangulation_, nullptr}, {}, {}},
+      {{other, nullptr, nullptr}, top, nullptr}, {{balls_, nullptr, nullptr}, nullptr, filtration}};
   for (const auto& make : {make_cpu_engine, make_cgal_engine}) {
     const auto engine = make(balls_, {1});
     for (KnownOfBalls known : wrong) {
@@ -193,7 +190,7 @@ TEST_F(EngineThatKnows, CanBeCancelled) {
   RunContext context;
   context.cancel.cancel();
   for (const auto& make : {make_cpu_engine, make_cgal_engine}) {
-    KnownOfBalls known{{balls_, nullptr, filtration_}};
+    KnownOfBalls known{{balls_, nullptr, filtration_}, {}, {}};
     EXPECT_THROW(make(balls_, {1})->compute({1}, known, context), Cancelled);
     EXPECT_TRUE(known.filtration);
   }

@@ -34,7 +34,9 @@ TEST(Diagonalise, FindsEigenvaluesAndVectors) {
         }
         EXPECT_NEAR(of_a, vectors[j][k] * diagonal[k][k], 1e-12);
         EXPECT_NEAR(of_vectors, j == k, 1e-12);
-        if (j != k) EXPECT_NEAR(diagonal[j][k], 0, 1e-12);
+        if (j != k) {
+          EXPECT_NEAR(diagonal[j][k], 0, 1e-12);
+        }
       }
     }
   }

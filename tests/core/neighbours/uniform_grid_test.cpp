@@ -62,7 +62,9 @@ TEST(UniformGrid, AllThatMayMeetAreFound) {
       const auto near = around(balls, grid);
       for (BallIndex i = 0; i < balls.size(); ++i) {
         for (BallIndex j = 0; j < balls.size(); ++j) {
-          if (may_meet(balls, i, j, alpha)) ASSERT_TRUE(near[i].contains(j)) << i << ' ' << j;
+          if (may_meet(balls, i, j, alpha)) {
+            ASSERT_TRUE(near[i].contains(j)) << i << ' ' << j;
+          }
         }
       }
     }

@@ -10,6 +10,7 @@
 #include "core/document/export/record_json.hpp"
 #include "core/document/measures/paint_balls.hpp"
 #include "core/document/reference/atom_labels.hpp"
+#include "core/document/reference/reference.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

@@ -35,11 +35,11 @@ TEST_F(DerivedTest, TheStoreOwnsWhatAnEngineMadeOfAllBalls) {
   KnownOfBalls known;
   const auto engine = make_cgal_engine(in.balls, {1});
   const AlphaComplex first = engine->compute({10}, known, {});
-  const Filtration* const made = known.filtration.get();
+  const Filtration* const of_engine = known.filtration.get();
   give_of_all_balls(store, in, std::exchange(known, {}));
   const OfAllBalls had = of_all_balls(store, in);
   EXPECT_EQ(had.balls, in.balls);
-  EXPECT_EQ(had.filtration.get(), made);
+  EXPECT_EQ(had.filtration.get(), of_engine);
   EXPECT_TRUE(had.triangulation);
   EXPECT_GT(store.held_bytes(), 0u);
   known.add(had);

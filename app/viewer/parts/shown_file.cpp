@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/viewer/molecule_info.hpp"
+#include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
 

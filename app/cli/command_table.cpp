@@ -11,8 +11,8 @@ namespace {
 
 Option no_times_option(bool& times) {
   return flag_option("--no-times",
-                     "Leave out times, threads and what follows from them, in all results: the "
-                     "same question gives the same bytes",
+                     "Leave out times and threads in all results, so that equal requests give "
+                     "equal bytes",
                      times, false);
 }
 
@@ -41,7 +41,7 @@ OptionNotes format_notes() {
 
 OptionNotes exit_code_notes() {
   OptionNotes notes{"Exit codes", exit_code_lines()};
-  notes.lines.push_back("With several files the code is that of the first file that failed.");
+  notes.lines.push_back("With several files, the exit code is that of the first file that failed.");
   return notes;
 }
 

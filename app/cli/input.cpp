@@ -112,9 +112,10 @@ const char* remedy_for(DropReason reason, const InputOptions& options) {
   const auto most =
       std::max_element(reasons.begin(), reasons.end(),
                        [](const auto& a, const auto& b) { return a.count < b.count; });
-  throw UsageError(
-      file.string() + ": no atom is left: dropped " + dropped + "." +
-      (most == reasons.end() ? "" : std::string(" ") + remedy_for(most->reason, options)) + ".");
+  throw UsageError(file.string() + ": no atom is left" +
+                   (most == reasons.end()
+                        ? std::string(", because the file has none here.")
+                        : ": dropped " + dropped + ". " + remedy_for(most->reason, options) + "."));
 }
 
 Input open_input(const std::filesystem::path& file, const InputOptions& options,
@@ -234,7 +235,8 @@ Input with_body_radii(Input input, const InputOptions& options) {
 std::vector<std::string> input_notes(const Input& input) {
   std::vector<std::string> notes = input.molecule().notes;
   if (input.prepared().balls->size() == 0) {
-    notes.push_back("no atom is left, so every complex is empty; see --help for what is kept");
+    notes.push_back(
+        "no atom is left, so every complex is empty; --help lists the atoms that are kept");
   }
   return notes;
 }

@@ -34,9 +34,9 @@ constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 }
 
 void append_names(const std::string& file, char end, std::vector<std::string>& names) {
-  std::istringstream stream(
-      read_small_text(file, {"the list of files", kLargestList,
-                             "Give the names of the files, one a line, in lists of their own"}));
+  std::istringstream stream(read_small_text(
+      file,
+      {"the list of files", kLargestList, "Divide the names into several lists, one name a line"}));
   stream.exceptions(std::ios::badbit);  // otherwise a failed allocation would end the list early
   const std::string list = file == "-" ? "standard input" : file;
   bool first = true;

@@ -51,8 +51,8 @@ Options input_but_ligands(InputOptions& input) {
                    "Keep only atoms that match, such as \"chain A and not resn HEM\""},
                   input.select),
       texts_option({"--treat", "RESIDUES=KIND",
-                    "What residues are, such as \"A:PU8 301=ligand\" or LIG=polymer: polymer, "
-                    "ligand, ion, water or dummy"},
+                    "Set kinds of residues, such as \"A:PU8 301=ligand\" or LIG=polymer: "
+                    "polymer, ligand, ion, water or dummy"},
                    input.treated),
       text_option({"--assembly", "ID", "Expand a biological assembly; info lists them"},
                   input.assembly),
@@ -127,8 +127,8 @@ Options body(InputOptions& input, BodyOptions& body) {
   for (Option& option : options) {
     if (option.names == "--radii") option.fallback = "the file's own, else castp";
   }
-  append(options, {flag_option("--ligands", "Ligands are part of the body, too", body.ligands),
-                   flag_option("--ions", "Ions are part of the body, too", body.ions)});
+  append(options, {flag_option("--ligands", "Add ligands to the body", body.ligands),
+                   flag_option("--ions", "Add ions to the body", body.ions)});
   return options;
 }
 

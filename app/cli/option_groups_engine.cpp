@@ -24,9 +24,10 @@ Options tuples(Request& request) {
                            {"--streams", "N", "GPU: number of streams that work at the same time"},
                            tuples.streams, {1, 8}),
                        std::to_string(tuples.streams)),
-          with_default(whole_number_option({"--tuples-per-batch", "N", "Tuples held at once"},
-                                           tuples.tuples_per_batch, {0, 100'000'000}),
-                       "0 = chosen")});
+          with_default(
+              whole_number_option({"--tuples-per-batch", "N", "Largest number of tuples in memory"},
+                                  tuples.tuples_per_batch, {0, 100'000'000}),
+              "0 = chosen")});
   for (Option& option : options) {
     option.group =
         "Options of --engine " + engine_ids(EngineGroup::tuples, " and ") + " (same result)";
@@ -82,7 +83,7 @@ void require_tuple_engine(const Request& request) {
 Options engine(Request& request, bool threads) {
   Option engine{.names = "--engine",
                 .value = engine_ids(EngineGroup::all, "|"),
-                .text = "Engine, with the same result; auto takes the GPU when there is one",
+                .text = "Engine; all give the same result; auto uses the GPU when there is one",
                 .fallback = "auto"};
   engine.set = [&request, choices = engine.choices()](const std::string& id) {
     require_choice(id, choices);

@@ -9,7 +9,7 @@ const std::vector<ExitCodeInfo>& all_exit_codes() {
       {ExitCode::differs, "differs from CGAL (verify, bench)"},
       {ExitCode::usage, "invalid usage"},
       {ExitCode::unreadable_input, "a file cannot be read or understood"},
-      {ExitCode::computing_failed, "what was asked for cannot be computed or drawn"},
+      {ExitCode::computing_failed, "the result cannot be computed or drawn"},
       {ExitCode::unwritable_output, "an output cannot be written"},
       {ExitCode::no_display, "no display to open a window on (alphascope)"},
       {ExitCode::cancelled, "cancelled by Ctrl-C; by another signal 128 and its number"}};

@@ -130,7 +130,7 @@ std::vector<std::string> notes_of(const OpenedMolecule& opened) {
   const SelectionReport& report = opened.prepared->report;
   std::vector<std::string> notes = opened.molecule->notes;
   if (report.used == 0) {
-    notes.push_back("No atom is left by this selection, so the complex is empty.");
+    notes.push_back("The selection has no atoms, so the complex is empty.");
   }
   if (opened.molecule->rounding_angstrom > 0) {
     notes.push_back("Rounded to the lattice, by at most " +
@@ -138,7 +138,7 @@ std::vector<std::string> notes_of(const OpenedMolecule& opened) {
   }
   if (report.coincident_centres > 0) {
     notes.push_back(counted(report.coincident_centres, "ball shares", "balls share") +
-                    " a centre with another; at each centre only the largest counts.");
+                    " a centre with another ball. Only the largest ball at each centre counts.");
   }
   return notes;
 }

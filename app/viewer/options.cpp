@@ -120,7 +120,7 @@ Option drawing_memory_option(ViewerOptions& options) {
   Option memory{.names = "--drawing-memory",
                 .value = "MB",
                 .text = "Assume this much free memory for drawing, in MB",
-                .fallback = "what the system says"};
+                .fallback = "measured"};
   memory.set = [&options](const std::string& value) {
     options.drawing_memory_mb =
         static_cast<std::uint64_t>(whole_number_in(value, {0, 2'000'000'000, "MB"}));
@@ -131,7 +131,7 @@ Option drawing_memory_option(ViewerOptions& options) {
 Option preferences_option(ViewerOptions& options) {
   Option folder{.names = "--preferences",
                 .value = "FOLDER",
-                .text = "Keep preferences and recent files there; none: nowhere",
+                .text = "Folder for preferences and recent files; none: do not keep them",
                 .fallback = "~/.config/alphascope; none with --script, --shot and --record"};
   folder.set = [&options](const std::string& path) {
     options.preferences = path == "none" ? "" : path;
@@ -188,11 +188,11 @@ OptionProgram table(ViewerOptions& o) {
                           kSolventRule),
       with_default(typed_number_option({"--scale", "X", "Size of fonts and controls, 1 for 100 %"},
                                        o.scale, kControlScaleRule),
-                   "as the display says"),
+                   "scale of the display"),
       size_option(o),
       flag_option("--light", "Light theme", o.light),
       with_default(
-          choice_option({"--preset", preset_ids(), "A whole look of the picture"}, o.preset),
+          choice_option({"--preset", preset_ids(), "Preset of the picture's look"}, o.preset),
           "none"),
       flag_option("--tetrahedra-only", "Compute only tetrahedra", o.tetrahedra_only),
       flag_option("--no-compare", "Do not compare with CGAL after each change", o.compare, false),
@@ -200,10 +200,9 @@ OptionProgram table(ViewerOptions& o) {
       drawing_memory_option(o),
       lesson_option(o),
       record_option(o),
-      with_default(
-          typed_number_option({"--record-seconds", "S", "How long a movie shows each step"},
-                              o.record_seconds, kHoldRule),
-          "10"),
+      with_default(typed_number_option({"--record-seconds", "S", "Time of each step in a movie"},
+                                       o.record_seconds, kHoldRule),
+                   "10"),
       record_size_option(o),
       script_option(o),
       flag_option("--script-help", "List the commands of scripts and exit", o.script_help),

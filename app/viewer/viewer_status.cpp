@@ -27,12 +27,11 @@ void Viewer::guarded(const std::function<void()>& what) {
     what();
     return;
   } catch (const std::bad_alloc&) {
-    state_.tell(
-        "There is not enough memory",
-        "The last step could not be done. Use a smaller alpha, compute tetrahedra only, keep "
-        "fewer atoms, or close other programs.");
+    state_.tell("There is not enough memory",
+                "The last action failed. Use a smaller alpha, compute tetrahedra only, keep "
+                "fewer atoms, or close other programs.");
   } catch (const std::exception& error) {
-    state_.tell("The last step could not be done", error.what());
+    state_.tell("The last action failed", error.what());
   }
   due_.count = kFramesForNews;
 }

@@ -40,7 +40,7 @@ std::uint64_t bytes_of(const KnownOfBalls& known) {
 void require_known_of(const BallSet& balls, const KnownOfBalls& known) {
   const bool any = known || known.complex || known.below;
   if (any && known.balls.get() != &balls) {
-    throw std::invalid_argument("what is known is of other balls");
+    throw std::invalid_argument("the known results are of other balls");
   }
   for (const auto& filtration : {known.filtration, known.below}) {
     if (filtration && &filtration->balls() != &balls) {

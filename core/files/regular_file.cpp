@@ -30,7 +30,7 @@ void refuse_opening(const std::filesystem::path& path, int error) {
   constexpr const char* kCheckName = "Check the name and the folder";
   struct stat status {};
   if (error == ENOENT && ::lstat(path.c_str(), &status) == 0) {
-    throw ReadError(path, 0, "this is a link to a file that is not there",
+    throw ReadError(path, 0, "this is a link to a file that does not exist",
                     "Check where it leads, or name the file itself");
   }
   if (error == ENOENT) throw ReadError(path, 0, "there is no such file", kCheckName);

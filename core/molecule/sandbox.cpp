@@ -53,7 +53,7 @@ double least_sandbox_radius(const Lattice& lattice) {
 
 std::string why_no_sandbox(std::size_t balls) {
   if (balls <= kMostSandboxBalls) return {};
-  return "By hand at most " + std::to_string(kMostSandboxBalls) + " balls can be changed, and " +
+  return "At most " + std::to_string(kMostSandboxBalls) + " balls can be changed by hand, and " +
          std::to_string(balls) + " are open. Select fewer atoms, or open a preset.";
 }
 

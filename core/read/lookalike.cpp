@@ -129,7 +129,7 @@ Lookalike look_at(std::string_view text) {
     const std::string_view data = trimmed(line);
     if (data.empty()) continue;
     if (starts_with_any_case(data, "<!doctype html") || starts_with_any_case(data, "<html")) {
-      return {"a web page, perhaps one that says why the file cannot be had",
+      return {"a web page, perhaps the error message of a server",
               "Look at it in a browser, then download the coordinate file itself", true};
     }
     if (data.front() == '<') return {"XML", std::string(kFetchText), true};

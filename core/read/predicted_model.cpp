@@ -50,7 +50,7 @@ void PredictedModel::finish(Molecule& molecule) const {
   if (!within || !some) return;
   molecule.has_confidences = true;
   molecule.notes.push_back(
-      "A predicted model: what stands for B factors are its confidences (pLDDT, high is good)");
+      "This is a predicted model: its B factors are confidences (pLDDT, high is good)");
 }
 
 }  // namespace alphascope

@@ -101,18 +101,21 @@ OptionCommand table_of_cavities(CavitiesOptions& options) {
        with_default(
            whole_number_option({"--threads", "N", "CPU threads"}, request.threads, kThreadRange),
            "0 = all")});
-  Option rule{.names = "--rule",
-              .value = "castp|pocket",
-              .text = "What is outside where the flow goes both ways: castp keeps it in a pocket",
-              .fallback = "castp"};
+  Option rule{
+      .names = "--rule",
+      .value = "castp|pocket",
+      .text =
+          "Rule for tetrahedra that flow both outside and to a sink: castp keeps them in a pocket",
+      .fallback = "castp"};
   rule.set = [&options, choices = rule.choices()](const std::string& id) {
     require_choice(id, choices);
     options.rule = id == "pocket" ? OutsideRule::pocket : OutsideRule::castp;
   };
-  Option ties{.names = "--ties",
-              .value = "perturbed|strict",
-              .text = "Orthocentres in the plane of a face: perturbed, or do not flow (strict)",
-              .fallback = "perturbed"};
+  Option ties{
+      .names = "--ties",
+      .value = "perturbed|strict",
+      .text = "Rule for an orthocentre in the plane of a face: perturbed, or no flow (strict)",
+      .fallback = "perturbed"};
   ties.set = [&options, choices = ties.choices()](const std::string& id) {
     require_choice(id, choices);
     options.ties = id == "strict" ? FlowTies::strict : FlowTies::perturbed;
@@ -123,31 +126,29 @@ OptionCommand table_of_cavities(CavitiesOptions& options) {
   min_volume.set = [&options](const std::string& text) {
     options.min_volume_angstrom3 = number_in(text, {-1e30, 1e30});
   };
-  append(
-      command.options,
-      {rule, ties, min_volume,
-       flag_option(
-           "--no-clipped",
-           "Leave out the exact clipped volumes, which take longest of many cospherical atoms",
-           options.no_clipped),
-       flag_option("--split-networks",
-                   "List networks (20 mouths or more) as the parts that they fall into at their "
-                   "bottlenecks",
-                   options.split_networks),
-       flag_option("--no-network-radius",
-                   "Leave out at which solvent radius networks fall apart, which takes a few "
-                   "triangulations",
-                   options.no_network_radius),
-       with_default(whole_number_option({"--show", "N", "Cavities printed, the largest first"},
-                                        options.shown, {0, 1'000'000'000}),
-                    "20"),
-       output("--json", "All numbers, mouths and residues as JSON; - for standard output",
-              options.json),
-       output("--csv", "One row for each cavity; - for standard output", options.csv),
-       output("--lives",
-              "Between which alphas each cavity is there, of every alpha, as CSV; - for standard "
-              "output",
-              options.lives)});
+  append(command.options,
+         {rule, ties, min_volume,
+          flag_option("--no-clipped",
+                      "Leave out the exact (clipped) volumes, which take the most time",
+                      options.no_clipped),
+          flag_option("--split-networks",
+                      "List networks (20 mouths or more) as the parts that they fall into at their "
+                      "bottlenecks",
+                      options.split_networks),
+          flag_option("--no-network-radius",
+                      "Do not compute the solvent radius at which networks fall apart, which "
+                      "takes a few triangulations",
+                      options.no_network_radius),
+          with_default(
+              whole_number_option({"--show", "N", "Number of cavities to print, the largest first"},
+                                  options.shown, {0, 1'000'000'000}),
+              "20"),
+          output("--json", "All numbers, mouths and residues as JSON; - for standard output",
+                 options.json),
+          output("--csv", "One row for each cavity; - for standard output", options.csv),
+          output("--lives",
+                 "Range of alpha in which each cavity exists, as CSV; - for standard output",
+                 options.lives)});
   append(command.options, shape_options(options.shapes, "Spheres that fill the cavities, as PQR",
                                         "Surfaces of the cavities as a mesh",
                                         "A script that shows the cavities in ChimeraX or PyMOL"));
@@ -155,8 +156,8 @@ OptionCommand table_of_cavities(CavitiesOptions& options) {
   for (Option& option : of_body) {
     if (option.names != "--radii") continue;
     option = with_default(texts_option({"--radii", radii_choices(),
-                                        "Radii as of other commands; several, such as castp,bondi, "
-                                        "are compared side by side"},
+                                        "Radii set, as for other commands; several, such as "
+                                        "castp,bondi, are compared side by side"},
                                        options.radii),
                           option.fallback);
   }

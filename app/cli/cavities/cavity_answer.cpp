@@ -177,7 +177,7 @@ std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOpti
   }
   if (const std::string split = split_note(table); !split.empty()) notes.push_back(split);
   if (!answer.exact && table.size() > 0) {
-    notes.push_back("exact clipped volumes are left out, as --no-clipped asks");
+    notes.push_back("exact (clipped) volumes are left out because of --no-clipped");
   }
   if (answer.rows.size() < table.size()) {
     notes.push_back(counted(table.size() - answer.rows.size(), "cavity", "cavities") + " below " +

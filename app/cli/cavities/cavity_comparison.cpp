@@ -157,9 +157,9 @@ void print_comparison(const CavityComparison& comparison, const CavitiesOptions&
   if (shown > 0) print_side_by_side(comparison, shown);
   if (verbosity() != Verbosity::quiet && shown > 0) {
     std::cout
-        << "Cavities are those of the first column. /2: it has come apart into 2, the largest "
-           "share is given. in #3: it has joined what was #3. new: those that are none of "
-           "the first column's. spread: of the volume, in the largest's per cent\n";
+        << "Rows are the cavities of the first column. /2: split into 2 parts; the largest is "
+           "listed. in #3: merged into cavity 3. new: cavities that the first column lacks. "
+           "spread: difference of the volumes in per cent of the largest\n";
   }
   std::cout << std::flush;
 }

@@ -169,8 +169,8 @@ void print_ways(const FoundWays& ways, const FoundChannel& chosen) {
               << chains_text(way.lining_chains) << "\n";
   }
   if (ways.parts_left_out > 0) {
-    std::cout << "            of too many chains, " << grouped(ways.parts_left_out)
-              << " were not looked through by themselves\n";
+    std::cout << "            too many chains: " << grouped(ways.parts_left_out)
+              << " were not searched separately\n";
   }
 }
 
@@ -247,7 +247,7 @@ ExitCode run_channel(const ChannelOptions& options) {
   ShapeOutputs shapes(options.shapes, options.input.file, outputs);
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   if (each_model(options.input)) {
-    throw UsageError("A channel is one model's. Give the number of a model, or joined.");
+    throw UsageError("A channel needs one model. Give the number of a model, or joined.");
   }
   const OpenOptions open = body_options(options.input, options.body, context);
   for_each_model(options.input.file, options.input, open, context, [&](const Input& as_opened) {
@@ -279,7 +279,7 @@ void require_three(const char* name, const std::vector<double>& numbers) {
 OptionCommand table_of_channel(ChannelOptions& options) {
   OptionCommand command{
       "channel",
-      "How large a ball passes through a molecule, or from a point or a cavity, and its profile",
+      "Find the widest channel through a molecule, or from a point or a cavity, with its profile",
       {}};
   options.solvent_radius_angstrom = kCavitySolventAngstrom;
   const NumberRange kPlaceRange{-1e9, 1e9, "Å"};
@@ -289,8 +289,8 @@ OptionCommand table_of_channel(ChannelOptions& options) {
   command.options = {
       one_file(options.input),
       with_default(whole_number_option({"--way", "N",
-                                        "Without --point and --cavity: way N through the "
-                                        "molecule, of those that are listed"},
+                                        "Without --point and --cavity: show way N of the "
+                                        "listed ways through the molecule"},
                                        options.way, {1, static_cast<int>(kMostWays)}),
                    "1, the best"),
       place("--point", "Begin at this point in the channel, in Å", options.point),
@@ -303,7 +303,7 @@ OptionCommand table_of_channel(ChannelOptions& options) {
                    "1.4"),
       place("--along", "Through the start both ways along this direction", options.along),
       place("--to", "From the start to this point, in Å", options.to),
-      number_option({"--end-radius", "R", "Outwards the line ends where it is so wide, in Å"},
+      number_option({"--end-radius", "R", "Radius at which a line to the outside ends, in Å"},
                     options.end_radius_angstrom, {0, 1000, "Å"}),
       with_default(
           whole_number_option({"--threads", "N", "CPU threads"}, options.threads, kThreadRange),

@@ -39,7 +39,9 @@ ShapeOutputs::ShapeOutputs(const ShapeOptions& options, const std::string& molec
   require_ending("--surface", options.surface, ".ply", ".glb");
   require_ending("--script", options.script, ".cxc", ".pml");
   if (!options.script.empty() && molecule == "-") {
-    throw UsageError("--script opens the molecule's file, which standard input is not.");
+    throw UsageError(
+        "--script needs the molecule as a file, not standard input. Save the input to a file "
+        "first.");
   }
   spheres_ = outputs.add("--spheres", options.spheres, {".pqr"});
   surface_ = outputs.add("--surface", options.surface, {".ply", ".glb"});

@@ -66,7 +66,7 @@ ExitCode run_explain(const ExplainOptions& options) {
   Outputs outputs(files_read(options.input));
   JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
-  const Input input = open_one_model(options.input, "A simplex is one model's.", context);
+  const Input input = open_one_model(options.input, "A simplex needs one model.", context);
   const Balls simplex = simplex_of(input, options);
   Request request;
   request.solvent_radius_angstrom = options.solvent_radius_angstrom;
@@ -102,7 +102,7 @@ ExitCode run_explain(const ExplainOptions& options) {
 Option optional_alpha(std::optional<Alpha>& alpha) {
   Option option{.names = "--alpha",
                 .value = "A",
-                .text = "Alpha in Å², to say whether the simplex is in that complex",
+                .text = "Alpha in Å² of the complex that the simplex is compared with",
                 .fallback = "none: every alpha"};
   option.set = [&alpha](const std::string& value) { alpha = alpha_in(value); };
   return option;
@@ -123,7 +123,9 @@ void require_simplex(const std::vector<int>& simplex) {
 
 OptionCommand table_of_explain(ExplainOptions& options) {
   OptionCommand command{
-      "explain", "Why a vertex, edge, triangle or tetrahedron is in the complex, or not", {}};
+      "explain",
+      "Explain why a vertex, edge, triangle or tetrahedron is in the complex, or not",
+      {}};
   command.options = {
       one_file(options.input),
       whole_numbers_option({"--simplex", "I,J,K,L",
@@ -131,7 +133,7 @@ OptionCommand table_of_explain(ExplainOptions& options) {
                             "used, as in the files of compute"},
                            options.simplex, {0, 2'147'483'647}),
       text_option({"--atoms", "ATOMS",
-                   "The same by name: addresses such as A:HIS 87:NE2,A:HIS 87:CE1, or an "
+                   "One to four balls by name: addresses such as A:HIS 87:NE2,A:HIS 87:CE1, or an "
                    "expression as for --select"},
                   options.atoms),
       optional_alpha(options.alpha_angstrom2),

@@ -328,12 +328,13 @@ OptionCommand table_of_info(InfoOptions& options) {
   OptionCommand command{"info", "Report what files contain and which atoms are used", {}};
   command.options = many_files(options.files);
   append(command.options, input(options.input));
-  command.options.push_back(
-      flag_option("--residues", "List what residues are, and why", options.residues));
-  command.options.push_back(flag_option("--each-residue", "The same with a line for every residue",
-                                        options.each_residue));
-  command.options.push_back(
-      output("--json", "The same as JSON; - for standard output", options.json));
+  command.options.push_back(flag_option(
+      "--residues", "List the kinds of residues, and the reasons for them", options.residues));
+  command.options.push_back(flag_option(
+      "--each-residue", "List the kind of every residue on a line of its own, and the reason",
+      options.each_residue));
+  command.options.push_back(output(
+      "--json", "Contents, used atoms and radii as JSON; - for standard output", options.json));
   command.options.push_back(
       output("--csv", "One row for each file and model; - for standard output", options.csv));
   command.check = [&options] { require_files(options.files); };

@@ -128,13 +128,13 @@ OptionCommand table_of_measure(MeasureCommandOptions& options) {
   OptionCommand command{
       "measure", "Exact area and volume of the union of balls, also by chain, residue or atom", {}};
   command.options = many_files(options.files);
-  Option alpha = alpha_option("Alpha in Å², negative too", options.request.alpha_angstrom2);
+  Option alpha = alpha_option("Alpha in Å²; it may be negative", options.request.alpha_angstrom2);
   command.options.push_back(with_default(alpha, "0"));
   append(command.options, engine(options.request, true));
   std::erase_if(command.options, [](const Option& o) { return o.names == "--tetrahedra-only"; });
   Option per{.names = "--per",
              .value = "atom|residue|chain|component",
-             .text = "What a row of the CSV is, and a list of the JSON",
+             .text = "Groups of atoms for the rows of the CSV and for a list in the JSON",
              .fallback = "one row for all"};
   per.set = [&options, choices = per.choices()](const std::string& id) {
     require_choice(id, choices);
@@ -144,7 +144,7 @@ OptionCommand table_of_measure(MeasureCommandOptions& options) {
   append(command.options,
          {per,
           flag_option("--derivatives",
-                      "Also how area and volume change with centre and radius of each atom",
+                      "Add the derivatives of area and volume by centre and radius of each atom",
                       options.derivatives),
           output("--json", "Measures, counts, hash and times as JSON; - for standard output",
                  options.json),

@@ -71,7 +71,7 @@ ExitCode run_steps(const StepsOptions& options) {
   Outputs outputs(files_read(options.input));
   JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
-  const Input input = open_one_model(options.input, "A ball is one model's.", context);
+  const Input input = open_one_model(options.input, "A ball needs one model.", context);
   const Inputs inputs = derived_inputs(input, options.request.solvent_radius_angstrom,
                                        options.request.alpha_angstrom2);
   const AskedSteps asked{ball_of(input, *inputs.atoms, options.ball),
@@ -102,7 +102,7 @@ ExitCode run_steps(const StepsOptions& options) {
 
 OptionCommand table_of_steps(StepsOptions& options) {
   OptionCommand command{
-      "steps", "How an engine finds the simplices of one ball, step after step", {}};
+      "steps", "Show step by step how an engine finds the simplices of one ball", {}};
   command.options = {
       one_file(options.input),
       required(text_option({"--ball", "ATOM",
@@ -113,7 +113,7 @@ OptionCommand table_of_steps(StepsOptions& options) {
       number_option({"--solvent", "S", "Solvent radius in Å, added to every radius"},
                     options.request.solvent_radius_angstrom, kSolventRange),
       choice_option({"--engine", "tuples|dual_edges",
-                     "The thesis' algorithm (tuples), or that of the dual-edge engine"},
+                     "Algorithm of the thesis (tuples), or of the dual-edge engine"},
                     options.engine),
       output("--json", "The steps as JSON; - for standard output", options.json)};
   append(command.options, tuple_work(options.request.tuples));

@@ -20,7 +20,7 @@ Option drawing_memory(std::optional<std::uint64_t>& megabytes) {
   Option option{.names = "--drawing-memory",
                 .value = "MB",
                 .text = "Assume this much free memory for drawing, in MB",
-                .fallback = "what the system says"};
+                .fallback = "measured"};
   option.set = [&megabytes](const std::string& value) {
     megabytes = static_cast<std::uint64_t>(whole_number_in(value, {0, 2'000'000'000, "MB"}));
   };
@@ -30,8 +30,8 @@ Option drawing_memory(std::optional<std::uint64_t>& megabytes) {
 Option caption(CaptionParts& parts) {
   Option option{.names = "--caption",
                 .value = "PARTS",
-                .text = "Words at the top: usual, all, none, or some of " + caption_part_ids() +
-                        " with commas between",
+                .text = "Parts of the caption at the top: usual, all, none, or some of " +
+                        caption_part_ids() + " with commas between",
                 .fallback = caption_parts_text(parts)};
   option.set = [&parts](const std::string& value) { parts = read_caption_parts(value); };
   return option;
@@ -121,9 +121,10 @@ void require_one_source(const ScreenshotCommandOptions& options, bool needs_alph
     if (options.input.file.empty()) throw std::invalid_argument("FILE is required, or --session");
     if (!alpha && needs_alpha) throw std::invalid_argument("--alpha is required, or --session");
   } else if (!options.beside_session.empty()) {
-    throw std::invalid_argument("--session says itself what " + options.beside_session.front() +
-                                " would; leave that out, or change it in the window and save the "
-                                "session again");
+    throw std::invalid_argument("the session already has the setting of " +
+                                options.beside_session.front() +
+                                "; leave the option out, or change it in the window and save "
+                                "the session again");
   }
 }
 
@@ -138,29 +139,28 @@ Options picture_options(ScreenshotCommandOptions& options) {
                    "1,1,0=5; with a thickness x=12.5:8"},
                   options.clip),
       with_default(choice_option({"--preset", preset_ids(),
-                                  "A whole look; other options change single things of it"},
+                                  "Preset of the look; other options change parts of it"},
                                  options.preset),
                    "none"),
       text_option({"--hide", "ATOMS",
-                   "Leave these atoms, and simplices with a corner among them, out of the picture; "
-                   "an expression as of --select"},
+                   "Hide these atoms, and simplices with a corner among them; an expression as "
+                   "for --select"},
                   options.appearance.hide),
-      text_option({"--only", "ATOMS", "Leave all other atoms out of the picture"},
-                  options.appearance.only),
-      text_option({"--atom-colours", "LIST",
-                   "Colours of their own for some atoms: \"resn HEM=#ff8800; chain A=#888\""},
-                  options.appearance.colours),
+      text_option({"--only", "ATOMS", "Hide all other atoms"}, options.appearance.only),
+      text_option(
+          {"--atom-colours", "LIST", "Colours of single atoms: \"resn HEM=#ff8800; chain A=#888\""},
+          options.appearance.colours),
       text_option({"--labels", "LIST",
                    "Labels of atoms: name, residue, address, element, radius or b_factor: \"resn "
                    "HEM=residue; name FE=name\""},
                   options.annotations.labels),
       texts_option(
           {"--measure", "ATOMS",
-           "The distance of two atoms, the angle of three or the dihedral angle of "
-           "four, into the picture: \"A:HIS 87:NE2; A:HEM 142:FE\"; commas between several"},
+           "Draw the distance of two atoms, the angle of three or the dihedral angle of four: "
+           "\"A:HIS 87:NE2; A:HEM 142:FE\"; commas between several"},
           options.annotations.measurements),
       paint_option({display_field(&DisplayControls::ball_paint).option.name, "PAINT",
-                    "What balls are coloured by: " + scheme_ids(Painted::balls) +
+                    "Colours of balls: " + scheme_ids(Painted::balls) +
                         ", or a colour such as #5aa9e6; a quantity also with a colour map (" +
                         colour_map_ids() + ") and a range: b_factor,cividis,0:60"},
                    "element",
@@ -168,8 +168,8 @@ Options picture_options(ScreenshotCommandOptions& options) {
                      options.ball_paint = paint_from(text, Painted::balls);
                    }),
       paint_option({display_field(&DisplayControls::complex_paint).option.name, "PAINT",
-                    "What simplices are coloured by: balls (as the balls, or in one colour where "
-                    "they cannot be), " +
+                    "Colours of simplices: balls (as the balls, or one colour where that is "
+                    "impossible), " +
                         scheme_ids(Painted::simplices) + ", or a colour"},
                    "balls",
                    [&options](const std::string& text) {
@@ -195,8 +195,8 @@ Options picture_options(ScreenshotCommandOptions& options) {
 Options source(ScreenshotCommandOptions& options) {
   return {one_file(options.input, false),
           path_option({"--session", "S.json",
-                       "The molecule, settings and view that the window saved; a FILE then stands "
-                       "for the molecule that it names"},
+                       "Session with molecule, settings and view, saved in the window; FILE "
+                       "then replaces its molecule"},
                       options.session),
           not_required(alpha(options.request))};
 }
@@ -216,20 +216,21 @@ Options recording(FramesCommandOptions& options) {
   Recording& r = options.recording;
   return {
       recorded({"--sweep", "alpha=FROM:TO:FRAMES",
-                "A complex of its own in each frame; alpha in Å², such as alpha=-1:10:120"},
+                "Sweep of alpha in Å², with one complex in each frame, such as alpha=-1:10:120"},
                options.sweep, [&r](const std::string& text) { read_sweep(text, r); }),
       choice_option({"--sweep-scale", kScalings,
                      "Equal steps of alpha, of its signed square root, or of its logarithm "
                      "(linear within 0.01 Å² of 0)"},
                     options.scaling),
       recorded({"--turntable", "DEGREES:FRAMES",
-                "One complex from all around, such as 360:120; the camera keeps its distance"},
+                "Turntable: degrees and frames, such as 360:120; the camera keeps its distance"},
                options.turntable, [&r](const std::string& text) { read_turntable(text, r); }),
       choice_option({"--axis", kTurnAxes,
-                     "What the turntable turns about, through the middle: upwards in the view, "
-                     "or an axis of the file"},
+                     "Axis of the turntable, through the middle: upwards in the view, or an "
+                     "axis of the file"},
                     options.axis),
-      flag_option("--there-and-back", "Also back to the beginning, for a loop", r.there_and_back),
+      flag_option("--there-and-back", "Also play back to the beginning, for a loop",
+                  r.there_and_back),
       number_option({"--fps", "N", "Frames a second, of a movie"}, r.frames_per_second,
                     {kFrameRateRule.least, kFrameRateRule.most, "/ s"})};
 }
@@ -242,7 +243,7 @@ void check_recording(FramesCommandOptions& options) {
   }
   const auto& given = options.picture.beside_session;
   if (options.sweep && std::find(given.begin(), given.end(), "--alpha") != given.end()) {
-    throw std::invalid_argument("--sweep says alpha itself; leave --alpha out");
+    throw std::invalid_argument("--sweep sets alpha; leave --alpha out");
   }
   if (options.turntable && options.scaling != "linear") {
     throw std::invalid_argument("--sweep-scale belongs to --sweep");
@@ -257,7 +258,7 @@ void check_recording(FramesCommandOptions& options) {
   if (format == RecordingFormat::frames) FrameNames{out};
   if (format == RecordingFormat::mp4 && options.picture.transparent) {
     throw std::invalid_argument(
-        "an .mp4 movie has a background always; --transparent needs .webm or pictures");
+        "an .mp4 movie always has a background; --transparent needs .webm or pictures");
   }
 }
 

@@ -40,7 +40,7 @@ SessionToDraw open_session(const ScreenshotCommandOptions& options, const RunCon
                          "Put it back, or name it as FILE, beside --session S.json", context);
   } else if (hash_of_file(molecule, context) != s.molecule.sha256) {
     drawn.notes.push_back(molecule.string() +
-                          " is not the file that the session was saved with, by its SHA-256.");
+                          " differs from the file of the saved session: it has another SHA-256.");
   }
   OpenOptions open = s.settings.open;
   if (!s.radii_table.empty()) {
@@ -56,9 +56,9 @@ SessionToDraw open_session(const ScreenshotCommandOptions& options, const RunCon
                     std::string("\"open.selection\" does not fit the molecule, ") + error.what(),
                     kOtherMolecule);
   } catch (const std::invalid_argument& error) {
-    throw ReadError(file, 0,
-                    "what \"open\" says does not fit the molecule: " + without_stop(error.what()),
-                    kOtherMolecule);
+    throw ReadError(
+        file, 0, "the options in \"open\" do not fit the molecule: " + without_stop(error.what()),
+        kOtherMolecule);
   }
   return drawn;
 }

@@ -14,7 +14,7 @@
 namespace alphascope::cli {
 
 std::string AddressedBalls::note_on_others() const {
-  return others ? " Atoms that are left out of the complex are no balls." : "";
+  return others ? " Atoms that are left out of the complex have no balls." : "";
 }
 
 AddressedBalls balls_by_address(const BallReferences& atoms, const std::string& option,

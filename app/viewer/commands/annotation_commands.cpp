@@ -49,17 +49,18 @@ Outcome label_atoms(ViewState& s, const Arguments& arguments) {
 }
 
 void add_label_commands(Commands& commands, ViewState& s) {
-  CommandSpec label{.id = "label.atoms",
-                    .title = "Label atoms",
-                    .help = "Writes names or values of atoms beside them, in the picture",
-                    .shortcuts = {{"L", "address"}},
-                    .menu = "Edit",
-                    .line_above = true,
-                    .parameters = {{.name = "text",
-                                    .kind = Kind::choice,
-                                    .help = "What the labels say; residue: once for all its atoms",
-                                    .choices = label_texts},
-                                   which_atoms()}};
+  CommandSpec label{
+      .id = "label.atoms",
+      .title = "Label atoms",
+      .help = "Writes names or values of atoms beside them, in the picture",
+      .shortcuts = {{"L", "address"}},
+      .menu = "Edit",
+      .line_above = true,
+      .parameters = {{.name = "text",
+                      .kind = Kind::choice,
+                      .help = "Text of the labels; residue: one label for each residue",
+                      .choices = label_texts},
+                     which_atoms()}};
   label.why_not = without_picture(s);
   label.run = [&s](const Arguments& arguments) { return label_atoms(s, arguments); };
   commands.add(std::move(label));
@@ -68,7 +69,7 @@ void add_label_commands(Commands& commands, ViewState& s) {
   };
   commands.add({.id = "label.remove",
                 .title = "Remove labels",
-                .help = "Takes the labels of atoms away",
+                .help = "Removes the labels of atoms",
                 .shortcuts = {{"Shift+L"}},
                 .menu = "Edit",
                 .parameters = {which_atoms()},
@@ -86,7 +87,7 @@ void add_label_commands(Commands& commands, ViewState& s) {
                     }});
   commands.add({.id = "label.remove_all",
                 .title = "Remove all labels",
-                .help = "Takes all labels of atoms away",
+                .help = "Removes all labels of atoms",
                 .menu = "Edit",
                 .why_not = none,
                 .run = [&s](const Arguments&) {
@@ -107,7 +108,7 @@ Outcome measure_atoms(ViewState& s, const Arguments& arguments) {
   try {
     return add_measurement(s, read_measurement(*s.references, text));
   } catch (const SelectionError& error) {
-    return Outcome::refused(std::string("This cannot be read: ") + error.what() + ".");
+    return Outcome::refused(std::string("Cannot understand the atoms: ") + error.what() + ".");
   } catch (const std::invalid_argument& error) {
     return Outcome::refused(error.what());
   }
@@ -131,14 +132,14 @@ void add_measurement_commands(Commands& commands, ViewState& s, const Calls& ask
   };
   commands.add({.id = "measure.atoms",
                 .title = "Measure distance or angle",
-                .help = "Of two selected atoms the distance, of three the angle at the second, of "
-                        "four the dihedral angle; the order of selection counts",
+                .help = "Measures the distance of two selected atoms, the angle of three at "
+                        "the second, or the dihedral angle of four, in the order of selection",
                 .shortcuts = {{"D"}},
                 .menu = "Tools",
                 .line_above = true,
                 .parameters = {{.name = "atoms",
-                                .help = "Addresses of two to four atoms, with semicolons between "
-                                        "them; if left out, what is selected",
+                                .help = "Addresses of two to four atoms, with semicolons "
+                                        "between them; if left out, the selection",
                                 .example = "A:HIS 87:NE2; A:HEM 142:FE",
                                 .optional = true}},
                 .why_not = without_picture(s),
@@ -146,7 +147,7 @@ void add_measurement_commands(Commands& commands, ViewState& s, const Calls& ask
   commands.add(
       {.id = "measure.remove",
        .title = "Remove distance or angle…",
-       .help = "Takes one of the measured distances and angles away",
+       .help = "Removes one measured distance or angle",
        .parameters = {{.name = "number",
                        .kind = Kind::number,
                        .help = "Its number in the list of the page Details",
@@ -155,7 +156,7 @@ void add_measurement_commands(Commands& commands, ViewState& s, const Calls& ask
        .run = [&s](const Arguments& arguments) { return remove_measurement(s, arguments); }});
   commands.add({.id = "measure.remove_all",
                 .title = "Remove all distances and angles",
-                .help = "Takes all measured distances and angles away",
+                .help = "Removes all measured distances and angles",
                 .menu = "Tools",
                 .why_not = none,
                 .run = [&s](const Arguments&) {
@@ -208,8 +209,8 @@ std::string why_no_diagram(const ViewState& s) {
   if (std::string why = without_picture(s)(); !why.empty()) return why;
   const std::size_t balls = s.references->prepared().balls->size();
   if (balls <= kMostBallsOfDiagram) return {};
-  return "It is drawn of up to " + count(kMostBallsOfDiagram) + " balls; here are " + count(balls) +
-         ".";
+  return "The power diagram is drawn for up to " + count(kMostBallsOfDiagram) +
+         " balls; here are " + count(balls) + ".";
 }
 
 void add_mark_commands(Commands& commands, ViewState& s) {
@@ -217,7 +218,7 @@ void add_mark_commands(Commands& commands, ViewState& s) {
                   y = coordinate("y", "The y of the point", "0"),
                   z = coordinate("z", "The z of the point", "0");
   const Parameter words{
-      .name = "words", .help = "What is written beside it", .example = "5 Å²", .optional = true};
+      .name = "words", .help = "Text beside it", .example = "5 Å²", .optional = true};
   const std::vector<Parameter> ends{x,
                                     y,
                                     z,
@@ -250,7 +251,7 @@ void add_mark_commands(Commands& commands, ViewState& s) {
   commands.add(
       {.id = "mark.remove_all",
        .title = "Remove all marks",
-       .help = "Takes all marked points and lines away",
+       .help = "Removes all marked points and lines",
        .menu = "Edit",
        .why_not = [&s] { return s.settings.annotations.marks.empty() ? "There is no mark." : ""; },
        .run =
@@ -271,7 +272,7 @@ void add_mark_commands(Commands& commands, ViewState& s) {
 void add_details_command(Commands& commands, ViewState& s) {
   commands.add({.id = "details.show",
                 .title = "Details of the selection",
-                .help = "Shows what is known of the selected atom or simplex, and the measured "
+                .help = "Shows facts on the selected atom or simplex, and the measured "
                         "distances and angles",
                 .shortcuts = {{"Shift+D"}},
                 .menu = "Tools",
@@ -288,7 +289,7 @@ Outcome add_measurement(ViewState& s, const Measurement& m) {
   Measurements& all = s.settings.annotations.measurements;
   const auto same = std::find(all.begin(), all.end(), m);
   if (same != all.end()) {
-    return Outcome::refused("It is measured already, as number " +
+    return Outcome::refused("This is measured already, as number " +
                             count(static_cast<std::size_t>(same - all.begin()) + 1) + ".");
   }
   if (all.size() == kMostMeasurements) {

@@ -25,13 +25,13 @@ AskedAtoms asked_atoms(const ViewState& s, const std::string& text) {
     const bool none = set.empty();
     return {std::move(set), none ? "The molecule has no atom of this name." : ""};
   } catch (const SelectionError& error) {
-    return {{}, std::string("This cannot be read: ") + error.what() + "."};
+    return {{}, std::string("Cannot understand the atoms: ") + error.what() + "."};
   }
 }
 
 Parameter which_atoms() {
   return {.name = "atoms",
-          .help = "As in Select atoms; if left out, what is selected",
+          .help = "As in Select atoms; if left out, the selection",
           .example = "byres within 5 of resn HEM",
           .optional = true};
 }
@@ -60,7 +60,7 @@ CommandSpec on_atoms(ViewState& s, CommandSpec spec, std::function<void(const At
 CommandSpec colour_command(ViewState& s) {
   CommandSpec spec{.id = "atoms.colour",
                    .title = "Colour atoms…",
-                   .help = "Gives atoms a colour of their own, whatever others are coloured by",
+                   .help = "Gives atoms a colour of their own",
                    .menu = "Edit",
                    .parameters = {{.name = "colour",
                                    .help = "Red, green and blue in hexadecimal digits",
@@ -71,7 +71,8 @@ CommandSpec colour_command(ViewState& s) {
     const std::string text = arguments.text("colour");
     const std::optional<Rgb8> colour = read_colour(text);
     if (!colour) {
-      return Outcome::refused("\"" + text + "\" is no colour such as #ff8800 or #f80.");
+      return Outcome::refused("\"" + text +
+                              "\" is not a colour. Write one such as #ff8800 or #f80.");
     }
     const AskedAtoms found = asked_atoms(s, arguments.text("atoms"));
     if (!found.fault.empty()) return Outcome::refused(found.fault);
@@ -87,8 +88,7 @@ void add_appearance_commands(Commands& commands, ViewState& s) {
   commands.add(on_atoms(s,
                         {.id = "atoms.hide",
                          .title = "Hide atoms",
-                         .help = "Leaves atoms, and simplices with a corner among them, out of "
-                                 "the picture",
+                         .help = "Hides atoms, and simplices with a corner among them",
                          .shortcuts = {{"H"}},
                          .menu = "Edit",
                          .line_above = true},
@@ -131,7 +131,7 @@ void add_appearance_commands(Commands& commands, ViewState& s) {
       s,
       {.id = "atoms.usual_colour",
        .title = "Usual colour of atoms",
-       .help = "Takes atoms' own colour back: they are coloured as the others are",
+       .help = "Removes atoms' own colours",
        .menu = "Edit"},
       [&s](const AtomSet& atoms) { set_colour(s.settings.appearance, atoms, std::nullopt); }));
 }

@@ -43,7 +43,7 @@ Parameter saved_view(const ViewState& s) {
 void add_saved_view_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add({.id = "view.save_camera",
                 .title = "Save camera…",
-                .help = "Keeps how the picture is looked at, under a name",
+                .help = "Saves the present camera under a name",
                 .menu = "View",
                 .line_above = true,
                 .parameters = {{.name = "name",
@@ -57,7 +57,7 @@ void add_saved_view_commands(Commands& commands, ViewState& s, const Calls& ask)
                 }});
   commands.add({.id = "view.camera",
                 .title = "Go to a saved camera…",
-                .help = "Looks at the picture as when the camera was saved",
+                .help = "Restores a saved camera",
                 .menu = "View",
                 .parameters = {saved_view(s)},
                 .why_not = without_saved_views(s),
@@ -81,7 +81,7 @@ void add_saved_view_commands(Commands& commands, ViewState& s, const Calls& ask)
 }  // namespace
 
 void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
-  Parameter from{.name = "side", .kind = Kind::choice, .help = "The side one looks from"};
+  Parameter from{.name = "side", .kind = Kind::choice, .help = "The side of the camera"};
   from.choices = [] {
     std::vector<Choice> choices;
     for (const Side& side : kSides) choices.push_back({side.id, side.title});
@@ -101,10 +101,10 @@ void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
   static constexpr NumberRule kZoomRule{"The factor", 0.01, 100};
   commands.add({.id = "view.zoom",
                 .title = "Zoom…",
-                .help = "Makes what is in the middle of the view larger, or smaller",
+                .help = "Zooms in or out, at the middle of the view",
                 .parameters = {{.name = "factor",
                                 .kind = Kind::number,
-                                .help = "How many times as large",
+                                .help = "Factor of the size; above 1 zooms in",
                                 .example = "0.7",
                                 .rule = kZoomRule}},
                 .why_not = without_molecule(s),

@@ -26,24 +26,25 @@ Outcome set_clip(const Arguments& arguments, ViewState& s) {
 
 void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask) {
   const auto without_clip = [&s] { return s.settings.clip.on() ? "" : "The picture is not cut."; };
-  CommandSpec clip{.id = "view.clip",
-                   .title = "Clip plane",
-                   .help = "Cuts the picture open at a plane, or by a slab between two",
-                   .synonyms = {{"cut slice section"}},
-                   .shortcuts = {{"K"}},
-                   .menu = "View",
-                   .line_above = true,
-                   .parameters = {{.name = "clip",
-                                   .kind = Kind::text,
-                                   .help = "Where; if left out, the cut is switched on or off",
-                                   .example = "x=12.5",
-                                   .optional = true}},
-                   .why_not = without_molecule(s),
-                   .run = [&s](const Arguments& arguments) { return set_clip(arguments, s); }};
+  CommandSpec clip{
+      .id = "view.clip",
+      .title = "Clip plane",
+      .help = "Cuts the picture open at a plane, or by a slab between two",
+      .synonyms = {{"cut slice section"}},
+      .shortcuts = {{"K"}},
+      .menu = "View",
+      .line_above = true,
+      .parameters = {{.name = "clip",
+                      .kind = Kind::text,
+                      .help = "Position of the cut; if left out, the cut is switched on or off",
+                      .example = "x=12.5",
+                      .optional = true}},
+      .why_not = without_molecule(s),
+      .run = [&s](const Arguments& arguments) { return set_clip(arguments, s); }};
   commands.add(std::move(clip));
   commands.add({.id = "view.clip_slab",
                 .title = "Clip to a slab",
-                .help = "Shows only what is between two planes, or ends that",
+                .help = "Cuts away everything outside two planes, or switches the slab off",
                 .menu = "View",
                 .why_not = without_molecule(s),
                 .run = [&s](const Arguments&) {
@@ -72,7 +73,7 @@ void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .shortcuts = {{"PageUp", "1"}, {"PageDown", "-1"}},
                 .parameters = {{.name = "distance",
                                 .kind = Kind::number,
-                                .help = "By how much; towards the other side when negative",
+                                .help = "Distance; negative: towards the other side",
                                 .example = "2.5",
                                 .rule = kClipPositionRule}},
                 .why_not = without_clip,
@@ -82,7 +83,7 @@ void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 }});
   commands.add({.id = "view.clip_face",
                 .title = "Look at the cut",
-                .help = "Turns the view so that the cut is seen straight from the front",
+                .help = "Turns the view to face the cut",
                 .why_not = without_clip,
                 .run = [&s, ask](const Arguments&) {
                   // Looks from the side that is cut away.

@@ -84,6 +84,6 @@ struct AskedAtoms {
 Outcome add_measurement(ViewState& s, const Measurement& m);
 AskedAtoms asked_atoms(const ViewState& s, const std::string& text);
 std::function<std::string()> without_picture(const ViewState& s);
-inline constexpr const char* kNoComplexYet = "The complex of this molecule is not there yet.";
+inline constexpr const char* kNoComplexYet = "The complex of this molecule is not ready yet.";
 
 }  // namespace alphascope

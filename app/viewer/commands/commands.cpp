@@ -191,8 +191,8 @@ void add_file_commands(Commands& commands, ViewState& s, const Calls& ask) {
        .menu = "File",
        .parameters = {{.name = "path",
                        .kind = Kind::path,
-                       .help = "The file, whose ending says the format; if left out, a "
-                               "dialog opens",
+                       .help = "The file; its ending chooses the format; if left out, a dialog "
+                               "opens",
                        .optional = true},
                       {.name = "colours",
                        .kind = Kind::choice,
@@ -225,7 +225,7 @@ void add_edit_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(
       {.id = "edit.undo",
        .title = "Undo",
-       .help = "Takes back the last change of atoms, radii, alpha, engine, display or selection",
+       .help = "Undoes the last change of atoms, radii, alpha, engine, display or selection",
        .shortcuts = {{"Ctrl+Z"}},
        .menu = "Edit",
        .why_not = [&s] { return s.undo_text.empty() ? "There is nothing to undo." : ""; },
@@ -293,7 +293,7 @@ void add_view_commands(Commands& commands, ViewState& s, const Calls& ask) {
 void add_help_commands(Commands& commands, ViewState& s) {
   commands.add({.id = "help.commands",
                 .title = "Find a command…",
-                .help = "Lists everything that the program can do",
+                .help = "Lists all commands",
                 .shortcuts = {{"Ctrl+P"}},
                 .menu = "Help",
                 .run = [&s](const Arguments&) {

@@ -82,7 +82,7 @@ void add_slider_commands(Commands& commands, ViewState& s) {
                            s.window.alpha_slider.loop));
   commands.add({.id = "alpha.speed",
                 .title = "Set speed of playing…",
-                .help = "1 crosses the slider in 260 pictures, each shown when it is there",
+                .help = "Sets the speed; 1 crosses the slider in 260 pictures",
                 .parameters = {{.name = "speed",
                                 .kind = Kind::number,
                                 .help = "Speed",
@@ -143,7 +143,7 @@ void add_alpha_commands(Commands& commands, ViewState& s) {
                               {"Shift+Left", "−1"}},
                 .parameters = {{.name = "step",
                                 .kind = Kind::number,
-                                .help = "What is added to alpha",
+                                .help = "The number to add to alpha",
                                 .example = "0.1",
                                 .rule = kAlphaRule}},
                 .run = [&s](const Arguments& arguments) {
@@ -251,7 +251,7 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(
       {.id = "engine.set",
        .title = "Choose engine",
-       .help = "What computes the complex",
+       .help = "Chooses the engine that computes the complex",
        .parameters =
            {{.name = "engine", .kind = Kind::choice, .help = "The engine", .choices = engines}},
        .run = [&s](const Arguments& arguments) { return set_engine(arguments, s); }});
@@ -291,8 +291,8 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 }});
   commands.add({.id = "compute.stop",
                 .title = "Stop or cancel",
-                .help = "Stops playing; otherwise cancels reading, computing or saving; otherwise "
-                        "selects nothing",
+                .help = "Stops playing, else cancels reading, computing or saving, else clears "
+                        "the selection",
                 .shortcuts = {{"Esc"}},
                 .menu = "Tools",
                 .why_not = [&s] { return nothing_to_stop(s); },

@@ -17,9 +17,9 @@ constexpr Move kMoves[] = {
     {"lesson.reveal", "Reveal the answer", "Shows the answer to the question of this step",
      &LessonCalls::reveal},
     {"lesson.again", "Show the step again",
-     "Sets everything as this step of the lesson begins, and opens its molecule again",
+     "Restores the beginning of this step of the lesson, and opens its molecule again",
      &LessonCalls::again},
-    {"lesson.close", "Close the lesson", "Ends the lesson and brings back what was open before",
+    {"lesson.close", "Close the lesson", "Closes the lesson and restores the previous molecule",
      &LessonCalls::close}};
 
 Outcome open_lesson(const Arguments& arguments, ViewState& s, const Calls& ask) {

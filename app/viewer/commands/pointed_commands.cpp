@@ -31,13 +31,13 @@ void select(ViewState& s, RefSet items) {
 // The distance or angle from one to three selected atoms to the atom under the mouse.
 AskedMeasurement measurement_to_pointed(const ViewState& s) {
   const AtomRef* const end = pointed(s) ? std::get_if<AtomRef>(&*pointed(s)) : nullptr;
-  if (end == nullptr) return {{}, "Distances and angles are measured between atoms."};
+  if (end == nullptr) return {{}, "Distances and angles need atoms. Point at an atom."};
   std::vector<AtomRef> atoms = s.settings.selection.atoms_in_order();
   std::erase(atoms, *end);
   if (atoms.empty() || atoms.size() > 3) {
     return {{},
-            "Select an atom first: the distance is from there to this one. With two selected it is "
-            "the angle at the second, with three the dihedral angle."};
+            "Select an atom first, to measure the distance to this one. Two selected atoms "
+            "give the angle, three the dihedral angle."};
   }
   atoms.push_back(*end);
   return {Measurement{std::move(atoms)}, {}};
@@ -60,7 +60,7 @@ void add_selecting(Commands& commands, ViewState& s) {
       [&s](const Ref& ref) {
         RefSet items = s.settings.selection.items.toggled(ref);
         if (items.size() > Selection::kMostItems) {
-          return Outcome::refused("No more can be selected at once.");
+          return Outcome::refused("The selection is full. Clear it first.");
         }
         select(s, std::move(items));
         return Outcome();
@@ -107,24 +107,23 @@ CommandSpec looking_at(ViewState& s, const Calls& ask, CommandSpec spec,
 
 void add_pointed_commands(Commands& commands, ViewState& s, const Calls& ask) {
   add_selecting(commands, s);
-  commands.add(
-      looking_at(s, ask,
-                 {.id = "view.zoom_to",
-                  .title = "Zoom to atoms",
-                  .help = "Brings atoms into the middle of the view, as large as they fit"},
-                 &ViewCalls::zoom_to));
+  commands.add(looking_at(s, ask,
+                          {.id = "view.zoom_to",
+                           .title = "Zoom to atoms",
+                           .help = "Moves atoms to the middle of the view, as large as they fit"},
+                          &ViewCalls::zoom_to));
   commands.add(looking_at(s, ask,
                           {.id = "view.centre",
                            .title = "Centre rotation",
-                           .help = "Brings atoms into the middle of the view, at the same size; it "
-                                   "turns about that",
+                           .help = "Moves atoms to the middle of the view, at the same size; "
+                                   "the view then turns about them",
                            .shortcuts = {{"Shift+Z"}}},
                           &ViewCalls::centre_on));
   CommandSpec measure{.id = "pointed.measure",
                       .title = "Measure to what is under the mouse",
                       .help =
-                          "The distance from the selected atom to the one under the mouse; with "
-                          "two selected the angle, with three the dihedral angle"};
+                          "Measures the distance from the selected atom to the one under the "
+                          "mouse; with two selected the angle, with three the dihedral angle"};
   measure.why_not = [&s, without = without_picture(s)] {
     return s.references ? measurement_to_pointed(s).why_not : without();
   };

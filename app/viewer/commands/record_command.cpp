@@ -36,7 +36,7 @@ Outcome record(const Arguments& arguments, ViewState& s, const Calls& ask) {
       request.options.caption = read_caption_parts(arguments.text("caption"));
     }
   } catch (const std::invalid_argument& error) {
-    return Outcome::refused("This cannot be recorded: " + std::string(error.what()) + ".");
+    return Outcome::refused("The recording is impossible: " + std::string(error.what()) + ".");
   }
   if (request.lesson_seconds && !s.lessons.open) {
     return Outcome::refused("No lesson is open.");
@@ -89,7 +89,9 @@ CommandSpec record_command(ViewState& s, const Calls& ask) {
             .example = "alpha,counts",
             .optional = true},
            number("rate", "Frames a second, of a movie", kFrameRateRule),
-           {.name = "there-and-back", .kind = Kind::flag, .help = "Also back, for a loop"},
+           {.name = "there-and-back",
+            .kind = Kind::flag,
+            .help = "Also plays back to the beginning, for a loop"},
            {.name = "transparent", .kind = Kind::flag, .help = "Without background"},
            {.name = "scale-bar", .kind = Kind::flag, .help = "With a scale bar"}},
       .why_not =

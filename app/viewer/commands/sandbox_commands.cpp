@@ -77,7 +77,7 @@ CommandSpec changing(CommandSpec spec, ViewState& s,
     try {
       change(arguments, *s.settings.open.sandbox);
     } catch (const std::invalid_argument& error) {
-      return Outcome::refused(std::string("This cannot be: ") + error.what() + ".");
+      return Outcome::refused(std::string("The ball cannot be changed: ") + error.what() + ".");
     }
     return Outcome();
   };
@@ -85,9 +85,10 @@ CommandSpec changing(CommandSpec spec, ViewState& s,
 }
 
 void add_changes(Commands& commands, ViewState& s) {
-  const std::vector<Parameter> place{number("x", "Of its centre", "1.5", kCoordinateRule),
-                                     number("y", "Of its centre", "0", kCoordinateRule),
-                                     number("z", "Of its centre", "0", kCoordinateRule)};
+  const std::vector<Parameter> place{
+      number("x", "Coordinate of its centre", "1.5", kCoordinateRule),
+      number("y", "Coordinate of its centre", "0", kCoordinateRule),
+      number("z", "Coordinate of its centre", "0", kCoordinateRule)};
   const Parameter ball = number("ball", "Its number, from 1", "1", kBallRule);
   const Parameter radius = number("radius", "Its radius", "1.5", kRadiusRule);
   std::vector<Parameter> added = place, moved = place;
@@ -154,7 +155,7 @@ void add_sandbox_commands(Commands& commands, ViewState& s, const Calls& ask) {
        .run = [&s, ask](const Arguments& arguments) { return open_preset(arguments, s, ask); }});
   commands.add({.id = "sandbox.by_hand",
                 .title = "Balls by hand",
-                .help = "Makes the balls on screen ones that can be changed; off: the file's again",
+                .help = "Lets you change the balls on screen; off: the balls of the file again",
                 .menu = "Tools",
                 .parameters = {on_or_off()},
                 .why_not = [&s] { return why_not_by_hand(s); },
@@ -163,9 +164,14 @@ void add_sandbox_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(
       {.id = "sandbox.flat",
        .title = "Balls in a plane",
-       .help = "Brings every ball of the sandbox to z = 0 and keeps it there",
+       .help = "Moves every ball of the sandbox to z = 0 and keeps it there",
        .parameters = {on_or_off()},
-       .why_not = [&s] { return s.settings.open.sandbox ? "" : "The balls are not set by hand."; },
+       .why_not =
+           [&s] {
+             return s.settings.open.sandbox
+                        ? ""
+                        : "The balls are not set by hand. Open a preset of the sandbox.";
+           },
        .checked = [&s] { return s.settings.open.sandbox && s.settings.open.sandbox->flat; },
        .run = [&s](const Arguments& arguments) { return set_flat(arguments, s); }});
   SandboxMemory& m = s.memory.sandbox;

@@ -26,15 +26,14 @@ Outcome select(ViewState& s, const std::string& text, bool more) {
         atoms_of(s.references->molecule(), s.settings.appearance.hidden);
     named = named_atoms(*s.references, text, {&selected, &hidden});
   } catch (const SelectionError& error) {
-    return Outcome::refused(std::string("This cannot be read: ") + error.what() + ".");
+    return Outcome::refused(std::string("Cannot understand the atoms: ") + error.what() + ".");
   }
   if (named.balls.empty() && named.others == 0) {
     return Outcome::refused("The molecule has no atom of this name.");
   }
   if (named.balls.empty()) {
     return Outcome::refused(atoms_text(named.others) + (named.others == 1 ? " has" : " have") +
-                            " this name, but the choice of atoms at the left leaves out all that "
-                            "have it.");
+                            " this name, but the selection at the left leaves all of them out.");
   }
   RefSet items =
       more ? s.settings.selection.items.with(named.balls) : RefSet(std::move(named.balls));
@@ -52,7 +51,7 @@ Outcome select(ViewState& s, const std::string& text, bool more) {
 CommandSpec by_name(ViewState& s, bool more) {
   return {.id = more ? "select.add" : "select.atoms",
           .title = more ? "Add atoms to the selection…" : "Select atoms…",
-          .help = more ? "Selects atoms by name besides what is selected"
+          .help = more ? "Adds atoms to the selection by name"
                        : "Selects atoms by name, and nothing else",
           .menu = "Edit",
           .line_above = !more,
@@ -67,7 +66,7 @@ CommandSpec by_name(ViewState& s, bool more) {
 CommandSpec choose_cavity(ViewState& s) {
   static constexpr NumberRule kRowRule{"The number", 1, 1e6, "", true};
   return {.id = "cavities.choose",
-          .title = "Choose a cavity…",
+          .title = "Select a cavity…",
           .help = "Draws a cavity of the table and selects the atoms that line it",
           .menu = "Edit",
           .parameters = {{.name = "number",
@@ -84,18 +83,17 @@ CommandSpec choose_cavity(ViewState& s) {
 }
 
 CommandSpec castp_choices(ViewState& s) {
-  return {
-      .id = "cavities.castp",
-      .title = "Use CASTp's choices",
-      .help = "Takes radii, solvent radius, alpha and body as CASTp does, and splits no network",
-      .menu = "Edit",
-      .why_not = without_picture(s),
-      .run = [&s](const Arguments&) {
-        use_cavity_preset(s.settings.open, s.settings.request, s.molecule.has_file_radii);
-        s.settings.cavity_choices.split_networks = false;
-        s.window.page = "cavities";
-        return Outcome();
-      }};
+  return {.id = "cavities.castp",
+          .title = "Use CASTp's choices",
+          .help = "Sets CASTp's radii, solvent radius, alpha and body, and does not split networks",
+          .menu = "Edit",
+          .why_not = without_picture(s),
+          .run = [&s](const Arguments&) {
+            use_cavity_preset(s.settings.open, s.settings.request, s.molecule.has_file_radii);
+            s.settings.cavity_choices.split_networks = false;
+            s.window.page = "cavities";
+            return Outcome();
+          }};
 }
 
 CommandSpec split_networks(ViewState& s) {
@@ -120,30 +118,31 @@ void add_selection_commands(Commands& commands, ViewState& s, const Calls& ask) 
   commands.add(split_networks(s));
   const auto nothing = [&s] { return s.settings.selection.empty() ? "Nothing is selected." : ""; };
   commands.add({.id = "select.none",
-                .title = "Select nothing",
-                .help = "Takes everything out of the selection",
+                .title = "Clear the selection",
+                .help = "Removes everything from the selection",
                 .menu = "Edit",
                 .why_not = nothing,
                 .run = [&s](const Arguments&) {
                   s.settings.selection.clear();
                   return Outcome();
                 }});
-  commands.add({.id = "view.zoom_to_selection",
-                .title = "Zoom to selection",
-                .help = "Brings what is selected into the middle of the view; it turns about that",
-                .shortcuts = {{"Z"}},
-                .menu = "View",
-                .why_not =
-                    [&s] {
-                      if (s.settings.selection.items.empty()) return "Nothing is selected.";
-                      const bool none = s.picked_missing == s.settings.selection.items.size();
-                      return none ? "Nothing of the selection is in the picture." : "";
-                    },
-                .run =
-                    [&s, ask](const Arguments&) {
-                      ask.view.zoom_to_selection();
-                      return Outcome();
-                    }});
+  commands.add(
+      {.id = "view.zoom_to_selection",
+       .title = "Zoom to selection",
+       .help = "Moves the selection to the middle of the view; the view then turns about it",
+       .shortcuts = {{"Z"}},
+       .menu = "View",
+       .why_not =
+           [&s] {
+             if (s.settings.selection.items.empty()) return "Nothing is selected.";
+             const bool none = s.picked_missing == s.settings.selection.items.size();
+             return none ? "Nothing of the selection is in the picture." : "";
+           },
+       .run =
+           [&s, ask](const Arguments&) {
+             ask.view.zoom_to_selection();
+             return Outcome();
+           }});
 }
 
 }  // namespace alphascope

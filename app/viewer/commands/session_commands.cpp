@@ -64,14 +64,14 @@ Outcome open_recent(const Arguments& arguments, const Calls& ask) {
   std::error_code ignored;
   if (!fs::exists(chosen, ignored)) {
     return Outcome::failed("There is no file " + printable(chosen) +
-                           " any more. Look for it with “Open molecule…”.");
+                           ". Find it with “Open molecule…”.");
   }
   ask.files.open(chosen);
   return {};
 }
 
 std::vector<Choice> scales(const ViewState& s) {
-  std::vector<Choice> choices{{"auto", "As the display says", "", s.window.control_scale == 0}};
+  std::vector<Choice> choices{{"auto", "Scale of the display", "", s.window.control_scale == 0}};
   for (const double scale : {1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0}) {
     choices.push_back({shortest_number(scale), shortest_number(100 * scale) + " %", "",
                        s.window.control_scale == scale});
@@ -116,7 +116,7 @@ CommandSpec recent_files_command(ViewState& s, const Calls& ask) {
           .menu = "File",
           .parameters = {{.name = "file",
                           .kind = Kind::choice,
-                          .help = "Which one; clear empties the list",
+                          .help = "The file; clear empties the list",
                           .choices = [&s] { return recent(s); }}},
           .run = [&s, ask](const Arguments& arguments) { return open_recent(arguments, ask); }};
 }
@@ -128,7 +128,7 @@ CommandSpec scale_command(ViewState& s) {
           .menu = "View",
           .parameters = {{.name = "scale",
                           .kind = Kind::choice,
-                          .help = "1 is 100 %; auto is as the display says",
+                          .help = "1 is 100 %; auto: scale of the display",
                           .choices = [&s] { return scales(s); }}},
           .run = [&s](const Arguments& arguments) {
             const std::string chosen = arguments.text("scale");

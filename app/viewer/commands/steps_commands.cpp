@@ -95,31 +95,32 @@ void add_engine_command(Commands& commands, ViewState& s) {
     }
     return choices;
   };
-  commands.add({.id = "steps.engine",
-                .title = "Choose the engine whose steps are shown…",
-                .help = "Which engine's steps the page Steps shows; the complex stays as it is",
-                .parameters = {engine},
-                .run = [&s](const Arguments& arguments) {
-                  for (const StepsEngineSpec& spec : steps_engines()) {
-                    if (arguments.text("engine") != steps_engine_id(spec.engine)) continue;
-                    if (s.steps.engine != spec.engine) s.steps.show(0);
-                    s.steps.engine = spec.engine;
-                  }
-                  return Outcome();
-                }});
+  commands.add(
+      {.id = "steps.engine",
+       .title = "Choose the engine whose steps are shown…",
+       .help = "Chooses the engine whose steps the page Steps shows; the complex does not change",
+       .parameters = {engine},
+       .run = [&s](const Arguments& arguments) {
+         for (const StepsEngineSpec& spec : steps_engines()) {
+           if (arguments.text("engine") != steps_engine_id(spec.engine)) continue;
+           if (s.steps.engine != spec.engine) s.steps.show(0);
+           s.steps.engine = spec.engine;
+         }
+         return Outcome();
+       }});
 }
 
 void add_switches(Commands& commands, ViewState& s) {
   StepsMemory& m = s.steps;
   commands.add(with_switch({.id = "steps.edge_optimisation",
                             .title = "Edge optimisation of the steps",
-                            .help = "In the steps, keeps only tuples whose balls meet, each with "
-                                    "each; the engine's own setting stays as it is"},
+                            .help = "Keeps only tuples whose balls all meet, in the steps "
+                                    "alone; the engine's own setting does not change"},
                            m.edge_optimisation));
   commands.add(with_switch({.id = "steps.alpha_optimisation",
                             .title = "Alpha optimisation of the steps",
-                            .help = "In the steps, drops 4-tuples with ρ > α before kernel II; "
-                                    "the engine's own setting stays as it is"},
+                            .help = "Drops 4-tuples with ρ > α before kernel II, in the steps "
+                                    "alone; the engine's own setting does not change"},
                            m.alpha_optimisation));
   commands.add(with_switch({.id = "steps.marks",
                             .title = "Draw the step",
@@ -157,7 +158,7 @@ void add_steps_commands(Commands& commands, ViewState& s) {
                 .run = [&s](const Arguments&) { return take_middle(s); }});
   commands.add({.id = "steps.look",
                 .title = "Look at the ball of the steps",
-                .help = "Brings the ball and its neighbours into the middle of the view",
+                .help = "Moves the ball and its neighbours to the middle of the view",
                 .why_not = without_page(s),
                 .run = [&s](const Arguments&) {
                   s.steps.look = true;

@@ -147,7 +147,7 @@ void PictureSaver::begin() {
 void PictureSaver::cancel() {
   if (!busy()) return;
   news_.notice = saving_->recording && recording_format(saving_->path) == RecordingFormat::frames
-                     ? "Cancelled: the frames that were finished are there."
+                     ? "Cancelled. The finished frames are kept."
                      : "Cancelled: " + saving_->path.string() + " was not written.";
   saving_.reset();
   waiting_.reset();

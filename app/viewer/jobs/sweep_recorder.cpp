@@ -93,9 +93,11 @@ std::string SweepRecorder::step(bool quiet) {
     return {};
   }
   if (!same_molecule) {
-    return give_up("The molecule or its atoms were changed while it was being recorded.");
+    return give_up(
+        "The recording ended because the molecule or its atoms changed. Record the sweep again.");
   }
-  if (!as_asked) return give_up("Alpha was changed while it was being recorded.");
+  if (!as_asked)
+    return give_up("The recording ended because alpha was changed. Record the sweep again.");
   const std::optional<Alpha> wanted = exchange_->wanted();
   if (!wanted) return {};
   if (asked_ != wanted) {
@@ -105,7 +107,7 @@ std::string SweepRecorder::step(bool quiet) {
   quiet_frames_ = quiet ? quiet_frames_ + 1 : 0;
   if (quiet_frames_ < kQuietFrames) return {};
   if (window_.drawn_alpha() != wanted) {
-    return give_up("There is no picture of one of its values of alpha.");
+    return give_up("The recording ended because one alpha has no picture. Try another range.");
   }
   return hand_over();
 }

@@ -78,8 +78,8 @@ void TableSaver::want() {
                      inputs_.alpha_angstrom2 != table.inputs.alpha_angstrom2 || !inputs_.complex;
   if (table.of_the_picture && other) {
     return fail(printable(wanted_->path.string()) +
-                " was not written: the picture has changed before all numbers were there. Save "
-                "the table again.");
+                " was not written, because the picture changed before all numbers were ready. "
+                "Save the table again.");
   }
   // Needed after cancel() of an earlier request.
   if (!std::exchange(begun_, true)) store_.begin_again(definition().id);
@@ -94,7 +94,7 @@ void TableSaver::want_as(const Definition<T>& definition, const Inputs& inputs) 
   if (made.ready()) return write(made.value);
   if (made.state == DerivedState::waiting || made.state == DerivedState::running) return;
   fail("Cannot save " + printable(wanted_->path.string()) + ": " +
-       (made.why.empty() ? "its numbers are not there. Save it again." : made.why));
+       (made.why.empty() ? "its numbers are not ready. Save it again later." : made.why));
 }
 
 void TableSaver::write(const Text& text) {

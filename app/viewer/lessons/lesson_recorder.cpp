@@ -136,7 +136,8 @@ std::string LessonRecorder::step(bool quiet) {
   if (!undisturbed()) {
     pages_ = nullptr;
     saver_.cancel();
-    return "The lesson was left, or another step was gone to, while it was being recorded.";
+    return "The recording ended because the lesson was closed or another step was opened. Record "
+           "the lesson again.";
   }
   memory_.shown = true;  // its text is read from the column
   memory_.list = false;

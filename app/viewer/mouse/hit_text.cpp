@@ -55,7 +55,7 @@ HitText describe_atom_beside(const BallReferences& references, const LeftOutAtom
   const std::string position =
       place_text(molecule.atoms.at(left_out.atom).position, molecule.lattice);
   const std::string copy = copy_text(references, left_out.atom);
-  const std::string why = kind_name(left_out.reason) + std::string(", no part of the body");
+  const std::string why = kind_name(left_out.reason) + std::string(", not in the body");
   HitText text;
   text.line = atom_address(molecule, left_out.atom) + (copy.empty() ? "" : "  ·  " + copy) +
               "  ·  (" + position + ") Å  ·  " + why;

@@ -109,7 +109,7 @@ void Pointing::click(const PointerEvent& event) {
   if (!found->what) return;
   const RefSet wanted = more ? items.toggled(*found->what) : RefSet({*found->what});
   if (wanted.size() > Selection::kMostItems) {
-    state_.notice = "No more can be selected at once.";
+    state_.notice = "The selection is full. Clear it first.";
   } else {
     items = wanted;
     state_.settings.selection.note_order();

@@ -131,15 +131,15 @@ void Opening::show_session() {
   state_.session_file = found->file;
   preferences_.take_as_seen();  // the changes are the session's, not the user's
   if (!found->complete()) {
-    state_.drop_note = "Not the files that the session was saved with:\n" + found->problem();
+    state_.drop_note = "These files differ from those of the saved session:\n" + found->problem();
   }
   std::string notes;
   for (const std::string& note : found->read.notes) notes += (notes.empty() ? "" : "\n") + note;
   if (!notes.empty()) {
-    state_.tell("Not all of the session is understood",
+    state_.tell("The session has unknown settings",
                 printable(found->file.string()) + "\n\n" + notes +
-                    "\n\nAll the rest is as it was saved. A newer version of the program may know "
-                    "more.");
+                    "\n\nAll other settings are restored. A newer version of the program may "
+                    "know these.");
   }
 }
 

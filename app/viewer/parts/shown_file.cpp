@@ -72,7 +72,7 @@ void ShownFile::close_dialogs() {
   m.record.path.clear();
   if (m.browser_purpose == BrowserPurpose::save) m.show_browser = false;
   m.confirm_assembly.clear();
-  p_.state.notice = "The dialog was closed, for another file was opened.";
+  p_.state.notice = "The dialog was closed because another file was opened.";
 }
 
 // Colours by element where there is only one chain. A colour that the user has chosen stays.

@@ -35,7 +35,7 @@ BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
                  : "is not made. " + job.why);
   }
   if (of_all_simplices) {
-    info.detail += "\nWith it, the CPU looks every alpha up; without it, each alpha is computed.";
+    info.detail += "\nThe CPU then looks every alpha up instead of computing it.";
   }
   return info;
 }

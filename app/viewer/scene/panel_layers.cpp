@@ -46,7 +46,8 @@ void PanelLayers::submit(const Layers& layers) {
         };
       },
       [tell](const Worker::Failure& failure) {
-        if (!failure.cancelled) tell("What is chosen below is not drawn: " + failure.message);
+        if (!failure.cancelled)
+          tell("The drawings of the page below cannot be made: " + failure.message);
       });
 }
 

@@ -9,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-constexpr const char* kStandIn = "While it moves, the complex stands in for the balls.";
+constexpr const char* kStandIn = "Balls are left out while the view moves.";
 // A mesh newer than the one on screen is always finished. Otherwise a slow mesh would never appear
 // while the slider moves. set_molecule() cancels meshes of another molecule.
 constexpr std::chrono::milliseconds kFinishes = std::chrono::hours(24);

@@ -345,15 +345,15 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
   return {
       {verb("move",
             "Moves the mouse to a widget, scrolled into sight; x and y from 0 to 1 inside it, else "
-            "its middle. A name that ends in * is the first that starts so",
+            "its middle. A name with * at its end stands for the first widget that begins so",
             widget()),
        &S::move},
       {verb("down", "Presses the left mouse button"), &S::down},
       {verb("up", "Releases the left mouse button"), &S::up},
       {verb("click", "As move, down and up", widget()), &S::click},
       {verb("drag",
-            "Presses the left mouse button in a widget and moves to and fro in it, a second each "
-            "way; then writes how many frames, pictures and tables of cavities came meanwhile",
+            "Drags to and fro in a widget, a second each way; then writes the numbers of "
+            "frames, pictures and tables of cavities",
             {{.name = "name", .example = "alpha.slider"},
              number("from", kPlaceRule),
              number("to", kPlaceRule),
@@ -375,12 +375,12 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
             {number("width", kWindowRule), number("height", kWindowRule)}),
        &S::size},
       {verb("shots-only",
-            "From now on draws the panels only where a picture is taken; nobody sees other frames"),
+            "Draws the panels only in frames that are saved as pictures, from now on"),
        &S::shots_only},
       {verb("shot", "Writes a picture of the whole window as a PNG file", one(picture)), &S::shot},
       {verb("where",
-            "As move; then writes the name and where the mouse is, in pixels from the top left of "
-            "the window",
+            "Moves the mouse as move does; then writes the widget's name and the mouse's "
+            "position in pixels from the top left",
             widget()),
        &S::where},
       {verb("print", "Writes counts and hash of the result to standard output"), &S::print},
@@ -388,9 +388,9 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
             one(text)),
        &S::time},
       {verb("alpha-moves",
-            "Moves alpha there again and again, each time from a little beside it; writes the "
-            "milliseconds to the end of the first frame that shows it, and of what: median and, in "
-            "brackets, the longest, after two moves that are not counted",
+            "Moves alpha to this value again and again; writes the median and, in brackets, "
+            "the longest time to the end of the first frame that shows it, and of each part, "
+            "in milliseconds. Two more moves come first and are not counted",
             {number("alpha", kMovedAlphaRule), number("moves", kMovesRule, true)}),
        &S::alpha_moves},
       {verb("ball-moves",

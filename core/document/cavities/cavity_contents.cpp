@@ -125,7 +125,7 @@ std::string contents_text(const Molecule& molecule, const CavityContents& conten
 const Definition<CavityContents>& cavity_contents() {
   static const Definition<CavityContents> definition{
       {.id = "cavities.contents",
-       .title = "What the cavities hold",
+       .title = "Contents of cavities",
        .made_of = {&cavity_table()},
        .key = [](const Inputs& in) { return in.atoms ? key_of_balls_and_alpha(in) : Key{}; },
        .memory =

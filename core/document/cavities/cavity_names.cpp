@@ -123,7 +123,7 @@ std::string falls_apart_text(const NetworkEnd& end, double solvent_radius_angstr
            " Å there still is a network.";
   }
   if (end.alpha_angstrom2) {
-    text += " With this solvent radius that is so at alpha " +
+    text += " With this solvent radius it falls apart at alpha " +
             shortest_number(*end.alpha_angstrom2) + " Å², with " + cavities(end.parts) + ".";
   }
   return text;

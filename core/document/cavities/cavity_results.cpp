@@ -170,7 +170,7 @@ Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before
     return MemoryNeed{need.held + known, need.peak + known};
   };
   return {{.id = "cavities.lines",
-           .title = "Lines of the table of cavities",
+           .title = "Rows of the table of cavities",
            .made_of = {&cavity_table()},
            .key = key,
            .memory = memory,

@@ -144,7 +144,7 @@ ChosenRows rows_of_cavities(const CavityLines& lines, const RefSet& cavities) {
 Definition<ChosenCavities> chosen_cavities(const CavitySinks& sinks, const CavityParts& parts,
                                            std::uint64_t key) {
   return {{.id = "cavities.chosen",
-           .title = "What is drawn of cavities",
+           .title = "Drawings of cavities",
            .made_of = {&cavity_table(), &cavity_contents()},
            .key =
                [key](const Inputs& in) {

@@ -164,8 +164,8 @@ class Writer {
                         left = all(id::kLeft);
     if (tested == 0) return "Nothing was left open, so kernel III has nothing to do.";
     std::string text =
-        "What double precision leaves open is clipped again in integers, and the perturbation "
-        "decides ties. Clipped: " +
+        "Integers clip again what double precision leaves open, and the perturbation decides "
+        "ties. Clipped: " +
         things(tested, "dual edge") + here(id::kTested) + ". " + grouped(gone) + " " +
         has_or_have(gone) + " nothing left";
     if (flat > 0) text += ", " + grouped(flat) + " " + has_or_have(flat) + " three centres in line";
@@ -178,8 +178,9 @@ class Writer {
                         in = all(id::kTriangles), attached = all(id::kAttached),
                         tetrahedra = all(id::kTetrahedra);
     if (tested == 0) return "No dual edge is left, so there are no triangles and no tetrahedra.";
-    return "Where a fourth ball ends a dual edge is the orthocentre of a tetrahedron, which is in "
-           "the complex if ρ ≤ α. A triangle's own orthocentre is the point of the line that is "
+    return "A fourth ball ends a dual edge at the orthocentre of a tetrahedron, which is in "
+           "the complex if ρ ≤ α. A triangle's own orthocentre is the point of the line that "
+           "is "
            "nearest to the centres; the triangle is attached if that is beyond an end. Of " +
            things(tested, "dual edge") + ", " + grouped(in) +
            (in == 1 ? " shows a triangle" : " show triangles") + " of the complex" +

@@ -21,8 +21,8 @@ AskedSimplex asked_simplex(const RefSet& selection, const BallReferences& atoms)
   const auto& items = selection.items();
   if (items.empty()) {
     return {{},
-            "Click an atom, edge, triangle or tetrahedron in the picture. Of two to four atoms "
-            "(Ctrl+click), the simplex of all is explained, whether it is there or not."};
+            "Click an atom, edge, triangle or tetrahedron in the picture. Ctrl+click two to "
+            "four atoms to explain their simplex, in the complex or not."};
   }
   const bool all_atoms = std::all_of(items.begin(), items.end(), [](const Ref& item) {
     return std::holds_alternative<AtomRef>(item);
@@ -34,8 +34,7 @@ AskedSimplex asked_simplex(const RefSet& selection, const BallReferences& atoms)
   for (const Ref& item : items) {
     const auto balls = atoms.balls(item);
     if (!balls) {
-      return {{},
-              "What is selected is no ball here: the choice of atoms at the left leaves it out."};
+      return {{}, "The selection has no ball: the choice of atoms at the left leaves it out."};
     }
     asked.balls.insert(asked.balls.end(), balls->begin(), balls->end());
   }
@@ -45,7 +44,7 @@ AskedSimplex asked_simplex(const RefSet& selection, const BallReferences& atoms)
 
 Definition<ExplainedSimplex> explained_simplex(const std::vector<BallIndex>& simplex) {
   return {{.id = "explanation",
-           .title = "Why a simplex is there",
+           .title = "Explanation of a simplex",
            .key =
                [simplex](const Inputs& in) {
                  if (!in.atoms) return Key{};

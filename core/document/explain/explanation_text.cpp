@@ -208,7 +208,7 @@ class Sentences {
         "The power distance of a point from a ball is the square of its distance from the centre "
         "minus the square of the radius. ";
     text += e_.simplex.size() == 1
-                ? "Of one ball it is least at the centre, "
+                ? "For one ball it is least at the centre, "
                 : "The point of least power distance that is the same for all its balls is the "
                   "orthocentre, ";
     text += place(sphere.centre_angstrom) +
@@ -234,7 +234,7 @@ class Sentences {
                               square(one.power_angstrom2) + " at the orthocentre";
     std::string text = "Of all other balls, " + power + ", the least. ";
     if (one.sign == 0) {
-      text += "That is exactly ρ: a tie, with the margin 0 Å².";
+      text += "This is exactly ρ: a tie, with the margin 0 Å².";
     } else {
       text += "Minus ρ, this is the margin " + square(one.margin_angstrom2) + ". ";
       text += one.sign < 0 ? "A negative margin means that the ball is inside the orthosphere."

@@ -108,7 +108,7 @@ SimplexDetails find_details(const BallSet& balls, const AlphaComplex& complex,
 
 Definition<SimplexDetails> simplex_details(const std::vector<BallIndex>& simplex) {
   return {{.id = "details",
-           .title = "What is around a simplex",
+           .title = "Surroundings of a simplex",
            .key =
                [simplex](const Inputs& in) {
                  if (!in.complex) return Key{};

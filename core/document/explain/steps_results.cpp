@@ -80,10 +80,9 @@ const StepsEngineSpec& spec_of(StepsEngine engine) {
 
 AskedBall asked_ball(const Selection& selection, const BallReferences& atoms) {
   if (selection.items.empty()) {
-    return {
-        {},
-        "Click an atom in the picture: this page then shows, step by step, how the engine finds "
-        "its simplices. Of an edge, triangle or tetrahedron, the first atom counts."};
+    return {{},
+            "Click an atom in the picture to see, step by step, how the engine finds its "
+            "simplices. For an edge, triangle or tetrahedron, the first atom counts."};
   }
   std::vector<Ref> items;
   for (const AtomRef& atom : selection.atoms_in_order()) items.push_back(atom);
@@ -93,7 +92,7 @@ AskedBall asked_ball(const Selection& selection, const BallReferences& atoms) {
     const auto ball = atoms.ball(atom ? *atom : std::get<SimplexRef>(item).front());
     if (ball) return {ball, {}};
   }
-  return {{}, "What is selected is no ball here: the choice of atoms at the left leaves it out."};
+  return {{}, "The selection has no ball: the choice of atoms at the left leaves it out."};
 }
 
 std::optional<BallIndex> middle_ball(const BallSet& balls) {

@@ -204,8 +204,8 @@ class Writer {
     const std::uint64_t tested = all(id::kTested), valid = all(id::kValid), flat = all(id::kFlat);
     if (tested == 0) return "No 4-tuple is in the band, so kernel III has nothing to do.";
     std::string text =
-        "What kernel II leaves open is decided in integers, and ties by the perturbation. "
-        "Tested: " +
+        "Integers decide the tuples that kernel II leaves open, and the perturbation decides "
+        "ties. Tested: " +
         things(tested, "4-tuple") + made_here(id::kTested) + ". " + conflicts();
     if (flat > 0) {
       text += grouped(flat) + " " + has_or_have(flat) +

@@ -145,9 +145,9 @@ BallValues by_b_factor(const PaintedMolecule& of) {
 BallValues by_component(const PaintedMolecule& of) {
   BallValues values;
   if (!of.complex || of.complex->tetrahedra_only) {
-    values.lacks = of.complex ? "Balls are grey: tetrahedra alone do not say what hangs together. "
+    values.lacks = of.complex ? "Balls are grey: components need the edges of the complex. "
                                 "Switch “Tetrahedra only” off."
-                              : "Balls are grey: there is no complex to take components of.";
+                              : "Balls are grey: components need a complex. Move alpha.";
     return values;
   }
   const std::size_t balls = of.atom_of_ball.size();

@@ -45,12 +45,13 @@ CaptionParts read_caption_parts(const std::string& text) {
                                    [&](const CaptionPartInfo& p) { return word == p.id; });
     if (info == std::end(kParts)) {
       throw std::invalid_argument("\"" + word +
-                                  "\" is no part of a caption; use usual, all, none, " +
+                                  "\" is not a part of a caption; use usual, all, none, " +
                                   "or some of " + caption_part_ids() + " with commas between");
     }
     parts.set(info->part, true);
   }
-  if (!parts.any()) throw std::invalid_argument("no part of a caption is named; use none for none");
+  if (!parts.any())
+    throw std::invalid_argument("no part of a caption is named; use none for no caption");
   return parts;
 }
 

@@ -45,7 +45,7 @@ double number_of(const std::string& text, const std::string& whole) {
   const char* const end = text.data() + text.size();
   const auto [last, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || last != end || !std::isfinite(value)) {
-    throw std::invalid_argument("\"" + text + "\" in \"" + whole + "\" is no number");
+    throw std::invalid_argument("\"" + text + "\" in \"" + whole + "\" is not a number");
   }
   return value;
 }

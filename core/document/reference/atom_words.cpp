@@ -12,13 +12,13 @@ namespace alphascope {
 AtomSet some_named(const Molecule& molecule, std::string_view expression) {
   AtomSet set = named_set(molecule, expression);
   if (set.empty()) {
-    throw std::invalid_argument("no atom is \"" + std::string(expression) + "\"");
+    throw std::invalid_argument("no atom matches \"" + std::string(expression) + "\"");
   }
   return set;
 }
 
 void refuse_atom_word(std::string_view part, const std::string& what, const std::string& example) {
-  throw std::invalid_argument("\"" + std::string(part) + "\" is no atoms and " + what +
+  throw std::invalid_argument("\"" + std::string(part) + "\" must be atoms, = and " + what +
                               ", such as " + example);
 }
 

@@ -73,21 +73,22 @@ ReadJson parse_json_object(const std::filesystem::path& path, std::string_view t
   if (nested_deeper_than(text, kDeepest, offset)) {
     throw ReadError(path, line_at(text, offset),
                     "more than " + std::to_string(kDeepest) +
-                        " lists and objects stand inside each other here, as in no " + what,
+                        " lists and objects are nested here, which is too deep for a " + what,
                     remedy);
   }
   Faults faults;
   if (!ReadJson::sax_parse(text, &faults)) {
     throw ReadError(path, line_at(text, faults.offset),
-                    "this is no " + what + ": no JSON from here", remedy);
+                    "this is not a " + what + ": invalid JSON from here on", remedy);
   }
   if (!faults.twice.empty()) {
     throw ReadError(path, line_of(text, faults.twice),
-                    "\"" + place_text(faults.twice) + "\" is there twice", "Take one of them out");
+                    "\"" + place_text(faults.twice) + "\" occurs twice", "Take one of them out");
   }
   ReadJson json = ReadJson::parse(text);
   if (!json.is_object()) {
-    throw ReadError(path, 1, "this is no " + what + ": a JSON file, but of something else", remedy);
+    throw ReadError(path, 1, "this is not a " + what + ": the JSON file has another content",
+                    remedy);
   }
   return json;
 }

@@ -18,7 +18,8 @@ namespace {
 constexpr const char* kVersionName = "alphascope_preferences";
 constexpr const char* kFileName = "preferences.json";
 constexpr std::uint64_t kMostBytes = 1 << 20;
-constexpr const char* kRemedy = "Mend or remove it; without it, the program starts as at first";
+constexpr const char* kRemedy =
+    "Correct or remove the file; without it, the program starts with its defaults";
 constexpr NumberRule kScaleRule{"The scale", 0, kControlScaleRule.most};
 constexpr NumberRule kWindowRule{"The size", 480, 16384, "pixels", true};
 
@@ -49,9 +50,9 @@ ReadJson read_file(const fs::path& file, std::string& text) {
   text = loaded.text;
   const ReadJson json = parse_json_object(file, text, "file of preferences", kRemedy);
   if (json.contains(kVersionName)) return json;
-  throw ReadError(file, 0,
-                  std::string("this is no file of preferences: it has no \"") + kVersionName + "\"",
-                  kRemedy);
+  throw ReadError(
+      file, 0, std::string("this is not a file of preferences: it has no \"") + kVersionName + "\"",
+      kRemedy);
 }
 
 Preferences take_preferences(const ReadJson& json, JsonFindings& findings) {
@@ -118,7 +119,8 @@ ReadPreferences read_preferences(const fs::path& folder) {
                             "\"" + place_text(wrong.place) + "\" " + wrong.reason, "");
       read.problem += (read.problem.empty() ? "" : "\n") + std::string(error.what());
     }
-    if (!read.problem.empty()) read.problem += "\nIt is left out; all other preferences are used.";
+    if (!read.problem.empty())
+      read.problem += "\nThe value is ignored; all other preferences are used.";
   } catch (const std::exception& error) {
     read.problem = std::string(error.what()) +
                    " The program works without preferences, and leaves the file as it is.";

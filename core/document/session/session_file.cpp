@@ -40,8 +40,8 @@ void visit_fields(Visitor& v, SessionDocument& s) {
 void check_version(const fs::path& path, std::string_view text, const ReadJson& json) {
   const auto version = json.find(kVersionName);
   if (version == json.end()) {
-    throw ReadError(path, 0, std::string("this is no session: it has no \"") + kVersionName + "\"",
-                    kRemedy);
+    throw ReadError(
+        path, 0, std::string("this is not a session: it has no \"") + kVersionName + "\"", kRemedy);
   }
   if (version->is_number() && *version == kVersion) return;
   const std::size_t line = line_of(text, {kVersionName});
@@ -49,7 +49,7 @@ void check_version(const fs::path& path, std::string_view text, const ReadJson& 
     throw ReadError(path, line, "this session was written by a newer version of the program",
                     "Open it with that one, or save it anew with this one");
   }
-  throw ReadError(path, line, "this is no version of a session; the only one is 1", kRemedy);
+  throw ReadError(path, line, "this version of a session is unknown; the only one is 1", kRemedy);
 }
 
 bool is_direction(const std::array<double, 3>& v) {
@@ -110,7 +110,7 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
     reason += "; " + std::to_string(faults.size() - 1) + " more of its values cannot be";
   }
   throw ReadError(path, faults.front().first, reason,
-                  "Write such a value, or take it out: then it is as in a new window");
+                  "Write such a value, or remove it to get that of a new window");
 }
 
 // Sentences on members that have another name now, or that this program does not know.

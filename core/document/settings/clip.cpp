@@ -53,7 +53,7 @@ std::optional<Vector> read_direction(const std::string& text) {
 
 ClipWords not_a_clip(const std::string& text) {
   ClipWords words;
-  words.error = "\"" + text + "\" is no clip. Write " + kClipForms + ".";
+  words.error = "\"" + text + "\" is not a clip. Write " + kClipForms + ".";
   return words;
 }
 

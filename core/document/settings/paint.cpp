@@ -169,10 +169,9 @@ PaintWords read_paint(std::string_view text, Painted what) {
   } else if (name.starts_with('#') && read_colour(name)) {
     paint = {ColourBy::single, {}, {}, read_colour(name)};
   } else {
-    return refused(quoted(name) + " is nothing that " +
-                   (what == Painted::balls ? "balls" : "simplices") +
-                   " can be coloured by. Write " + in_words(scheme_ids(what)) +
-                   ", or a colour such as #5aa9e6.");
+    return refused(quoted(name) + " is not a colour scheme of " +
+                   (what == Painted::balls ? "balls" : "simplices") + ". Write " +
+                   in_words(scheme_ids(what)) + ", or a colour such as #5aa9e6.");
   }
   const SchemeInfo& scheme = scheme_info(paint.by);
   while (end < text.size()) {

@@ -200,7 +200,7 @@ ResidueFamily AtomGuesser::identify(Atom& atom, const StatedElement& stated, Nam
 
 void AtomGuesser::add_note(Molecule& molecule, std::string_view where_missing) const {
   if (misstated_ > 0) {
-    molecule.notes.push_back("Atoms for which the file gives what is no element: " +
+    molecule.notes.push_back("Atoms for which the file gives an invalid element: " +
                              std::to_string(misstated_) + "; their names are used instead");
   }
   if (guessed_ == 0) return;

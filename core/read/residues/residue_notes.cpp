@@ -49,7 +49,7 @@ void ResidueNotes::finish() const {
   }
   if (no_waters_.count > 0) {
     molecule_.notes.push_back(
-        "Named as water, but with other atoms than water has, so not taken as water: " +
+        "Residues named as water have other atoms, so they are not taken as water: " +
         residues_text(no_waters_.count) + " (" + no_waters_.examples + ")");
   }
 }

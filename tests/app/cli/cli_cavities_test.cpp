@@ -420,7 +420,7 @@ TEST_F(CliCavities, WithoutClippedVolumesNothingElseChanges) {
     EXPECT_NE(row.at("volume_sa_angstrom3"), "");
   }
   const Outcome text = run("cavities " + file + " --no-clipped --show 2");
-  EXPECT_TRUE(contains(text.out, "left out, as --no-clipped asks")) << text.out;
+  EXPECT_TRUE(contains(text.out, "left out because of --no-clipped")) << text.out;
 }
 
 // Two balls have closed forms, for the total and for each atom.

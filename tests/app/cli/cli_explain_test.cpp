@@ -101,7 +101,7 @@ TEST_F(CliExplain, RefusesWhatIsNoSimplex) {
                {"--simplex 1,x", "\"x\" is not a whole number"},
                {"--atoms A:", "--atoms names 327 atoms that are balls"},
                {"--atoms 'chain Q'", "--atoms names 0 atoms"},
-               {"--simplex 1 --model all", "A simplex is one model's."}};
+               {"--simplex 1 --model all", "A simplex needs one model."}};
   for (const auto& c : cases) {
     const Outcome outcome = run("explain '" + kCrambin + "' " + c.options);
     EXPECT_EQ(outcome.code, 2) << c.options;

@@ -92,7 +92,7 @@ TEST_F(CliFrames, WhatCannotBeIsRefusedBeforeAnythingIsWritten) {
       {"--sweep alpha=0:1:0", "whole number from 1 to 20000"},
       {"--sweep alpha=0:1:1000000", "whole number from 1 to 20000"},
       {"--sweep alpha=2:1:5", "from 1 to 2 Å² instead"},
-      {"--sweep alpha=0:1:2 --alpha 1", "--sweep says alpha itself"},
+      {"--sweep alpha=0:1:2 --alpha 1", "--sweep sets alpha"},
       {"--sweep alpha=0:1:2 --turntable 360:2", "choose one"},
       {"--alpha 1", "--sweep or --turntable is required"},
       {"--turntable 360:2", "--alpha is required"},

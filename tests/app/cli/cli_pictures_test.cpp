@@ -35,7 +35,7 @@ TEST_F(CliPictures, HaveACaptionOnlyWhenItIsAskedFor) {
   const Outcome wrong =
       run("screenshot '" + cube_.string() + "' --alpha 1 -o x.png --caption blue");
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_TRUE(contains(wrong.err, "\"blue\" is no part of a caption")) << wrong.err;
+  EXPECT_TRUE(contains(wrong.err, "\"blue\" is not a part of a caption")) << wrong.err;
 }
 
 TEST_F(CliPictures, SayHowTheyAreMadeAgain) {
@@ -86,7 +86,7 @@ TEST_F(CliPictures, OfASessionSayWhatItsBallsAre) {
   const Outcome both =
       run("screenshot --session '" + session.string() + "' --alpha 1 -o '" + file.string() + "'");
   EXPECT_EQ(both.code, 2);
-  EXPECT_TRUE(contains(both.err, "--session says itself what --alpha would")) << both.err;
+  EXPECT_TRUE(contains(both.err, "the session already has the setting of --alpha")) << both.err;
 }
 
 TEST_F(CliPictures, HaveLabelsAndMeasurements) {
@@ -110,7 +110,7 @@ TEST_F(CliPictures, HaveLabelsAndMeasurements) {
     EXPECT_EQ(wrong.code, 2);
     return wrong.err;
   };
-  EXPECT_TRUE(contains(told("--labels 'resn HEM=name'"), "no atom is \"resn HEM\""));
+  EXPECT_TRUE(contains(told("--labels 'resn HEM=name'"), "no atom matches \"resn HEM\""));
   EXPECT_TRUE(contains(told("--labels 'name SG=colour'"),
                        "labels are name, residue, address, element, radius, b_factor"));
   EXPECT_TRUE(contains(told("--measure 'A:CYS 3:SG'"), "Two atoms have a distance"));

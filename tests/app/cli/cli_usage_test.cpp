@@ -134,7 +134,7 @@ TEST_F(CliUsage, SentencesAreWholeAndRemediesExist) {
   EXPECT_EQ(loop.code, 3);
   EXPECT_TRUE(contains(loop.err, "Too many levels of symbolic links")) << loop.err;
   const Outcome link = run("info '" + (folder_ / "link").string() + "'");
-  EXPECT_TRUE(contains(link.err, "a link to a file that is not there")) << link.err;
+  EXPECT_TRUE(contains(link.err, "a link to a file that does not exist")) << link.err;
   const Outcome list = run("info --files-from '" + (folder_ / "loop").string() + "'");
   EXPECT_TRUE(contains(list.err, "Too many levels of symbolic links")) << list.err;
   const Outcome radii = run("info --radii '" + (folder_ / "loop").string() + "' " + cube());

@@ -160,7 +160,7 @@ TEST(HostileInput, WhatIsInTheWayOfOpeningIsSaid) {
     return std::string();
   };
   EXPECT_EQ(reason(loop), "the file cannot be opened: Too many levels of symbolic links");
-  EXPECT_EQ(reason(link), "this is a link to a file that is not there");
+  EXPECT_EQ(reason(link), "this is a link to a file that does not exist");
   EXPECT_EQ(reason(file.path() / "x.pdb"), "the file cannot be opened: Not a directory");
   EXPECT_EQ(reason(file.path().parent_path() / std::string(300, 'x')),
             "the file cannot be opened: File name too long");

@@ -70,7 +70,7 @@ TEST_F(RecordTest, ASweepThatIsDisturbedSaysSo) {
   run("file.record \"" + (folder_ / "f-%d.png").string() +
       "\" alpha=0:2:200 240 160 usual\nframes 10\nalpha.set 7\nwait-idle\n");
   EXPECT_EQ(viewer_->state().error_title, "The sweep was not recorded");
-  EXPECT_NE(viewer_->state().error.find("Alpha was changed"), std::string::npos);
+  EXPECT_NE(viewer_->state().error.find("alpha was changed"), std::string::npos);
   EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 7);
   EXPECT_LT(frames(), 200);
 }

@@ -131,7 +131,7 @@ TEST_F(LessonRecordTest, LeavingTheLessonEndsIt) {
   open_lesson();
   run("file.record \"" + (folder_ / "m.mp4").string() +
       "\" lesson:600 64 48\nframes 2\nlesson.close\nwait-idle\n");
-  EXPECT_NE(viewer_->state().error.find("while it was being recorded"), std::string::npos)
+  EXPECT_NE(viewer_->state().error.find("The recording ended because"), std::string::npos)
       << viewer_->state().error;
   EXPECT_FALSE(fs::exists(folder_ / "m.mp4"));
 }

@@ -410,7 +410,7 @@ TEST_F(CavitiesTest, WhatIsChosenFollowsIntoWhatItMergesWithAndComesBack) {
   ASSERT_EQ(page().chosen_rows.size(), 1u);
   EXPECT_EQ(page().merged_into, page().chosen_rows);
   EXPECT_TRUE(has("cavities.merged"));
-  EXPECT_EQ(viewer_->state().notice, "The chosen cavity has merged into cavity " +
+  EXPECT_EQ(viewer_->state().notice, "The selected cavity has merged into cavity " +
                                          std::to_string(page().chosen_rows.at(0) + 1) + ".");
   run("solvent.set 1.4\n");
   settle();

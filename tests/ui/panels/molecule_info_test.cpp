@@ -128,7 +128,7 @@ TEST(MoleculeInfo, SaysWhenNothingIsLeft) {
   options.balls.selection = "none";
   const MoleculeInfo info = describe_molecule(open_text(kTwoModels, options));
   ASSERT_FALSE(info.notes.empty());
-  EXPECT_NE(info.notes.back().find("No atom is left"), std::string::npos);
+  EXPECT_NE(info.notes.back().find("The selection has no atoms"), std::string::npos);
 }
 
 TEST(MoleculeInfo, GrownRadiiFollowTheSizesInUse) {

@@ -119,8 +119,7 @@ TEST_F(BesideBodyInTheWindow, TheMouseNamesAndSelectsThem) {
     if (!state().viewport.under_mouse_line.empty()) found = at;
   }
   ASSERT_FALSE(found.empty());
-  EXPECT_NE(state().viewport.under_mouse_line.find("ligand, no part of the body"),
-            std::string::npos)
+  EXPECT_NE(state().viewport.under_mouse_line.find("ligand, not in the body"), std::string::npos)
       << state().viewport.under_mouse_line;
   run("click view " + found + "\nframes 2\n");
   ASSERT_EQ(state().settings.selection.items.size(), 1u);

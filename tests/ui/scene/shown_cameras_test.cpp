@@ -8,8 +8,8 @@
 
 #include "app/viewer/scene/cameras.hpp"
 #include "tests/ui/scene/rod_picture.hpp"
-#include "ui/window/egl_context.hpp"
 #include "ui/panels/whole_state.hpp"
+#include "ui/window/egl_context.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -86,7 +86,7 @@ TEST_F(AnnotationsTest, MeasuresInTheOrderOfSelection) {
   EXPECT_EQ(words(), Words{"1.498 Å"});
   EXPECT_EQ(viewer_->state().notice, "Distance A:THR 1:CA – A:THR 1:N: 1.498 Å");
   EXPECT_EQ(viewer_->state().undo_text, "measured distances and angles");
-  EXPECT_EQ(refusal("measure.atoms"), "It is measured already, as number 1.");
+  EXPECT_EQ(refusal("measure.atoms"), "This is measured already, as number 1.");
   // N is selected second, so the angle is at N, not at the atom that is second in the file.
   run("select.add A:THR 1:C\nmeasure.atoms\n");
   run("measure.atoms A:THR 1:N; A:THR 1:CA; A:THR 1:C\n");
@@ -185,7 +185,8 @@ TEST_F(AnnotationsTest, MarksAndBordersAreDrawnUndoneAndSaved) {
   EXPECT_EQ(differing_pixels(plain, picture()), 0);
   EXPECT_EQ(refusal("mark.remove_all"), "There is no mark.");
   open_crambin();
-  EXPECT_EQ(refusal("view.power_diagram on"), "It is drawn of up to 200 balls; here are 327.");
+  EXPECT_EQ(refusal("view.power_diagram on"),
+            "The power diagram is drawn for up to 200 balls; here are 327.");
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST_F(AppearanceTest, OnlyAndColoursActOnTheSelectionOrOnNames) {
   EXPECT_EQ(viewer_->commands().run_line("atoms.only").why,
             "Nothing of this molecule is selected. Select atoms, or name them.");
   EXPECT_EQ(viewer_->commands().run_line("atoms.colour reddish all").why,
-            "\"reddish\" is no colour such as #ff8800 or #f80.");
+            "\"reddish\" is not a colour. Write one such as #ff8800 or #f80.");
   EXPECT_EQ(viewer_->commands().run_line("atoms.hide chain Z").why,
             "The molecule has no atom of this name.");
   run("select.atoms backbone\natoms.only\nwait-idle\nframes 3\n");

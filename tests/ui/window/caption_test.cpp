@@ -95,7 +95,7 @@ TEST_F(CaptionInWindow, AWrongPartIsRefused) {
   const Outcome outcome = viewer_->commands().run_line(
       "file.save_picture \"" + (folder_ / "no.png").string() + "\" 64 64 colour");
   EXPECT_EQ(outcome.state, Outcome::State::refused);
-  EXPECT_NE(outcome.why.find("\"colour\" is no part of a caption"), std::string::npos)
+  EXPECT_NE(outcome.why.find("\"colour\" is not a part of a caption"), std::string::npos)
       << outcome.why;
 }
 

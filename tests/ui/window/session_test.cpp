@@ -152,7 +152,7 @@ TEST_F(SessionWindowTest, WhatIsUnknownIsTold) {
   save();
   replace("\"display\": {", "\"display\": { \"glow\": 1,");
   open_session();
-  EXPECT_EQ(viewer_->state().error_title, "Not all of the session is understood");
+  EXPECT_EQ(viewer_->state().error_title, "The session has unknown settings");
   EXPECT_NE(viewer_->state().error.find("\"display.glow\""), std::string::npos);
 }
 
@@ -203,7 +203,8 @@ TEST_F(SessionWindowTest, TheCommandLineDrawsTheSamePicture) {
   EXPECT_EQ(cli.width, 640);
   EXPECT_EQ(cli.rgba, window.rgba);
   EXPECT_EQ(screenshot("--alpha 3"), 2);
-  EXPECT_NE(bytes("said").find("--session says itself what --alpha"), std::string::npos);
+  EXPECT_NE(bytes("said").find("the session already has the setting of --alpha"),
+            std::string::npos);
   fs::rename(molecule(), folder_ / "other.pdb");
   EXPECT_EQ(screenshot(""), 3);
   EXPECT_NE(bytes("said").find(molecule().string()), std::string::npos) << bytes("said");

@@ -192,7 +192,7 @@ TEST_F(SlowEngine, BallsThatWaitForTheirFirstComplexAreNoPictureOfAnother) {
   ASSERT_FALSE(s.result);
   EXPECT_FALSE(s.viewport.outdated);
   EXPECT_EQ(viewer_->commands().find("steps.middle")->reason_against(),
-            "The complex of this molecule is not there yet.");
+            "The complex of this molecule is not ready yet.");
   held_ = false;
   run("wait-idle\n");
   EXPECT_TRUE(s.result);

@@ -91,9 +91,10 @@ void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
   }
   if (button(ctx, "cavities.preset", kUse)) ctx.commands.run("cavities.castp");
   tooltip(ctx,
-          "Radii of CASTp, solvent radius 1.4 Å, α = 0; hydrogens, waters, ions and ligands are no "
-          "part of the body; networks are not split. Undo brings back what was.");
-  std::string why = "Chosen otherwise than CASTp does: ";
+          "Sets CASTp's radii, solvent radius 1.4 Å and α = 0. Removes hydrogens, waters, ions "
+          "and ligands from the body, and does not split networks. Undo restores the old "
+          "settings.");
+  std::string why = "Differences from CASTp: ";
   for (std::size_t k = 0; k < differences.size(); ++k) why += (k ? "; " : "") + differences[k];
   ImGui::SameLine(0, gap);
   ImGui::AlignTextToFramePadding();
@@ -125,9 +126,8 @@ void save_button(PanelContext& ctx, const CavityPage& page, bool current) {
   }
   ImGui::EndDisabled();
   tooltip(ctx,
-          "The cavities that are shown, by their ranks and with everything that is known of them, "
-          "as a CSV or JSON file; or their surfaces, spheres that fill them, or a script, for "
-          "other programs.");
+          "Saves the listed cavities with all their values as CSV or JSON. Or saves surfaces, "
+          "filling spheres or a script for other programs.");
 }
 
 void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
@@ -138,15 +138,16 @@ void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
   ImGui::SameLine(0, ctx.px(6));
   ImGui::SetNextItemWidth(ctx.px(56));
   number_field(ctx, "cavities.least", filter.least_volume_angstrom3, kLeastVolumeRule);
-  tooltip(
-      ctx,
-      "Cavities of a smaller SA volume are not shown. Those below 1 Å³ are hardly more than the "
-      "error of coordinates and radii. 0 shows all.");
+  tooltip(ctx,
+          "Hides cavities with a smaller SA volume. Volumes below 1 Å³ are within the error of "
+          "coordinates and radii. 0 shows all.");
   ImGui::SameLine(0, ctx.px(4));
   ImGui::TextUnformatted("Å³");
   ImGui::SameLine(0, ctx.px(14));
   if (button(ctx, "cavities.all", "Select all")) choose_all_cavities(ctx, page);
-  tooltip(ctx, "All that are shown. Ctrl+click adds one, Shift+click all up to there.");
+  tooltip(
+      ctx,
+      "Selects all listed cavities. Ctrl+click on a row adds one; Shift+click selects a range.");
   ImGui::SameLine(0, ctx.px(4));
   ImGui::BeginDisabled(ctx.state.settings.selection.empty());
   if (button(ctx, "cavities.none", "None")) choose_no_cavities(ctx);
@@ -186,7 +187,7 @@ void giant_line(PanelContext& ctx, const CavityPage& page) {
   if (button(ctx, "cavities.water", "Use 1.4 Å")) {
     ctx.state.settings.request.solvent_radius_angstrom = kCavitySolventAngstrom;
   }
-  tooltip(ctx, "The radius of a water molecule: cavities that water fits in.");
+  tooltip(ctx, "Sets the radius of a water molecule, so that water fits into every cavity.");
 }
 
 // Says why the table is empty.
@@ -197,9 +198,8 @@ std::string empty_text(const CavityPage& page) {
   if (page.rows.size() > 0) {
     return "No cavity passes the filter: lower the least volume, or show all kinds.";
   }
-  return "There is no void or pocket at this alpha and solvent radius. A groove or an open pore "
-         "that "
-         "widens outwards is none: the page Channels says how wide a way is.";
+  return "There is no void or pocket at this alpha and solvent radius. Grooves, and pores that "
+         "widen outwards, do not count. The page Channels measures pores.";
 }
 
 // Says why there is no table yet.
@@ -208,7 +208,7 @@ std::string waiting_text(const PanelContext& ctx, const Derived<CavityLines>& ta
   if (table.state == DerivedState::no_room || table.state == DerivedState::failed) {
     return "There is no table of cavities. " + table.why;
   }
-  return "Cavities appear here when the triangulation of all balls is there.";
+  return "The triangulation is still being computed. Cavities appear here afterwards.";
 }
 
 // Draws the table, and the chosen cavities at its right.

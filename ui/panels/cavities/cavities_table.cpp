@@ -162,7 +162,8 @@ float least_width(PanelContext& ctx, const CavityPage& page) {
 
 void cavity_columns_button(PanelContext& ctx, CavityPage& page) {
   if (button(ctx, "cavities.columns", "Columns")) ImGui::OpenPopup("cavities.columns");
-  tooltip(ctx, "Which columns the table has. A right click on a title opens a list, too.");
+  tooltip(ctx,
+          "Chooses the columns of the table. A right click on a column title opens the same list.");
   if (!ImGui::BeginPopup("cavities.columns")) return;
   close_on_escape();
   for (std::size_t n = 1; n < page.columns.size(); ++n) {

@@ -97,7 +97,7 @@ void tell_of_merging(PanelContext& ctx, const CavityPage& page, bool merged_befo
   if (merged && !merged_before) {
     ctx.state.notice = merged_text(page);
   } else if (merged_before && !merged && !page.chosen_rows.empty()) {
-    ctx.state.notice = "The chosen cavity is one of its own again.";
+    ctx.state.notice = "The selected cavity is separate again.";
   }
 }
 
@@ -167,7 +167,7 @@ RefSet lining_of(const CavityPage& page, const std::vector<std::size_t>& rows) {
 std::string merged_text(const CavityPage& page) {
   if (page.merged_into.empty()) return {};
   const bool one = page.chosen.size() == 1;
-  return std::string(one ? "The chosen cavity has" : "Chosen cavities have") + " merged into " +
+  return std::string(one ? "The selected cavity has" : "Selected cavities have") + " merged into " +
          rows_text(page.merged_into) + ".";
 }
 

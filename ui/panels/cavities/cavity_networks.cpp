@@ -81,9 +81,9 @@ void networks_line(PanelContext& ctx, const CavityPage& page, bool current) {
   if (!row && !split && table.found.networks.empty()) return;
   checkbox(ctx, "cavities.split_networks", "Split networks at their bottlenecks", split);
   tooltip(ctx,
-          "Lists each network as the cavities that it falls into while alpha grows, with alpha and "
-          "solvent radius as they are. Passages between parts are no mouths. CASTp does not split "
-          "networks.");
+          "Lists each network as its parts, at the present alpha and solvent radius. Parts are "
+          "the cavities into which it splits as alpha grows. Passages between parts are not "
+          "mouths. CASTp does not split networks.");
   if (!table.found.networks.empty()) {
     ImGui::SameLine(0, ctx.px(14));
     ImGui::AlignTextToFramePadding();

@@ -28,8 +28,9 @@ std::string count_text(std::size_t n, const char* one, const char* many) {
 // history.
 void choose_rows(PanelContext& ctx, CavityPage& page, std::vector<std::size_t> rows) {
   if (rows.size() > kMostChosen) {
-    ctx.state.notice = "No more than " + with_separators(kMostChosen) +
-                       " cavities can be chosen at once: the first of the list are.";
+    ctx.state.notice =
+        "No more than " + with_separators(kMostChosen) +
+        " cavities can be selected at once. The first ones of the list are selected.";
     rows.resize(kMostChosen);
   }
   const CavityTable& table = page.rows.table();
@@ -145,8 +146,9 @@ std::string title_of(const CavityPage& page) {
   if (page.chosen_rows.size() == 1) {
     return "Cavity " + std::to_string(page.chosen_rows.front() + 1);
   }
-  if (page.chosen_rows.empty()) return "Not there at this alpha or solvent radius";
-  return count_text(page.chosen_rows.size(), "cavity", "cavities") + " chosen";
+  if (page.chosen_rows.empty())
+    return "The selection does not exist at this alpha or solvent radius";
+  return count_text(page.chosen_rows.size(), "cavity", "cavities") + " selected";
 }
 
 std::string chain_names(const ChosenCavities& drawn) {
@@ -181,7 +183,7 @@ void sentences(PanelContext& ctx, const CavityPage& page) {
   muted_wrapped(ctx, "Name, of the four atoms around its deepest point: " +
                          cavity_name(*page.rows.lines->atoms, page.rows.table(), row));
   record(ctx, "cavities.name");
-  tooltip(ctx, "It stays while alpha moves, whatever the number of the line: use it in a paper.");
+  tooltip(ctx, "The name does not change with alpha, unlike the rank. Use it in a paper.");
   const std::string between = between_text(line, chain_names(*page.drawn));
   if (!between.empty()) muted_wrapped(ctx, between);
   const std::string change = change_text(page, row);
@@ -226,7 +228,7 @@ std::string between_text(const CavityLine& line, const std::string& chains) {
            ", not within one.";
   }
   if (!line.lining.at_interface()) return {};
-  return chains.empty() ? "It lies at the interface of two chains: no other lines it."
+  return chains.empty() ? "It lies at the interface of two chains, which alone line it."
                         : "It lies at the interface of chains " + chains + ".";
 }
 
@@ -293,8 +295,8 @@ void draw_chosen_cavities(PanelContext& ctx, CavityPage& page) {
   ImGui::BeginChild("chosen", {0, 0});
   if (page.chosen.empty()) {
     muted_wrapped(ctx,
-                  "Click a line to see its cavity and what lines it. Ctrl+click adds one, "
-                  "Shift+click all up to there.");
+                  "Click a row to see the cavity and its lining. Ctrl+click adds one; "
+                  "Shift+click selects a range.");
     return ImGui::EndChild();
   }
   ImGui::AlignTextToFramePadding();
@@ -309,7 +311,7 @@ void draw_chosen_cavities(PanelContext& ctx, CavityPage& page) {
 
 void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
   if (button(ctx, "cavities.draw", "Draw")) ImGui::OpenPopup("cavities.draw");
-  tooltip(ctx, "What is drawn of the cavities that are chosen.");
+  tooltip(ctx, "Chooses the parts of selected cavities that are drawn.");
   if (!ImGui::BeginPopup("cavities.draw")) return;
   close_on_escape();
   CavityParts& parts = page.parts;
@@ -317,8 +319,8 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
   checkbox(ctx, "cavities.draw.tetrahedra", "tetrahedra", parts.tetrahedra);
   checkbox(ctx, "cavities.draw.spheres", "filling spheres", parts.spheres);
   tooltip(ctx,
-          "A cast of it: spheres that touch the atoms around it, of their radii without the "
-          "solvent radius.");
+          "Spheres that fill the cavity and touch the atoms around it, without the solvent "
+          "radius.");
   checkbox(ctx, "cavities.draw.rims", "rims of mouths", parts.rims);
   checkbox(ctx, "cavities.draw.numbers", "numbers", parts.numbers);
   ImGui::Separator();

@@ -10,12 +10,15 @@
 namespace alphascope {
 namespace {
 
-constexpr const char* kFrom[] = {
-    "the chosen cavity", "a mouth of the cavity",    "the selected atoms", "the molecule's middle",
-    "a point",           "outside: all ways through"};
+constexpr const char* kFrom[] = {"the selected cavity",
+                                 "a mouth of the cavity",
+                                 "the selected atoms",
+                                 "the molecule's middle",
+                                 "a point",
+                                 "outside: all ways through"};
 constexpr const char* kFromHelp[] = {
-    "The widest place of the cavity that is chosen on the page Cavities.",
-    "The widest place in one mouth of the chosen cavity.",
+    "The widest place of the cavity that is selected on the page Cavities.",
+    "The widest place in one mouth of the selected cavity.",
     "The centre of the atoms that are selected in the view.",
     "The centre of all balls.",
     "Coordinates in Å, as in the file.",
@@ -27,7 +30,7 @@ constexpr const char* kToHelp[] = {
     "The widest of all ways out of the molecule.",
     "Out of the molecule, without going back behind the plane through the start.",
     "Through a pore: out at both its ends. The start first moves to the middle of the pore.",
-    "The widest place in one mouth of the chosen cavity.", "Coordinates in Å, as in the file."};
+    "The widest place in one mouth of the selected cavity.", "Coordinates in Å, as in the file."};
 constexpr const char* kAxes[] = {"the main axis", "x", "y", "z", "the line of sight"};
 
 // Draws a list of choices. Returns whether an entry was clicked, even the one already chosen.
@@ -82,10 +85,10 @@ void mouth_field(PanelContext& ctx, const char* name, int& mouth) {
 
 void axis_choice(PanelContext& ctx, ChannelMemory& memory) {
   static constexpr const char* kHelp[] = {
-      "The axis around which the molecule spreads alike, as equal chains around a pore do; else "
-      "the direction in which it is longest.",
+      "The axis around which equal chains are arranged. Without one: the direction in which "
+      "the molecule is longest.",
       "The x axis of the file.", "The y axis of the file.", "The z axis of the file.",
-      "The direction in which you look now; turning the view later does not change it."};
+      "The present direction of view. Turning the view later does not change it."};
   const bool clicked = combo(ctx, "channels.axis", kAxes, kHelp, memory.axis, 116);
   if (clicked && memory.axis == ChannelAxis::view) {
     memory.view_axis = ctx.state.viewport.into_view;
@@ -170,28 +173,28 @@ Place of_cavity(PanelContext& ctx, int mouth) {
     if (!followed.current) return not_yet(followed.wanted);
   }
   if (chosen.empty()) {
-    Place place = no_place("Choose a cavity: click its line on the page Cavities.");
+    Place place = no_place("Select a cavity: click its row on the page Cavities.");
     place.none.wants_cavity = true;
     return place;
   }
   const auto balls = ctx.state.references->balls(Ref(chosen.back()));
   if (!balls || balls->size() != 4) {
-    return no_place("The chosen cavity has atoms that are no balls now. Choose a cavity again.");
+    return no_place("The selected cavity has atoms that are left out now. Select a cavity again.");
   }
   const std::array<BallIndex, 4> sink{(*balls)[0], (*balls)[1], (*balls)[2], (*balls)[3]};
   const Derived<FoundCavityEnds> ends = ctx.store.want(cavity_ends(sink), ctx.inputs);
   if (!ends.ready()) return not_yet(ends);
   if (!ends.value->found) {
     return no_place(
-        "The chosen cavity is not there at this alpha and solvent radius. Choose another on the "
-        "page Cavities.");
+        "The selected cavity does not exist at this alpha and solvent radius. Select another "
+        "one on the page Cavities.");
   }
   const CavityEnds& found = *ends.value->found;
   if (mouth == 0) return {found.widest.place_angstrom, {}};
   const std::size_t mouths = found.mouths.size();
   if (static_cast<std::size_t>(mouth) > mouths) {
-    return no_place(mouths == 0 ? "The chosen cavity has no mouth."
-                                : "The chosen cavity has " + std::to_string(mouths) +
+    return no_place(mouths == 0 ? "The selected cavity has no mouth."
+                                : "The selected cavity has " + std::to_string(mouths) +
                                       (mouths == 1 ? " mouth" : " mouths") + ", and no mouth " +
                                       std::to_string(mouth) + ".");
   }

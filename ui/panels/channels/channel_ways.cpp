@@ -22,7 +22,7 @@ std::string way_help(const FoundChannel& found) {
   const WayNote& way = *found.way;
   return "Through " + way.through + ", lined by " + chains_text(way.lining_chains) +
          ".\nNarrowest at " + bottleneck_place(*found.channel) + " Å.\nCovers " +
-         cover_text(*found.cover) + ".\nClick to take it.";
+         cover_text(*found.cover) + ".\nClick to show it.";
 }
 
 }  // namespace
@@ -54,8 +54,8 @@ void draw_ways(PanelContext& ctx, ChannelMemory& memory, const FoundWays& ways) 
   }
   ImGui::EndTable();
   if (ways.parts_left_out == 0) return;
-  muted_wrapped(ctx, "Of too many chains, " + grouped(ways.parts_left_out) +
-                         " were not looked through by themselves.");
+  muted_wrapped(ctx, "There are too many chains: " + grouped(ways.parts_left_out) +
+                         " were not searched separately.");
   record(ctx, "channels.left_out");
 }
 

@@ -117,16 +117,14 @@ void headline(PanelContext& ctx, const FoundChannel& found) {
     strong_text(ctx,
                 "no way through: closed by " + number_text(-channel.widest_angstrom, 3) + " Å");
     record(ctx, "channels.result");
-    tooltip(ctx,
-            "Not even a point passes. Every ball would have to shrink by this much before one "
-            "does.");
+    tooltip(ctx, "Not even a point passes. All balls must shrink by this much before one does.");
     return;
   }
   strong_text(ctx, "bottleneck " + number_text(radius, 3) + " Å");
   record(ctx, "channels.result");
   tooltip(ctx,
-          "The radius of the largest sphere that passes, exact to 0.001 Å. Radii of the balls are "
-          "as they are: neither alpha nor the solvent radius changes it.");
+          "Radius of the largest sphere that passes, exact to 0.001 Å. Neither alpha nor the "
+          "solvent radius changes it.");
   ImGui::SameLine(0, ctx.px(12));
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, passing_text(found));
@@ -139,7 +137,7 @@ void progress(PanelContext& ctx, ChannelMemory& memory, const Derived<FoundChann
   ImGui::ProgressBar(static_cast<float>(found.share), {ctx.px(150), ImGui::GetFrameHeight()},
                      runs ? text.c_str() : "waiting");
   record(ctx, "channels.progress");
-  tooltip(ctx, "The widest way is being looked for. You can go on working.");
+  tooltip(ctx, "Searching for the widest way. You can go on working.");
   ImGui::SameLine(0, ctx.px(8));
   if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel(id_of(memory));
 }
@@ -171,7 +169,7 @@ void guest_line(PanelContext& ctx, const std::vector<BallIndex>& touching, bool 
     if (button(ctx, "channels.guests", (std::string("Leave ") + guest.some + " out").c_str())) {
       ctx.state.settings.open.balls.*guest.kept = false;
     }
-    tooltip(ctx, "The same as under Molecule, Keep. Undo brings them back.");
+    tooltip(ctx, "These are the switches of the section Molecule, Keep. Undo restores the atoms.");
     return;
   }
 }
@@ -186,10 +184,10 @@ void cover_lines(PanelContext& ctx, const FoundChannel& found) {
   muted_wrapped(ctx, text);
   record(ctx, "channels.cover");
   tooltip(ctx,
-          "How far its line leads along the molecule, from centre to centre. Towards the open it "
-          "ends where nothing in the way is narrower.");
+          "Length of the line along the molecule, from centre to centre. Each open end lies "
+          "where the channel is wider than anywhere inside.");
   if (!found.way || guests_text(*found.way).empty()) return;
-  wrapped_text("In it, and not counted: " + guests_text(*found.way) + ".");
+  wrapped_text("In the channel, but ignored: " + guests_text(*found.way) + ".");
   record(ctx, "channels.not_counted");
 }
 
@@ -217,7 +215,7 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   guest_line(ctx, channel.touching, current);
   ImGui::BeginDisabled(!current);
   if (button(ctx, "channels.show", "Show the bottleneck")) select_bottleneck(ctx, memory);
-  tooltip(ctx, "Selects the atoms that touch it, and the view goes there, across the line.");
+  tooltip(ctx, "Selects the atoms at the bottleneck and shows it from the side.");
   ImGui::SameLine(0, ctx.px(8));
   if (button(ctx, "channels.across", "From the side")) look_across_line(ctx, channel);
   tooltip(ctx, "Turns the view until it looks across the whole line, and shows all of it.");
@@ -228,7 +226,7 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
     ctx.state.notice = "Profile copied as CSV: " +
                        with_separators(static_cast<long long>(channel.samples.size())) + " rows.";
   }
-  tooltip(ctx, "Length, radius and place every 0.1 Å as CSV, for a spreadsheet.");
+  tooltip(ctx, "Copies length, radius and position every 0.1 Å as CSV for a spreadsheet.");
   ImGui::SameLine(0, ctx.px(8));
   if (button(ctx, "channels.save", "Save…")) {
     ask_to_save(ctx, {"Channel",
@@ -294,7 +292,7 @@ bool may_begin(PanelContext& ctx, ChannelMemory& memory, const AnyDefinition& wa
   if (button(ctx, "channels.compute", "Compute the channel", {0, 0}, ButtonKind::primary)) {
     memory.asked_for = key.number();
   }
-  tooltip(ctx, "Of so many balls it takes a while. You can go on working.");
+  tooltip(ctx, "So many balls take a while. You can go on working.");
   return memory.asked_for == key.number();
 }
 

@@ -52,8 +52,9 @@ void draw_critical_values(PanelContext& ctx, const AlphaSlider& s, const Track& 
   if (!ctx.inputs.balls || ctx.inputs.balls->size() > kMostBalls) return;
   const Derived<Signature> signature = ctx.store.want(whole_signature(), ctx.inputs);
   if (!signature.ready() || track.to <= track.from) return;
-  tooltip(ctx,
-          "Critical values: alphas at which a simplex appears. The higher the mark, the more do.");
+  tooltip(
+      ctx,
+      "Critical values: alphas at which simplices appear. Higher marks stand for more simplices.");
   const auto columns = static_cast<std::size_t>(track.to - track.from);
   const std::vector<std::uint32_t> counts = critical_values(s, *signature.value, columns);
   const std::uint32_t most = std::max(1u, *std::max_element(counts.begin(), counts.end()));
@@ -160,8 +161,8 @@ void range_row(PanelContext& ctx, AlphaSlider& s) {
   if (button(ctx, "alpha.fit", "fit", {fit, 0})) fit_range(s, *signature.value);
   ImGui::EndDisabled();
   tooltip(ctx, signature.ready()
-                   ? "From the first critical value to where 98 % of the tetrahedra are there"
-                   : "Not yet: the critical values are being made.");
+                   ? "Fit the slider: from the first critical value to 98 % of the tetrahedra"
+                   : "The critical values are still being computed.");
 }
 
 void playing_row(PanelContext& ctx, AlphaSlider& s) {
@@ -225,9 +226,9 @@ void solvent(PanelContext& ctx) {
                    short_number_text(radius, 3) + " Å", 56)) {
     radius = typing ? std::round(value * 1000) / 1000 : std::round(value * 100) / 100;
   }
-  tooltip(
-      ctx,
-      "Solvent radius in Å: every radius grows by it before anything else.\nCtrl+click to type.");
+  tooltip(ctx,
+          "Solvent radius in Å. It is added to every radius before alpha is applied.\nCtrl+click "
+          "to type.");
   ImGui::SameLine(0, ctx.px(6));
   const bool water = radius == kWater;
   if (button(ctx, "alpha.water", water ? "none" : "water", {-1, 0})) {

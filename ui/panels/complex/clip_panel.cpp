@@ -114,7 +114,7 @@ void draw_clip(PanelContext& ctx) {
   ImGui::EndDisabled();
   ImGui::SameLine(0, ctx.px(6));
   if (button(ctx, "clip.face", "Look at it", {width, 0})) ctx.commands.run("view.clip_face");
-  tooltip(ctx, "Turns the view so that the cut is seen straight from the front.");
+  tooltip(ctx, "Turns the view to face the cut.");
   ImGui::SameLine(0, ctx.px(10));
   checkbox(ctx, "clip.handle", "Handle", s.window.clip_handle);
   tooltip(ctx, "In the picture: drag its arrow to move the cut, its ring to turn it.");

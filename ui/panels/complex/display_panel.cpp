@@ -49,8 +49,8 @@ void opacity_row(PanelContext& ctx, DisplayField::Member member) {
   ImGui::PopFont();
   record(ctx, (control_name(field) + ".faded").c_str());
   tooltip(ctx,
-          "A cavity or channel is drawn, and what is around it must not hide it. For cavities: "
-          "the page Cavities, Draw, “fade the rest”.");
+          "Balls and simplices are faded, so that they do not hide a cavity or channel. For "
+          "cavities: the page Cavities, Draw, “fade the rest”.");
 }
 
 void balls(PanelContext& ctx) {
@@ -145,7 +145,7 @@ void beside_body(PanelContext& ctx) {
              shown.*kind.member);
     ImGui::EndDisabled();
     const std::string text = left_out[n] == 0
-                                 ? "None is left out of the body."
+                                 ? "No such atom is left out of the body."
                                  : with_separators(static_cast<long long>(left_out[n])) +
                                        " atoms that are no part of the body. They are drawn, not "
                                        "computed: small balls in the colours of elements.";

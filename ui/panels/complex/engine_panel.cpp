@@ -126,12 +126,11 @@ void auto_compare(PanelContext& ctx) {
   const std::string most =
       with_separators(static_cast<long long>(kMostBallsToCompareUnasked)) + " balls";
   const std::string help =
-      possible
-          ? "After each change CGAL computes the same complex in the background, and both are "
-            "compared simplex by simplex."
-          : "This molecule has more than " + most +
-                ": CGAL would take too long to follow each change. “Compare” in the timings, or "
-                "the key C, compares once.";
+      possible ? "After each change CGAL computes the same complex in the background, and both are "
+                 "compared simplex by simplex."
+               : "This molecule has more than " + most +
+                     ". CGAL is too slow to follow each change. Press C, or “Compare” in the "
+                     "timings, to compare once.";
   tooltip(ctx, help.c_str());
 }
 

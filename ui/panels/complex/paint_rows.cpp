@@ -90,7 +90,7 @@ void range_row(PanelContext& ctx, const PaintRows& rows, Paint& paint) {
   if (range != before && range.low < range.high) paint.range = range;
   ImGui::BeginDisabled(!paint.range);
   if (button(ctx, (name + ".auto").c_str(), "Auto", {ctx.px(kButton), 0})) paint.range.reset();
-  tooltip(ctx, "The range of the values that there are.");
+  tooltip(ctx, "Uses the range of the present values.");
   ImGui::EndDisabled();
   ImGui::EndDisabled();
 }

@@ -26,8 +26,8 @@ std::string incomparable(const ViewState& state, bool cold) {
   const auto& cgal = cold ? state.cgal.cold : state.cgal.warm;
   if (!ours || !cgal) return {};
   if (too_few_balls(state)) {
-    return "No speed-up: fewer than " + std::to_string(kLeastBalls) +
-           " balls take too little time to compare engines by it.";
+    return "No speed-up: times of fewer than " + std::to_string(kLeastBalls) +
+           " balls are too short to compare engines.";
   }
   if (ours->comparable(*cgal)) return {};
   if (ours->alpha_angstrom2 != cgal->alpha_angstrom2) {
@@ -38,11 +38,11 @@ std::string incomparable(const ViewState& state, bool cold) {
     return "No speed-up: one of the times is of tetrahedra only.";
   }
   if (ours->same_threshold(*cgal)) {
-    return "No speed-up: both are a threshold of CGAL's triangulation. “Cold” compares the "
-           "engines.";
+    return "No speed-up: both times are of a threshold of CGAL's triangulation. Choose “Cold” "
+           "to compare the engines.";
   }
   return "No speed-up: " + (ours->rebuilt ? state.ours.engine.name : std::string("CGAL")) +
-         " built what later alphas are answered from in this run, the other only used it.";
+         " prepared its data for later alphas in this run; the other engine reused its own.";
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ void assembly_facts(PanelContext& ctx, const AssemblyInfo& a) {
   if (free > 0) fact("Free on this machine", bytes(free));
   if (free == 0 || most <= free) return;
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
-  wrapped_text("That may not be enough: the system may end the program.");
+  wrapped_text("The free memory may be too small. The system may then end the program.");
   ImGui::PopStyleColor();
   record(ctx, "assembly.too_large");
 }
@@ -88,7 +88,7 @@ void draw_confirm_assembly(PanelContext& ctx) {
 void draw_error(PanelContext& ctx) {
   ViewState& s = ctx.state;
   const std::string title =
-      (s.error_title.empty() ? "That did not work" : s.error_title) + "###error";
+      (s.error_title.empty() ? "The action failed" : s.error_title) + "###error";
   if (!begin_dialog(ctx, title.c_str())) return;
   ImGui::Dummy({ctx.px(kWidth), 0});
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(kWidth));  // wraps long paths

@@ -55,8 +55,8 @@ void colour_choice(PanelContext& ctx, const ExportFormatInfo* format) {
   }
   ImGui::EndDisabled();
   tooltip(ctx,
-          "Of the boundary's vertices. A solid is what hangs together by whole triangles of the "
-          "tetrahedra.");
+          "Colours of the boundary's vertices. A solid is a set of tetrahedra connected "
+          "through triangles.");
 }
 
 }  // namespace
@@ -77,11 +77,10 @@ void draw_export(PanelContext& ctx) {
   colour_choice(ctx, format);
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
-  muted_text(ctx,
-             files.size() > 1
-                 ? "Also written: " + files[1].filename().string() + ", " +
-                       files[2].filename().string() + "."
-                 : std::string("What is on screen: molecule, radii, alpha. Lengths are in Å."));
+  muted_text(ctx, files.size() > 1
+                      ? "Also written: " + files[1].filename().string() + ", " +
+                            files[2].filename().string() + "."
+                      : std::string("The export has the complex on screen. Lengths are in Å."));
   ImGui::PopFont();
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();

@@ -378,8 +378,8 @@ void message_row(PanelContext& ctx) {
   ImGui::PushFont(ctx.fonts.small);
   if (m.browser_error.empty()) {
     muted_text(ctx, for_saving(m)
-                        ? "Arrow keys and Enter: go into a folder.  Choose: save here, or in the "
-                          "place of the chosen file."
+                        ? "Arrow keys and Enter: open a folder.  Choose: save here, or replace "
+                          "the selected file."
                         : "Arrow keys: choose.  Enter: open.  Letters: jump to a name.  "
                           "/: type a path.");
   } else {

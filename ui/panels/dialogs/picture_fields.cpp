@@ -79,19 +79,19 @@ void marks_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& 
   bool legend = has_legend && options.legend;
   if (checkbox(ctx, (dialog + ".legend").c_str(), "Colour legend", legend)) options.legend = legend;
   ImGui::EndDisabled();
-  tooltip(ctx, has_legend ? "Shows what the colours stand for."
-                          : "Available when colours stand for something, not when all is in one.");
+  tooltip(ctx, has_legend ? "Draws the legend of the colours."
+                          : "Available when colours have a meaning, not for a single colour.");
   ImGui::SameLine(0, ctx.px(18));
   checkbox(ctx, (dialog + ".scale_bar").c_str(), "Scale bar", options.scale_bar);
   tooltip(ctx,
-          "A bar of a round length in Å. The view is in perspective, so the length is right at the "
-          "depth of the point that the view turns about.");
+          "Draws a bar of a round length in Å. With perspective, the length is right at the "
+          "depth of the centre of rotation.");
   ImGui::SameLine(0, ctx.px(18));
   bool caption = options.caption.any();
   if (checkbox(ctx, (dialog + ".caption").c_str(), "Caption", caption)) {
     options.caption = caption ? usual_caption() : CaptionParts();
   }
-  tooltip(ctx, "Words at the top left, such as the file and alpha.");
+  tooltip(ctx, "Writes facts at the top left, such as file and alpha.");
   // Greyed instead of hidden, else the dialog would jump.
   ImGui::BeginDisabled(!options.caption.any());
   caption_parts_fields(ctx, dialog, options);

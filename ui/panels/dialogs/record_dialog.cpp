@@ -24,8 +24,8 @@ constexpr float kWidth = 464;  // pixels at scale 1
 constexpr float kNumberWidth = 80;
 
 constexpr const char* kNoFfmpeg =
-    "Movies need the program ffmpeg, which is not installed (Debian: apt install ffmpeg). Pictures "
-    "need nothing.";
+    "Movies need the program ffmpeg, which is not installed (Debian: apt install ffmpeg). "
+    "Pictures need no other program.";
 
 void error_lines(PanelContext& ctx, const char* name, const std::string& text) {
   two_small_lines(ctx, name, ctx.palette.error, as_sentence(text));
@@ -119,8 +119,8 @@ void turntable_fields(PanelContext& ctx, Recording& r) {
     r.axis = static_cast<TurnAxis>(axis);
   }
   tooltip(ctx,
-          "The view's upward axis, or one of the molecule's file, through the point that the view "
-          "turns about. The camera keeps its distance.");
+          "Upward axis of the view, or an axis of the file, through the centre of rotation. "
+          "The camera keeps its distance.");
 }
 
 void time_fields(PanelContext& ctx, Recording& r) {
@@ -137,7 +137,7 @@ void time_fields(PanelContext& ctx, Recording& r) {
   ImGui::TextUnformatted(("a second: " + seconds + " s").c_str());
   row_label(ctx, "");
   checkbox(ctx, "record.there_and_back", "There and back", r.there_and_back);
-  tooltip(ctx, "Also back to the beginning, so that it can be shown in a loop.");
+  tooltip(ctx, "Plays back to the beginning, so that the movie can run in a loop.");
 }
 
 void lesson_fields(PanelContext& ctx) {
@@ -150,10 +150,9 @@ void lesson_fields(PanelContext& ctx) {
   const auto parts = lesson ? static_cast<int>(count_of_parts(*lesson)) : 0;
   const double seconds = frames_held(m.lesson_seconds) / kLessonFrameRate * parts;
   ImGui::TextUnformatted(("s: " + number_text(seconds, 1) + " s as a movie").c_str());
-  tooltip(
-      ctx,
-      "How long a movie shows each step, and each answer. As pictures, each is one. The text is "
-      "beside the picture.");
+  tooltip(ctx,
+          "Time of each step and each answer in a movie. Without a movie, each is one picture. The "
+          "text is beside the view.");
   // Rows that other kinds have in addition; the dialog keeps its size.
   constexpr int kRowsOfOthers = 3;
   for (int n = 0; n < kRowsOfOthers; ++n) ImGui::Dummy({0, ImGui::GetFrameHeight()});

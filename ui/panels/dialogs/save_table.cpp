@@ -103,7 +103,8 @@ void format_row(PanelContext& ctx, TableMemory& memory) {
 // Describes the contents of the format. If it is several files, names the others too.
 std::string content_text(const TableMemory& memory) {
   const FormatToSave* other = other_format(*memory.table, memory.format);
-  if (!other) return "All digits, and file, selection, radii, alpha and program with them.";
+  if (!other)
+    return "The file has all digits, and records file, selection, radii, alpha and program.";
   std::string text = as_sentence(other->what);
   const std::vector<std::filesystem::path> files = targets(memory);
   for (std::size_t k = 1; k < files.size(); ++k) {

@@ -34,7 +34,7 @@ std::string why_no_name(const fs::path& path) {
   std::error_code ignored;
   if (path.empty()) return "Give the file a name.";
   if (path.has_filename() && !fs::is_directory(path, ignored)) return {};
-  return "This is a folder. Write the name of a file behind it.";
+  return "This is a folder. Add the name of a file.";
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path) {
                                                                       : folder_to_offer(ctx.state);
     open_browser(ctx.state, BrowserPurpose::save);
   }
-  tooltip(ctx, "Looks for the folder, or for a file to be replaced.");
+  tooltip(ctx, "Opens a dialog to find the folder, or a file to replace.");
   return entered;
 }
 

@@ -26,9 +26,9 @@ void draw_save_session(PanelContext& ctx) {
       save_target(ctx, "save_session", {path}, fault_of_ending(path, {kSessionEnding}));
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
-  muted_text(ctx, "Holds the name of the molecule and every setting, but not its atoms:");
+  muted_text(ctx, "A session has the molecule's name and all settings, but no atoms.");
   row_label(ctx, "");
-  muted_text(ctx, "keep the molecule's file as well.");
+  muted_text(ctx, "Keep the molecule's file as well.");
   ImGui::PopFont();
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
@@ -68,7 +68,7 @@ void draw_session_problem(PanelContext& ctx) {
   ImGui::EndDisabled();
   tooltip(ctx, problem.can_open ? "Use the file as it is now. Numbers and picture may differ from "
                                   "those that were saved."
-                                : "There is no file that could be opened.");
+                                : "The files of the session do not exist.");
   ImGui::SameLine();
   ImGui::BeginDisabled(!problem.molecule);
   const bool choose =

@@ -24,7 +24,7 @@ std::string radius_text(const BallSet& balls, const Request* shown, BallIndex ba
   const std::string text = "radius " + number_text(radius, decimals) + " Å";
   if (shown == nullptr) return text;
   const double grown = grown_radius(radius, shown->solvent_radius_angstrom, shown->alpha_angstrom2);
-  if (grown == 0) return text + ", gone at this alpha";
+  if (grown == 0) return text + ", empty at this alpha";
   return text + ", grown " + number_text(grown, decimals) + " Å";
 }
 

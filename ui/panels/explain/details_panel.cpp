@@ -67,7 +67,7 @@ void atom_facts(PanelContext& ctx, const BallReferences& atoms, std::size_t atom
     fact(ctx, "size",
          radius_text(*atoms.prepared().balls, shown ? &shown->request : nullptr, *ball));
   } else {
-    fact(ctx, "size", "no ball: the choice of atoms at the left leaves it out");
+    fact(ctx, "size", "no ball: the selection at the left leaves it out");
   }
   if (a.has_b_factor) {
     const std::string value = number_text(static_cast<double>(a.b_factor), 2);
@@ -102,13 +102,13 @@ void leads_to(PanelContext& ctx, const std::string& name, const Ref& ref, const 
     s.settings.selection.items = RefSet({ref});
   }
   record(ctx, name.c_str());
-  tooltip(ctx, (name_of(s.references->molecule(), ref) + "\nA click selects it.").c_str());
+  tooltip(ctx, (name_of(s.references->molecule(), ref) + "\nClick to select it.").c_str());
   number_cell(value);
   ImGui::TableNextColumn();
   if (row_button(ctx, (name + ".zoom").c_str(), "Zoom", 48)) {
     ctx.calls.view.zoom_to(RefSet({ref}));
   }
-  tooltip(ctx, "Looks at it.");
+  tooltip(ctx, "Moves the view to it.");
   ImGui::PopID();
 }
 

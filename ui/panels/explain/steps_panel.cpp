@@ -173,7 +173,7 @@ void draw_steps_page(PanelContext& ctx) {
   }
   muted_wrapped(ctx, found.state == DerivedState::failed || found.state == DerivedState::no_room
                          ? "There are no steps. " + found.why
-                         : "Looking at the ball…");
+                         : "Computing the steps of the ball…");
   record(ctx, "steps.waiting");
 }
 

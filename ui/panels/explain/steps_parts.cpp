@@ -44,7 +44,8 @@ void engine_choice(PanelContext& ctx) {
     ImGui::EndCombo();
   }
   record(ctx, "steps.engine");
-  tooltip(ctx, "Whose steps are shown. It need not be the engine that computed the complex.");
+  tooltip(ctx,
+          "Engine whose steps are shown. It may differ from the engine that computed the complex.");
 }
 
 // Draws a check box behind the last item, or below it if there is no room.
@@ -146,13 +147,13 @@ void count_table(PanelContext& ctx, const Step& step) {
   if (numbers > 1) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    header_cell(ctx, "all", "All that contain the ball.");
+    header_cell(ctx, "all", "Number of all that contain the ball.");
     if (columns.here) {
       header_cell(ctx, "here",
-                  "Of these, what the engine makes at this ball, because it comes first in the "
-                  "grid. Each tuple is made once, at the first of its balls.");
+                  "Number of those made at this ball, because it comes first in the grid. Each "
+                  "tuple is made once, at the first of its balls.");
     }
-    if (columns.optimised) header_cell(ctx, "both on", "All, with both optimisations.");
+    if (columns.optimised) header_cell(ctx, "both on", "Number with both optimisations on.");
   }
   for (const StepCount& count : step.counts) count_row(ctx, count, columns);
   ImGui::EndTable();
@@ -208,11 +209,11 @@ void draw_step_counts(PanelContext& ctx, float width) {
   StepsMemory& memory = ctx.state.steps;
   ImGui::BeginChild("counts", {width, 0}, false);
   checkbox(ctx, "steps.marks", "Draw", memory.marks);
-  tooltip(ctx, "Draws the step in the picture. Balls and complex become pale meanwhile.");
+  tooltip(ctx, "Draws the step in the picture, and fades balls and complex.");
   constexpr const char* kLook = "Look at it";
   same_line_where_it_fits(button_width(kLook), ctx.px(10));
   if (button(ctx, "steps.look", kLook)) memory.look = true;
-  tooltip(ctx, "Brings the ball and its neighbours into the middle of the view.");
+  tooltip(ctx, "Moves the ball and its neighbours to the middle of the view.");
   ImGui::PushFont(ctx.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ctx.px(6), ctx.px(2)});
   const Step& step = memory.shown->steps.steps[memory.at()];
@@ -232,7 +233,7 @@ std::vector<std::string> steps_notes(const PanelContext& ctx) {
   }
   if (ctx.state.settings.appearance.hidden.contains(
           ctx.inputs.atoms->atom(memory.shown->steps.ball))) {
-    notes.push_back("This atom is hidden in the picture. It takes part all the same.");
+    notes.push_back("This atom is hidden in the picture, but the steps use it.");
   }
   return notes;
 }

@@ -56,8 +56,8 @@ void draw_line(PanelContext& ctx, const ExplanationLine& line, std::size_t numbe
   if (button(ctx, go.c_str(), "Go to", {ctx.px(kButton), 0}, ButtonKind::quiet)) {
     go_to(ctx, line.about);
   }
-  tooltip(ctx, line.about.size() == 1 ? "Selects this ball, and looks at it."
-                                      : "Selects this simplex, and looks at it.");
+  tooltip(ctx, line.about.size() == 1 ? "Selects this ball and moves the view to it."
+                                      : "Selects this simplex and moves the view to it.");
   ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY()));
 }
 
@@ -71,9 +71,9 @@ void draw_answer(PanelContext& ctx, const WhyMemory& memory, bool current) {
 void draw_why(PanelContext& ctx, WhyMemory& memory) {
   checkbox(ctx, "why.marks", "Show in the picture", ctx.state.window.why_marks);
   tooltip(ctx,
-          "Draws the orthosphere (yellow wire; none where it is imaginary), the nearest other ball "
-          "(red wire), and the dual edge, facet or cell (green): the part of space that the balls "
-          "of this simplex share.");
+          "Draws the orthosphere (yellow wire, unless it is imaginary) and the nearest other "
+          "ball (red wire). Draws the dual edge, facet or cell (green): the part of space that "
+          "the balls share.");
   if (!ctx.inputs.balls || !ctx.inputs.atoms) {
     memory.shown = nullptr;
     return muted_wrapped(ctx, "Open a molecule: what is selected in it is explained here.");

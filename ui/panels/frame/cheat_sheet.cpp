@@ -18,10 +18,10 @@ constexpr std::pair<const char*, const char*> kMouse[] = {
     {"Drag", "Turn the view"},
     {"Middle drag, Shift+drag", "Pan the view"},
     {"Wheel, right drag", "Zoom"},
-    {"Hover over a ball or simplex", "Say what it is"},
-    {"Click", "Select it; beside everything: select nothing"},
-    {"Right click", "Open a menu of what can be done with it"},
-    {"Ctrl+click, Shift+click", "Add it to the selection, or take it out"},
+    {"Hover over a ball or simplex", "Show its name and values"},
+    {"Click", "Select it; on the background: clear the selection"},
+    {"Right click", "Open its menu"},
+    {"Ctrl+click, Shift+click", "Add it to the selection, or remove it"},
     {"Ctrl+click on a slider", "Type the value"},
     {"Drop a file", "Open a molecule or a session"}};
 

@@ -110,7 +110,7 @@ void of_something(PanelContext& ctx, const Ref& what, const std::string& title) 
   const bool selected = ctx.state.settings.selection.items.contains(what);
   entry(ctx, {"context.select", "Select", "pointed.select"});
   entry(ctx,
-        {"context.add", selected ? "Take out of selection" : "Add to selection", "pointed.toggle"});
+        {"context.add", selected ? "Remove from selection" : "Add to selection", "pointed.toggle"});
   if (const AtomRef* atom = std::get_if<AtomRef>(&what)) of_residue(ctx, molecule, *atom, atoms);
   ImGui::Separator();
   entry(ctx, {"context.zoom", "Zoom to", "view.zoom_to", {atoms}});

@@ -12,7 +12,7 @@ void run_command(PanelContext& ctx, const CommandSpec& spec,
   const bool could = spec.reason_against().empty();
   const Outcome outcome = ctx.commands.run(spec.id, words);
   if (outcome.state == Outcome::State::failed) {
-    ctx.state.tell("“" + spec.title + "” did not work", outcome.why);
+    ctx.state.tell("“" + spec.title + "” failed", outcome.why);
   } else if (could && !outcome.done()) {
     ctx.state.notice = outcome.why;
   }

@@ -75,7 +75,7 @@ void line(PanelContext& ctx, const RunningJob& job) {
   if (saves) record(ctx, "view.saving");
   ImGui::SameLine(left + width + ctx.px(8));
   if (button(ctx, cancel_button(job.id), "Cancel")) ctx.calls.jobs.cancel(job.id);
-  if (saves) tooltip(ctx, "Nothing half is left; an existing file stays as it is.");
+  if (saves) tooltip(ctx, "No incomplete file is left. An existing file does not change.");
   std::string step = job.step;
   if (step.empty()) step = number_text(job.seconds, 1) + " s";
   // The share stands beside the bar, because text on the bar's colour is hard to read.

@@ -78,10 +78,9 @@ void draw_status_bar(PanelContext& ctx) {
     ImGui::SameLine(0, ctx.px(16));
   }
   if (!s.picked_text.empty()) {
-    item(
-        ctx, "status.selected", "selected", s.picked_text,
-        "Atoms and simplices that you selected in the picture. Those whose atoms are no balls now, "
-        "or that are not in the complex at this alpha, are kept and come back with them.");
+    item(ctx, "status.selected", "selected", s.picked_text,
+         "Atoms and simplices that are selected in the picture. Those that the present complex "
+         "lacks stay selected and reappear with it.");
   }
   if (under_mouse(ctx)) {
     ImGui::PopFont();

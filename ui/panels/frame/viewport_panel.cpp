@@ -128,7 +128,7 @@ void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size, float top) {
   ImGui::AlignTextToFramePadding();
   const bool cut_away = v.problem == ViewProblem::cut_away;
   const bool all_hidden = v.problem == ViewProblem::all_hidden;
-  ImGui::TextUnformatted(all_hidden ? "All that would be drawn is hidden."
+  ImGui::TextUnformatted(all_hidden ? "All atoms to draw are hidden."
                          : cut_away ? "The clip cuts everything away."
                          : v.problem == ViewProblem::inside_a_ball
                              ? "The camera is inside a ball."
@@ -187,7 +187,7 @@ void empty_state(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ImGui::Dummy({0, ctx.px(6)});
   muted_text(ctx, "Then move alpha: the exact alpha complex is recomputed");
   muted_text(ctx, "and compared with CGAL simplex by simplex.");
-  muted_text(ctx, "F1 shows the mouse and keyboard.");
+  muted_text(ctx, "Press F1 for mouse and keyboard.");
   ImGui::Dummy({0, ctx.px(2)});
   end_overlay();
 }
@@ -197,7 +197,7 @@ bool nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const MoleculeInfo& m = ctx.state.molecule;
   if (!m.loaded || m.balls > 0 || awaited_job(ctx.state.jobs) != nullptr) return false;
   begin_overlay(ctx, "##nothing", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
-  ImGui::TextUnformatted("No atom is left by this selection, so there is nothing to show.");
+  ImGui::TextUnformatted("The selection has no atoms, so there is nothing to show.");
   muted_text(ctx, "Keep more kinds of atoms or chains at the left, or clear the expression.");
   record(ctx, "view.nothing");
   end_overlay();
@@ -208,7 +208,8 @@ bool nothing_left(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 void outdated_note(PanelContext& ctx, ImVec2 corner) {
   if (!ctx.state.viewport.outdated) return;
   const float below = ctx.px(18) + ImGui::GetTextLineHeight();
-  const char* const text = "This is the complex of the settings before; the new one is not ready.";
+  const char* const text =
+      "This complex belongs to the previous settings. The new one is not ready yet.";
   ImGui::SetCursorScreenPos({corner.x + ctx.px(16), corner.y + below});
   draw_rim(ctx, ImGui::GetCursorScreenPos(), text);
   ImGui::TextColored(to_imgui(ctx.palette.warning), "%s", text);

@@ -197,7 +197,7 @@ void draw_buttons(PanelContext& ctx) {
   tooltip(ctx, "Page Up");
   ImGui::SameLine(0, gap);
   if (button(ctx, "lesson.again", "Again", {width, 0})) calls.again();
-  tooltip(ctx, "Sets everything as this step begins, whatever you have changed.");
+  tooltip(ctx, "Restores the beginning of this step and discards your changes.");
   ImGui::SameLine(0, gap);
   const float right = ImGui::GetContentRegionAvail().x;
   if (last) {
@@ -251,7 +251,7 @@ void draw_head(PanelContext& ctx) {
     ctx.commands.run("view.presenter_size");
   }
   tooltip(ctx, ctx.state.window.presenter_size
-                   ? "Ends presenter size."
+                   ? "Switches presenter size off."
                    : "Presenter size: text, controls and lines larger, for a "
                      "projector. Also in the View menu.");
   if (m.open) {
@@ -266,7 +266,7 @@ void draw_head(PanelContext& ctx) {
       m.shown = false;
     }
   }
-  if (m.open) tooltip(ctx, "Ends the lesson and brings back what was open before.");
+  if (m.open) tooltip(ctx, "Closes the lesson and restores the previous molecule.");
 }
 
 void draw_lessons(PanelContext& ctx) {

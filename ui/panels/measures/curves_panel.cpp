@@ -17,9 +17,9 @@
 #include "ui/panels/molecule/begin_anew.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/widgets/controls.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
-#include "ui/widgets/controls.hpp"
 
 namespace alphascope {
 namespace {
@@ -142,9 +142,9 @@ void choices(PanelContext& ctx, CurveMemory& memory) {
   choice(ctx, "curves.quantity", {"Volume", "Area", "Exact", "Lives"}, memory.quantity,
          ctx.px(250));
   tooltip(ctx,
-          "The region of probe centres, as CASTp sums it: SA volume or SA area. Exact: what "
-          "of the cavity's tetrahedra is really outside all grown balls, which takes about "
-          "twenty times as long. Lives: from which alpha to which each cavity is there.");
+          "SA volume and SA area: CASTp's sums for the region of probe centres. Exact: the "
+          "volume of the cavity's tetrahedra outside all grown balls, about twenty times "
+          "slower. Lives: the range of alpha in which each cavity exists.");
   ImGui::SameLine(0, ctx.px(10));
   ImGui::AlignTextToFramePadding();
   if (memory.quantity == CurveMemory::kLives) {
@@ -186,7 +186,7 @@ void table_buttons(PanelContext& ctx, const CurveMemory& memory, bool current) {
     ImGui::SetClipboardText(csv_of(ctx, memory).c_str());
     ctx.state.notice = "Curves copied as CSV.";
   }
-  tooltip(ctx, "Copies the curves as a table with commas between the numbers.");
+  tooltip(ctx, "Copies the curves as CSV.");
   ImGui::SameLine(0, ctx.px(4));
   if (button(ctx, "curves.save", "Save…")) {
     ask_to_save(ctx,
@@ -199,7 +199,7 @@ void table_buttons(PanelContext& ctx, const CurveMemory& memory, bool current) {
                  {figure_to_save(plot_svg(curves_plot(memory, shown_at(ctx, memory.chart_axis)),
                                           ctx.state.molecule.name))}});
   }
-  tooltip(ctx, "The curves as a CSV file, or their plot as an SVG file.");
+  tooltip(ctx, "Saves the curves as a CSV file, or their plot as an SVG file.");
   ImGui::EndDisabled();
 }
 
@@ -234,7 +234,7 @@ std::string waiting_text(const PanelContext& ctx, const CurveMemory& memory, con
   if (curves.state != DerivedState::waiting && !curves.why.empty()) {
     return "There are no curves. " + curves.why;
   }
-  return "Curves appear here when the triangulations that they need are there.";
+  return "The triangulations are still being computed. Curves appear here afterwards.";
 }
 
 struct CurveWork {
@@ -281,8 +281,8 @@ void cancel_button(PanelContext& ctx, const CurveMemory& memory, const Curves& c
 std::string nothing_text(const PanelContext& ctx) {
   return ctx.state.settings.selection.cavities.empty()
              ? "There are no cavities here to plot."
-             : "The chosen cavities are not there at this alpha and solvent radius. Choose others "
-               "on the page Cavities.";
+             : "The selected cavities do not exist at this alpha and solvent radius. Select "
+               "others on the page Cavities.";
 }
 
 void draw_curves(PanelContext& ctx, CurveMemory& memory) {

@@ -83,7 +83,7 @@ std::size_t row_of(const Lives& memory, const CavityPage& page, std::size_t bar)
 
 void legend(PanelContext& ctx, const Lives& memory, std::size_t drawn) {
   const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
-  std::string text = "thin: pocket · thick: void · grey: not there at this alpha";
+  std::string text = "thin: pocket · thick: void · grey: does not exist at this alpha";
   if (drawn < memory.bars.all) {
     text = "the " + number(drawn) + " longest of " + number(memory.bars.all) + " · " + text;
   }
@@ -182,8 +182,7 @@ void table_buttons(PanelContext& ctx, const Lives& memory, const Known& known) {
     ImGui::SetClipboardText(csv().c_str());
     ctx.state.notice = "Lives of cavities copied as CSV.";
   }
-  tooltip(ctx,
-          "Copies the alphas between which each of these cavities is there, the longest first.");
+  tooltip(ctx, "Copies the range of alpha of each of these cavities, the longest first.");
   ImGui::SameLine(0, ctx.px(4));
   if (button(ctx, "curves.save", "Save…")) {
     std::vector<FormatToSave> figure;
@@ -208,11 +207,12 @@ std::string hover_text(const PanelContext& ctx, const Lives& memory, const Known
   const std::size_t row = row_of(memory, *known.page, bar);
   const bool there = row != Lives::kNoRow;
   const auto& sink = known.ground->triangulation->tetrahedra[memory.bars.longest[bar].sink];
-  return (there ? "Cavity " + std::to_string(row + 1) : std::string("Not there at this alpha")) +
+  return (there ? "Cavity " + std::to_string(row + 1)
+                : std::string("Does not exist at this alpha")) +
          "\n" + bar_text(memory.bars.longest[bar]) + "\nDeepest point between " +
          sink_name(*ctx.inputs.atoms, sink) +
-         (there ? "\nClick to choose it."
-                : "\nClick to go to an alpha at which it is there, and choose it.");
+         (there ? "\nClick to select it."
+                : "\nClick to select it and go to an alpha at which it exists.");
 }
 
 void set_alpha_to(PanelContext& ctx, double wanted) {
@@ -260,7 +260,7 @@ std::string waiting_text(const PanelContext& ctx, const Derived<CavityLives>& li
   if (lives.state == DerivedState::no_room || lives.state == DerivedState::failed) {
     return "There are no lives of cavities. " + lives.why;
   }
-  return "Lives of cavities appear here when the triangulation of all balls is there.";
+  return "The triangulation is still being computed. Lives of cavities appear here afterwards.";
 }
 
 }  // namespace

@@ -41,9 +41,9 @@ bool draw_row(PanelContext& ctx, std::size_t row) {
     s.settings.selection.items = atoms;
   }
   record(ctx, ("details.measured." + number).c_str());
-  tooltip(
-      ctx,
-      (measurement_text(molecule, m) + "\nA click selects its atoms; Z looks at them.").c_str());
+  tooltip(ctx, (measurement_text(molecule, m) +
+                "\nClick to select its atoms; press Z to move the view to them.")
+                   .c_str());
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(column("kind").shown_text(cells).c_str());
   ImGui::TableNextColumn();
@@ -52,7 +52,7 @@ bool draw_row(PanelContext& ctx, std::size_t row) {
   number_cell(measured_text(m, cells.of));
   ImGui::TableNextColumn();
   const bool removes = row_button(ctx, ("details.remove." + number).c_str(), "×", 22);
-  tooltip(ctx, "Takes it away.");
+  tooltip(ctx, "Removes it.");
   ImGui::PopID();
   return removes;
 }
@@ -94,8 +94,8 @@ void draw_measured_list(PanelContext& ctx) {
   command_button(ctx, "details.remove_all", "Remove all", "measure.remove_all");
   if (ctx.state.settings.annotations.measurements.empty()) {
     muted_wrapped(ctx,
-                  "Select two atoms (click, then Ctrl+click) and press D: their distance. Of three "
-                  "it is the angle at the second, of four the dihedral angle.");
+                  "Select two atoms (click, then Ctrl+click) and press D to measure their "
+                  "distance. Three atoms give the angle at the second, four the dihedral angle.");
     return record(ctx, "details.nothing_measured");
   }
   table(ctx);

@@ -108,19 +108,18 @@ void totals_line(PanelContext& ctx, const MeasureMemory& memory) {
     ImGui::SameLine(0, ctx.px(16));
   };
   total("measures.area", "area " + measure_text(m.area_angstrom2) + " Å²",
-        "The exact area of the surface of all balls together, with the surfaces of closed voids.");
+        "Exact surface area of the union of all balls, including the surfaces of voids.");
   total("measures.volume", "volume " + measure_text(m.volume_angstrom3) + " Å³",
-        "The exact volume that all balls cover together.");
+        "Exact volume of the union of all balls.");
   const std::uint32_t parts = memory.measured->components.count;
   total("measures.components", number(parts) + (parts == 1 ? " component" : " components"),
-        "Parts of the complex that nothing connects. Balls that overlap are of one part.");
+        "Number of connected components. Overlapping balls belong to one component.");
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, fitted_text(memory.surface, ImGui::GetContentRegionAvail().x));
   record(ctx, "measures.surface");
-  tooltip(
-      ctx,
-      "Alpha and solvent radius decide what is measured: both 0 is the van der Waals surface; "
-      "alpha 0 and the radius of a probe, such as 1.4 Å for water, the solvent-accessible one.");
+  tooltip(ctx,
+          "Alpha and solvent radius choose the surface. Both 0: van der Waals surface. Alpha 0 and "
+          "solvent radius 1.4 Å (water): solvent-accessible surface.");
 }
 
 std::string shown_text(const MeasureMemory& memory) {
@@ -129,7 +128,7 @@ std::string shown_text(const MeasureMemory& memory) {
   if (rows.rows.size() < rows.all) text += " of " + number(rows.all);
   const auto per = std::find(std::begin(kPer), std::end(kPer), rows.query.per) - std::begin(kPer);
   text += std::string(" ") + kPlural[per];
-  if (!memory.chosen.empty()) text += ", " + number(memory.chosen.size()) + " chosen";
+  if (!memory.chosen.empty()) text += ", " + number(memory.chosen.size()) + " selected";
   return text;
 }
 
@@ -157,7 +156,7 @@ void save_button(PanelContext& ctx, const MeasureMemory& memory) {
                       measure_json(memory.query, source, ctx.state.result), ctx.inputs});
   }
   ImGui::EndDisabled();
-  tooltip(ctx, "The rows that are shown, as a CSV or JSON file.");
+  tooltip(ctx, "Saves the listed rows as CSV or JSON.");
 }
 
 void controls_line(PanelContext& ctx, MeasureMemory& memory) {
@@ -172,10 +171,12 @@ void controls_line(PanelContext& ctx, MeasureMemory& memory) {
   ImGui::BeginDisabled(kPer[memory.per] != MeasuredPer::atom);
   checkbox(ctx, "measures.changes", "Changes", memory.changes);
   ImGui::EndDisabled();
-  tooltip(ctx, "How area and volume change when an atom moves or grows. For atoms only.");
+  tooltip(
+      ctx,
+      "Shows how area and volume change when an atom moves or grows. Available for rows of atoms.");
   ImGui::SameLine(0, ctx.px(12));
   if (button(ctx, "measures.copy", "Copy CSV")) memory.copying = true;
-  tooltip(ctx, "The rows that are shown, with all digits and where they come from.");
+  tooltip(ctx, "Copies the listed rows with all digits and their provenance.");
   ImGui::SameLine(0, ctx.px(4));
   save_button(ctx, memory);
   ImGui::SameLine(0, ctx.px(12));
@@ -286,7 +287,7 @@ std::string waiting_text(const PanelContext& ctx, const Derived<MeasuredComplex>
   if (measured.state == DerivedState::no_room || measured.state == DerivedState::failed) {
     return "There are no areas and volumes. " + measured.why;
   }
-  return "Area and volume appear here when the complex is there.";
+  return "The complex is still being computed. Area and volume appear here afterwards.";
 }
 
 void say_why_none(PanelContext& ctx, const Derived<MeasuredComplex>& measured) {

@@ -63,7 +63,7 @@ std::shared_ptr<const Layer> make_appearing(const Inputs& in, const RunContext& 
 
 const Definition<Layer>& appearing() {
   static const Definition<Layer> definition{{.id = "signature.appearing",
-                                             .title = "What appears at this alpha",
+                                             .title = "Simplices that appear at this alpha",
                                              .made_of = {&whole_filtration()},
                                              .key = key_of_balls_and_alpha,
                                              .memory =
@@ -82,7 +82,7 @@ struct SignatureMemory {
 };
 
 void mark_what_appears(PanelContext& ctx, bool& on) {
-  checkbox(ctx, "signature.mark", "Mark what appears", on);
+  checkbox(ctx, "signature.mark", "Mark new simplices", on);
   tooltip(ctx,
           "Marks in the view the simplices whose alpha value is within 0.02 Å² of the present "
           "alpha, at most 20,000 of each dimension.");

@@ -34,10 +34,10 @@ bool can_be_treated(const ResidueGroup& group) {
 
 std::string why_not_treated(const ResidueGroup& group) {
   if (group.why == ResidueReason::virtual_site) {
-    return "Points without matter stay what they are beside the atoms of their residue.";
+    return "Virtual sites keep their kind, whatever kind their residue has.";
   }
-  return "These cannot be named apart from others here. On the command line, --treat takes an "
-         "expression.";
+  return "These residues cannot be told from others by name. Use --treat with an expression on "
+         "the command line.";
 }
 
 void kind_entry(PanelContext& ctx, const ResidueGroup& group, AtomKind kind) {
@@ -57,7 +57,7 @@ void file_entry(PanelContext& ctx, const ResidueGroup& group) {
   }
   record(ctx, "residue.as.file");
   if (!treated) return;
-  std::string help = "Takes back what was said by hand:";
+  std::string help = "Removes the kind that was set by hand:";
   for (const std::string& text : group.treated) help += "\n" + text;
   tooltip(ctx, help.c_str());
 }
@@ -72,7 +72,7 @@ void treat_as(PanelContext& ctx, const ResidueGroup& group, float width) {
   }
   ImGui::SetNextItemWidth(width);
   const bool open = list_field(ctx, name.c_str(), kind_name(group.kind));
-  if (!open) return tooltip(ctx, "Treat as: what these residues are, whatever the file says.");
+  if (!open) return tooltip(ctx, "Sets the kind of these residues, whatever the file says.");
   file_entry(ctx, group);
   ImGui::Separator();
   for (const AtomKind kind :
@@ -95,7 +95,8 @@ void name_cell(PanelContext& ctx, const ResidueGroup& group, float width) {
   if (is_guess(group.why)) ImGui::PopStyleColor();
   record(ctx, ("residue.name." + widget_part(group)).c_str());
   if (selects.empty()) return;
-  tooltip(ctx, (selects + "\nA click selects these atoms; Z looks at them.").c_str());
+  tooltip(ctx,
+          (selects + "\nClick to select these atoms; press Z to move the view to them.").c_str());
   const CommandSpec* const select = ctx.commands.find("select.atoms");
   if (clicked && select != nullptr) run_command(ctx, *select, {selects});
 }
@@ -156,7 +157,7 @@ void draw_residue_rows(PanelContext& ctx, MoleculeMemory& memory) {
   const bool open =
       disclosure(ctx, "molecule.residues", fitted_text("Residues: " + decisions, room),
                  groups->guessed > 0 ? ctx.palette.warning : ctx.palette.text_muted);
-  tooltip(ctx, ("Residues, of the model that is used: " + kinds).c_str());
+  tooltip(ctx, ("Residues of the present model: " + kinds).c_str());
   if (!open) return;
   ImGui::Unindent();  // the list needs the width
   ImGui::PushFont(ctx.fonts.small);

@@ -46,7 +46,7 @@ void kinds(PanelContext& ctx) {
   if (dummies == 0 && !c.dummies) return;
   row_label(ctx, "");
   kind_toggle(ctx, "molecule.dummies", "Dummy atoms", c.dummies, dummies,
-              "Markers that are no real atoms (residue DUM), such as those of membrane planes.");
+              "Markers without matter (residue DUM), such as those of membrane planes.");
 }
 
 void hydrogens_and_altlocs(PanelContext& ctx) {
@@ -183,7 +183,7 @@ constexpr const char* kExpressionHelp =
     "chain A and not resn HEM\n"
     "byres within 5 of resn HEM\n"
     "name CA and (chain A or chain B)\n\n"
-    "The toggles above still apply: to pick waters, keep them.";
+    "The switches above still apply: keep waters to select them.";
 
 // Marks the column of the error at the lower edge of the field.
 void mark_column(PanelContext& ctx, const std::string& text, std::size_t column) {

@@ -159,8 +159,8 @@ void model_rows(PanelContext& ctx) {
   ImGui::SetNextItemWidth(-1);
   speed_drag(ctx);
   tooltip(ctx,
-          "At most so many models per second while playing; each waits for its complex. Drag, or "
-          "Ctrl+click to type.");
+          "Largest number of models per second while playing. Each model waits for its "
+          "complex. Drag, or Ctrl+click to type.");
 }
 
 }  // namespace

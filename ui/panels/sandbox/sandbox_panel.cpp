@@ -32,7 +32,7 @@ void presets(PanelContext& ctx) {
     ImGui::EndCombo();
   }
   record(ctx, "sandbox.preset");
-  tooltip(ctx, "Opens a few balls that show something, ready to be changed.");
+  tooltip(ctx, "Opens an example of a few balls that you can change.");
 }
 
 void begin_row(PanelContext& ctx) {
@@ -51,7 +51,7 @@ void begin_row(PanelContext& ctx) {
   if (!ctx.state.settings.open.sandbox) return;
   ImGui::SameLine(0, ctx.px(16));
   if (button(ctx, "sandbox.save", "Save…")) ctx.commands.run("file.export");
-  tooltip(ctx, "As .svg the flat drawing, as .xyzr the balls, and every other format of exports.");
+  tooltip(ctx, "Saves the flat drawing (.svg), the balls (.xyzr) or any other export format.");
   if (!shows_flat_drawing(ctx.state)) return;
   ImGui::SameLine(0, ctx.px(6));
   if (button(ctx, "sandbox.fit", "Show all")) ctx.state.memory.sandbox.pixels_per_angstrom = 0;
@@ -65,7 +65,9 @@ void edit_row(PanelContext& ctx) {
     ctx.commands.run("sandbox.add", {shortest_number(snapped(middle[0], m.snap_angstrom)),
                                      shortest_number(snapped(middle[1], m.snap_angstrom)), "0"});
   }
-  tooltip(ctx, "In the middle of the drawing. A double-click in the drawing adds one there.");
+  tooltip(
+      ctx,
+      "Adds a ball in the middle of the drawing. A double-click in the drawing adds one there.");
   ImGui::SameLine(0, ctx.px(6));
   ImGui::BeginDisabled(chosen_balls(s).empty());
   if (button(ctx, "sandbox.remove", "Remove")) remove_chosen(s);
@@ -77,13 +79,13 @@ void edit_row(PanelContext& ctx) {
     ctx.commands.run("sandbox.flat", {flat ? "on" : "off"});
   }
   tooltip(ctx,
-          "Brings every centre to z = 0, exactly, and keeps it there: then the complex is one "
-          "of the plane, whose largest simplices are triangles.");
+          "Moves every centre to z = 0 and keeps it there. The largest simplices are then "
+          "triangles.");
   ImGui::SameLine(0, ctx.px(10));
   ImGui::BeginDisabled(!flat);
   checkbox(ctx, "sandbox.drawing", "Flat drawing", m.drawing);
   ImGui::EndDisabled();
-  tooltip(ctx, "Draws circles, power diagram and complex flat, in the place of the 3-D picture.");
+  tooltip(ctx, "Replaces the 3-D picture by a flat drawing of circles, power diagram and complex.");
 }
 
 void drawing_row(PanelContext& ctx) {
@@ -94,8 +96,8 @@ void drawing_row(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(10));
   checkbox(ctx, "sandbox.cells", "Power diagram", m.content.cells);
   tooltip(ctx,
-          "The cell of a ball is where its power distance |x − c|² − r² is the least. It does "
-          "not depend on α.");
+          "The cell of a ball has the points of which it is nearest by power distance |x − c|² "
+          "− r². It does not depend on α.");
   ImGui::SameLine(0, ctx.px(10));
   checkbox(ctx, "sandbox.complex", "Complex", m.content.complex);
   tooltip(ctx,
@@ -108,8 +110,8 @@ void drawing_row(PanelContext& ctx) {
   ImGui::SetNextItemWidth(ctx.px(64));
   number_field(ctx, "sandbox.snap", m.snap_angstrom, kSnapRule);
   tooltip(ctx,
-          "Å: the mouse sets places and radii to multiples of it, so that exact ties can be "
-          "made. 0, or the key Alt: as fine as the lattice.");
+          "Step in Å for positions and radii set with the mouse, which allows exact ties. 0 or "
+          "the key Alt: as fine as the lattice.");
 }
 
 std::string counts_text(const ViewState& s) {
@@ -178,16 +180,16 @@ void draw_sandbox(PanelContext& ctx) {
   ViewState& s = ctx.state;
   if (!s.settings.open.sandbox) {
     muted_wrapped(ctx,
-                  "Set a handful of balls by hand, and see power diagram and complex change: "
-                  "open a preset, or switch “Balls by hand” on for what is open.");
+                  "Move a few balls by hand, and watch power diagram and complex change. Open "
+                  "a preset, or switch “Balls by hand” on.");
     return;
   }
   edit_row(ctx);
   if (s.settings.open.sandbox->flat) drawing_row(ctx);
   if (!shows_flat_drawing(s)) {
     muted_text(ctx,
-               "In the picture: drag a ball to move it, Ctrl+wheel over it to resize it; with Alt "
-               "without steps.");
+               "In the picture: drag a ball to move it; Ctrl+wheel over it resizes it. Hold "
+               "Alt to ignore the step.");
   }
   const std::string counts = counts_text(s);
   if (!counts.empty()) {

@@ -222,9 +222,8 @@ std::uint64_t layer_bytes(const LayerPoints& points) {
 std::string layers_not_drawn_text(const LayerPoints& points, std::optional<std::uint64_t> free) {
   const std::uint64_t bytes = layer_bytes(points);
   if (!free || bytes <= drawing_budget(*free)) return {};
-  return "What is chosen below is not drawn for lack of memory. It takes about " +
-         size_text(bytes) + "; " + budget_text(*free) +
-         ". Choose less of it, or close other programs.";
+  return "The drawings of the page below need too much memory: about " + size_text(bytes) + "; " +
+         budget_text(*free) + ". Select fewer items, or close other programs.";
 }
 
 void require_room(int width, int height, std::optional<std::uint64_t> free_bytes,

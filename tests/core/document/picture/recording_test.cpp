@@ -112,7 +112,7 @@ TEST(Recording, WhatCannotBeIsExplained) {
   }
   for (const char* text :
        {"alpha=x:2:3", "alpha=nan:2:3", "alpha=1:inf:3", "alpha=1:2:", "alpha=:2:3"}) {
-    EXPECT_NE(refusal(read, text).find("is no number"), std::string::npos) << text;
+    EXPECT_NE(refusal(read, text).find("is not a number"), std::string::npos) << text;
   }
   EXPECT_NE(refusal(read, "alpha=1:1e300:3").find("Alpha must be from"), std::string::npos);
   const auto turn = [](const std::string& text) { turntable(text); };

@@ -99,7 +99,7 @@ TEST(Appearance, WhatCannotBeReadIsSaid) {
     }
     return "";
   };
-  EXPECT_EQ(error_of({"chain Z", "", ""}), "no atom is \"chain Z\"");
+  EXPECT_EQ(error_of({"chain Z", "", ""}), "no atom matches \"chain Z\"");
   EXPECT_NE(error_of({"", "chian A", ""}).find("column 1"), std::string::npos);
   for (const char* wrong : {"resn SER", "resn SER=", "resn SER=red", "=#123456", ";"}) {
     EXPECT_NE(error_of({"", "", wrong}), "") << wrong;

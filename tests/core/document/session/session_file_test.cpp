@@ -330,17 +330,17 @@ TEST(SessionFile, WhatIsNoSessionIsToldSo) {
     const std::string told = fault(text);
     EXPECT_NE(told.find(what), std::string::npos) << text.substr(0, 100) << "\n" << told;
   };
-  expect("", "line 1: this is no session");
-  expect("{\n\"a\": NaN }", "line 2: this is no session");
-  expect("{\n\"a\":\n1e999 }", "line 3: this is no session");
-  expect("[1]", "a JSON file, but of something else");
+  expect("", "line 1: this is not a session");
+  expect("{\n\"a\": NaN }", "line 2: this is not a session");
+  expect("{\n\"a\":\n1e999 }", "line 3: this is not a session");
+  expect("[1]", "the JSON file has another content");
   expect("{}", "it has no \"alphascope_session\"");
   expect("{\"alphascope_session\": 2}", "newer version");
-  expect("{\"alphascope_session\": \"1\"}", "no version of a session");
+  expect("{\"alphascope_session\": \"1\"}", "version of a session is unknown");
   expect("{\"alphascope_session\": 1}", "\"molecule\"");
-  expect(std::string(5000000, '['), "stand inside each other");
-  expect("{\"a\":" + std::string(30000, '{'), "stand inside each other");
-  expect("ATOM      1  N   THR A   1", "this is no session");
+  expect(std::string(5000000, '['), "are nested here");
+  expect("{\"a\":" + std::string(30000, '{'), "are nested here");
+  expect("ATOM      1  N   THR A   1", "this is not a session");
 }
 
 TEST(SessionFile, AHugeFileIsRefusedUnread) {
@@ -493,7 +493,7 @@ TEST(SessionFile, AWrongTreatmentIsRefusedWithItsPlace) {
       parse_session("s.json", text);
     } catch (const ReadError& error) {
       EXPECT_EQ(error.line(), line) << error.what();
-      EXPECT_NE(error.remedy().find("take it out"), std::string::npos);
+      EXPECT_NE(error.remedy().find("remove it"), std::string::npos);
       return error.reason();
     }
     return std::string("none");

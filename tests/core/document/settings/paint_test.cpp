@@ -306,11 +306,10 @@ TEST(PaintWords, WhatIsWrongIsNamedWithTheRemedy) {
     EXPECT_EQ(words.paint, Paint()) << text;
     return words.error;
   };
-  EXPECT_EQ(
-      error("green").find("\"green\" is nothing that balls can be coloured by. Write element, "
-                          "chain, "),
-      0u);
-  EXPECT_NE(error("alpha").find("balls can be coloured by"), std::string::npos);
+  EXPECT_EQ(error("green").find("\"green\" is not a colour scheme of balls. Write element, "
+                                "chain, "),
+            0u);
+  EXPECT_NE(error("alpha").find("a colour scheme of balls"), std::string::npos);
   EXPECT_NE(error("b_factor", Painted::simplices).find("simplices can be"), std::string::npos);
   EXPECT_NE(error("").find("Write element"), std::string::npos);
   EXPECT_NE(error("#12345").find("such as #5aa9e6"), std::string::npos);

@@ -1,11 +1,11 @@
 // Finds and tests the device, and runs the pipeline as an executor
-// (core/engines/short_of_memory.hpp).
+// (core/engines/engine_of_executors.hpp).
 #include "gpu/gpu_engine.hpp"
 
 #include <optional>
 #include <utility>
 
-#include "core/engines/short_of_memory.hpp"
+#include "core/engines/engine_of_executors.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/measure/union_measurer.hpp"
 #include "gpu/memory/device_buffer.cuh"
@@ -136,7 +136,7 @@ class GpuExecutor : public Executor {
     }
   }
 
-  std::optional<SharedFaces> find_outside(const AlphaComplex& complex) override {
+  std::optional<SharedFaces> find_outer_faces(const AlphaComplex& complex) override {
     const std::optional<gpu::DeviceComplex> there = on_device(complex);
     if (!there) return std::nullopt;
     try {
@@ -149,10 +149,10 @@ class GpuExecutor : public Executor {
   }
 
   // Frees also the memory for measures and the outside, because the next engine may need it.
-  void rest() override {
+  void release_memory() override {
     measurer_.reset();
     outside_.reset();
-    pipeline_.rest();
+    pipeline_.release_memory();
   }
 
  private:
@@ -168,7 +168,7 @@ class GpuExecutor : public Executor {
   gpu::DualEdgePipeline pipeline_;
   std::uint64_t last_hash_ = 0;  // hash of the pipeline's last result
   std::optional<gpu::UnionMeasurer> measurer_;
-  std::optional<gpu::OutsideFinder> outside_;
+  std::optional<gpu::OuterFaceFinder> outside_;
 };
 
 }  // namespace

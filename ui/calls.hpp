@@ -28,8 +28,8 @@ class FileCalls {
   virtual void save_session(const std::filesystem::path& file) = 0;
   // Opens the session that waits for an answer (ViewState::session_problem). `molecule` replaces
   // the molecule that the session names. An empty path opens the files as they are.
-  virtual void go_on_with_session(const std::filesystem::path& molecule) = 0;
-  virtual void give_session_up() = 0;
+  virtual void continue_session(const std::filesystem::path& molecule) = 0;
+  virtual void abandon_session() = 0;
   virtual void forget_recent() = 0;
   virtual void undo() = 0;
   virtual void redo() = 0;
@@ -80,7 +80,7 @@ class LessonCalls {
   virtual void open(const std::string& lesson) = 0;  // its name or its path
   virtual void next() = 0;
   virtual void back() = 0;
-  virtual void again() = 0;
+  virtual void restart_step() = 0;
   virtual void reveal() = 0;  // shows the answer to the step's question
   virtual void close() = 0;
 };

@@ -5,7 +5,7 @@
 
 namespace alphascope {
 
-ColourLegend legend_of(const PaintKey& key) {
+ColourLegend legend_of(const ColourMeaning& key) {
   ColourLegend legend{key.title, {}, {}};
   for (const PaintCategory& category : key.categories) {
     legend.entries.push_back({to_colour(category.colour), category.name});
@@ -20,8 +20,8 @@ ColourLegend legend_of(const PaintKey& key) {
   return legend;
 }
 
-std::vector<ColourLegend> legends_of(const std::optional<PaintKey>& balls,
-                                     const std::optional<PaintKey>& simplices) {
+std::vector<ColourLegend> legends_of(const std::optional<ColourMeaning>& balls,
+                                     const std::optional<ColourMeaning>& simplices) {
   std::vector<ColourLegend> legends;
   if (balls) legends.push_back(legend_of(*balls));
   if (simplices && simplices != balls) legends.push_back(legend_of(*simplices));

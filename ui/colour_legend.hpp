@@ -26,11 +26,11 @@ struct ColourLegend {
   std::vector<Entry> entries = {};
 };
 
-ColourLegend legend_of(const PaintKey& key);
+ColourLegend legend_of(const ColourMeaning& key);
 
 // Legends of balls and of simplices, in this order. Without a key there is no legend. If both keys
 // are equal there is one legend; otherwise each title begins with "balls: " or "simplices: ".
-std::vector<ColourLegend> legends_of(const std::optional<PaintKey>& balls,
-                                     const std::optional<PaintKey>& simplices);
+std::vector<ColourLegend> legends_of(const std::optional<ColourMeaning>& balls,
+                                     const std::optional<ColourMeaning>& simplices);
 
 }  // namespace alphascope

@@ -9,8 +9,8 @@ struct NoFileCalls : FileCalls {
   void open(const std::filesystem::path&) override {}
   void open_session(const std::filesystem::path&) override {}
   void save_session(const std::filesystem::path&) override {}
-  void go_on_with_session(const std::filesystem::path&) override {}
-  void give_session_up() override {}
+  void continue_session(const std::filesystem::path&) override {}
+  void abandon_session() override {}
   void forget_recent() override {}
   void undo() override {}
   void redo() override {}
@@ -47,7 +47,7 @@ struct NoLessonCalls : LessonCalls {
   void open(const std::string&) override {}
   void next() override {}
   void back() override {}
-  void again() override {}
+  void restart_step() override {}
   void reveal() override {}
   void close() override {}
 };

@@ -43,7 +43,7 @@ struct Tick {
 
 // Ticks at multiples of `step`.
 std::vector<Tick> ticks_at(const ColourLegend& legend, double step, float width,
-                           const MarkType& type) {
+                           const MarkFont& type) {
   constexpr int kDecimals = 9;  // for multiples of a step with one digit
   std::vector<Tick> ticks;
   const double low = legend.stops.front().value, high = legend.stops.back().value;
@@ -60,7 +60,7 @@ std::vector<Tick> ticks_at(const ColourLegend& legend, double step, float width,
 
 // Ticks at as many round numbers as fit without touching. If fewer than two fit, ticks are at the
 // ends of the range.
-std::vector<Tick> ticks_of(const ColourLegend& legend, float width, const MarkType& type) {
+std::vector<Tick> ticks_of(const ColourLegend& legend, float width, const MarkFont& type) {
   const double low = legend.stops.front().value, high = legend.stops.back().value;
   constexpr int kMost = 9;
   for (int most = kMost; most >= 1 && high > low; --most) {
@@ -79,7 +79,7 @@ std::vector<Tick> ticks_of(const ColourLegend& legend, float width, const MarkTy
 }
 
 // Returns the top of the bar whose numbers end at `bottom`.
-float lay_out_bar(const ColourLegend& legend, float bottom, const MarkType& type,
+float lay_out_bar(const ColourLegend& legend, float bottom, const MarkFont& type,
                   LegendLayout& layout) {
   const float u = type.unit, left = kMargin * u;
   const float top = bottom - (kTickGap + kBarHeight) * u - type.line_height;
@@ -96,7 +96,7 @@ float lay_out_bar(const ColourLegend& legend, float bottom, const MarkType& type
 
 // Places patches and names in rows from (0, 0). Returns false if these are more than kMostRows.
 bool lay_out_rows(const std::vector<ColourLegend::Entry>& entries, std::size_t shown, float width,
-                  const MarkType& type, LegendLayout& rows) {
+                  const MarkFont& type, LegendLayout& rows) {
   const float u = type.unit, patch = kPatch * u, line = type.line_height + kRowGap * u;
   float x = 0, y = 0;
   const auto place = [&](const std::string& text, float before) {
@@ -119,7 +119,7 @@ bool lay_out_rows(const std::vector<ColourLegend::Entry>& entries, std::size_t s
 }
 
 // Returns the top of the rows that end at `bottom`.
-float lay_out_entries(const ColourLegend& legend, float bottom, float width, const MarkType& type,
+float lay_out_entries(const ColourLegend& legend, float bottom, float width, const MarkFont& type,
                       LegendLayout& layout) {
   const float u = type.unit;
   const float room = std::min(kEntriesWidth * u, width / 2 - kMargin * u);
@@ -171,7 +171,7 @@ std::optional<MarkBox> free_place(const MarkBox& box, const std::vector<MarkBox>
 }  // namespace
 
 std::optional<LegendLayout> lay_out_legend(const ColourLegend& legend, float width, float height,
-                                           const MarkType& type) {
+                                           const MarkFont& type) {
   const float u = type.unit, bottom = height - (kMargin - kTickGap) * u;
   const bool quantity = legend.stops.size() >= 2;
   if ((!quantity && legend.entries.empty()) || !fits(kLegendRoom, width, height, u)) {
@@ -193,7 +193,7 @@ std::optional<LegendLayout> lay_out_legend(const ColourLegend& legend, float wid
 }
 
 std::vector<LegendLayout> lay_out_legends(const std::vector<ColourLegend>& legends, float width,
-                                          float height, const MarkType& type) {
+                                          float height, const MarkFont& type) {
   std::vector<LegendLayout> layouts;
   for (auto legend = legends.rbegin(); legend != legends.rend(); ++legend) {
     auto layout = lay_out_legend(*legend, width, height, type);
@@ -206,7 +206,7 @@ std::vector<LegendLayout> lay_out_legends(const std::vector<ColourLegend>& legen
 }
 
 LabelLayout lay_out_labels(const std::vector<PictureLabel>& labels, float width, float height,
-                           const MarkType& type) {
+                           const MarkFont& type) {
   LabelLayout layout;
   std::vector<MarkBox> taken;
   const float rim = kMarkOutline * type.unit;
@@ -234,7 +234,7 @@ std::string left_out_text(std::size_t labels) {
 }
 
 std::optional<ScaleBarLayout> lay_out_scale_bar(double angstrom_per_pixel, float width,
-                                                float height, const MarkType& type) {
+                                                float height, const MarkFont& type) {
   const float u = type.unit;
   if (!(angstrom_per_pixel > 0) || !fits(kScaleBarRoom, width, height, u)) return std::nullopt;
   const double longest = angstrom_per_pixel * kLongestLength * u;
@@ -256,7 +256,7 @@ std::optional<ScaleBarLayout> lay_out_scale_bar(double angstrom_per_pixel, float
 }
 
 std::optional<CaptionLayout> lay_out_caption(const std::vector<std::string>& words, float width,
-                                             float height, const MarkType& type) {
+                                             float height, const MarkFont& type) {
   const float u = type.unit, room = width - 2 * kMargin * u;
   if (words.empty() || !fits(kCaptionRoom, width, height, u)) return std::nullopt;
   std::vector<std::string> lines;

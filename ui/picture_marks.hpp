@@ -22,7 +22,7 @@ struct MarkText {
   std::string text;
 };
 
-struct MarkType {
+struct MarkFont {
   float unit = 1;          // pixels of the picture for each pixel at scale 1
   float line_height = 14;  // pixels
   TextWidth text_width;
@@ -45,10 +45,10 @@ struct LegendLayout {
 // None if the picture is smaller than kLegendRoom, or if there are no colours.
 inline constexpr float kLegendRoom[2] = {420, 90};  // width and height at scale 1
 std::optional<LegendLayout> lay_out_legend(const ColourLegend& legend, float width, float height,
-                                           const MarkType& type);
+                                           const MarkFont& type);
 // Legends above one another, the last one lowest. Legends without room are left out.
 std::vector<LegendLayout> lay_out_legends(const std::vector<ColourLegend>& legends, float width,
-                                          float height, const MarkType& type);
+                                          float height, const MarkFont& type);
 
 // Text around a point of the picture.
 struct PictureLabel {
@@ -63,7 +63,7 @@ struct LabelLayout {
   std::size_t left_out = 0;
 };
 LabelLayout lay_out_labels(const std::vector<PictureLabel>& labels, float width, float height,
-                           const MarkType& type);
+                           const MarkFont& type);
 // "3 labels have no room here: zoom in"; empty for 0.
 std::string left_out_text(std::size_t labels);
 // Pixels at scale 1 by which marks have an outline in the background's colour.
@@ -78,7 +78,7 @@ struct ScaleBarLayout {
 // None if the picture is smaller than kScaleBarRoom, or if `angstrom_per_pixel` is not positive.
 inline constexpr float kScaleBarRoom[2] = {180, 60};
 std::optional<ScaleBarLayout> lay_out_scale_bar(double angstrom_per_pixel, float width,
-                                                float height, const MarkType& type);
+                                                float height, const MarkFont& type);
 
 // A caption at the top left: words (ui/caption.hpp), as many on a line as fit. Words longer than a
 // line are shortened in their middle.
@@ -89,6 +89,6 @@ struct CaptionLayout {
 // lines would take more than half of its height.
 inline constexpr float kCaptionRoom[2] = {180, 60};
 std::optional<CaptionLayout> lay_out_caption(const std::vector<std::string>& words, float width,
-                                             float height, const MarkType& type);
+                                             float height, const MarkFont& type);
 
 }  // namespace alphascope

@@ -99,7 +99,7 @@ class Contest {
     AlphaRequest at = rules_.request;
     Clock::time_point start = Clock::now();
     const MadeEngine made = factory_(c.choice, rules_.balls, c.settings);
-    KnownOfBalls known;
+    KnownResults known;
     const auto complex = std::make_shared<AlphaComplex>(made.engine->compute(at, known, quiet));
     const double cold = milliseconds_since(start);
     const std::size_t tetrahedra = complex->tetrahedra.size();

@@ -95,7 +95,7 @@ Outputs::Outputs(const std::vector<fs::path>& inputs) {
   }
   // For example ">> FILE": the summary would be appended to the input.
   for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
-    if (const auto input = read_behind(descriptor)) {
+    if (const auto input = input_replaced_by(descriptor)) {
       throw UsageError(std::string("Standard ") +
                        (descriptor == STDOUT_FILENO ? "output" : "error") + " goes to " + *input +
                        ", which is read. Send it elsewhere.");

@@ -27,7 +27,7 @@ Json input_json(const Input& input, const Lattice& computed_on) {
   return alphascope::input_json(source_of(input).on(computed_on));
 }
 
-Json written(Json json) {
+Json json_to_write(Json json) {
   if (!times_wanted()) leave_out_run(json);
   return json;
 }

@@ -20,7 +20,7 @@ Json input_json(const Input& input, const Lattice& computed_on);
 Json comparison_json(const Comparison& comparison);
 
 // The JSON to be written. The option --no-times removes all that depends on time and threads.
-Json written(Json json);
+Json json_to_write(Json json);
 
 // The header with all notes of reader and engine.
 ComplexHeader complex_header(const Input& input, const EngineAnswer& answer);

@@ -48,7 +48,7 @@ void CsvResults::flush() {
 
 void JsonResults::add(Json result) {
   if (!wanted()) return;
-  result = written(std::move(result));
+  result = json_to_write(std::move(result));
   if (list_.empty()) {
     one_ = std::move(result);
     return;

@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "app/session/rounding_note.hpp"
-#include "core/engines/known.hpp"
+#include "core/engines/answers_from_known.hpp"
 
 namespace alphascope {
 
 EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSet>& balls,
-                                              const Request& request, const OfAllBalls& of_all) {
+                                              const Request& request,
+                                              const ResultsForAllAlphas& of_all) {
   const auto fits = [&](const Entry& entry) {
     return entry.base == balls && same_setup(entry.request, request);
   };
@@ -51,17 +52,17 @@ std::optional<MeasuredUnion> EngineCache::measure_on_device(const EngineAnswer& 
                                        *threads_of(answer.request), context);
 }
 
-void EngineCache::find_outside_on_device(EngineAnswer& answer) {
+void EngineCache::find_outer_faces_on_device(EngineAnswer& answer) {
   if (entries_.empty() || entries_.front().grown != answer.balls) return;
   const auto begun = std::chrono::steady_clock::now();
-  answer.complex.outside = entries_.front().made.engine->find_outside(answer.complex);
+  answer.complex.outside = entries_.front().made.engine->find_outer_faces(answer.complex);
   if (!answer.complex.outside) return;
-  answer.outside_milliseconds =
+  answer.outer_faces_milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
 }
 
-void EngineCache::rest() {
-  for (Entry& entry : entries_) entry.made.engine->rest();
+void EngineCache::release_memory() {
+  for (Entry& entry : entries_) entry.made.engine->release_memory();
 }
 
 MeasuredUnion EngineCache::measure(const EngineAnswer& answer, const RunContext& context,
@@ -81,10 +82,11 @@ std::uint64_t EngineCache::kept_bytes() const {
 
 // A cancelled engine's results for all balls serve the next request.
 AlphaComplex EngineCache::complex_of(Entry& entry, const Request& request,
-                                     const RunContext& context, const OfAllBalls& of_all) {
-  OfAllBalls owned{entry.grown, entry.taken_triangulation.lock(), entry.taken_filtration.lock()};
+                                     const RunContext& context, const ResultsForAllAlphas& of_all) {
+  ResultsForAllAlphas owned{entry.grown, entry.taken_triangulation.lock(),
+                            entry.taken_filtration.lock()};
   if (of_all.balls == entry.grown) owned.add(of_all);
-  KnownOfBalls& known = entry.known;
+  KnownResults& known = entry.known;
   known.balls = entry.grown;
   known.add(owned);
   try {
@@ -101,7 +103,7 @@ AlphaComplex EngineCache::complex_of(Entry& entry, const Request& request,
 // After a cancelled request that had finished its set-up, the first answer has no set-up stages. It
 // is not cold.
 EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const RunContext& context,
-                                 const OfAllBalls& of_all) {
+                                 const ResultsForAllAlphas& of_all) {
   AlphaComplex complex = complex_of(entry, request, context, of_all);
   const auto& stages = complex.timings.stages;
   const bool set_up =
@@ -115,21 +117,21 @@ EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const Run
 
 EngineAnswer EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
                                   const Request& request, const RunContext& context,
-                                  const OfAllBalls& of_all) {
+                                  const ResultsForAllAlphas& of_all) {
   context.cancel.throw_if_cancelled();
   Entry& entry = find_or_make(balls, request, of_all);
   // Other engines free the memory for their next results, which is large on a GPU.
   for (Entry& other : entries_) {
-    if (&other != &entry) other.made.engine->rest();
+    if (&other != &entry) other.made.engine->release_memory();
   }
   return answer(entry, request, context, of_all);
 }
 
-OfAllBalls EngineCache::take_made() {
+ResultsForAllAlphas EngineCache::take_made() {
   if (entries_.empty()) return {};
   Entry& entry = entries_.front();
-  OfAllBalls made{entry.grown, std::exchange(entry.known.triangulation, nullptr),
-                  std::exchange(entry.known.filtration, nullptr)};
+  ResultsForAllAlphas made{entry.grown, std::exchange(entry.known.triangulation, nullptr),
+                           std::exchange(entry.known.filtration, nullptr)};
   if (made.triangulation) entry.taken_triangulation = made.triangulation;
   if (made.filtration) entry.taken_filtration = made.filtration;
   return made;

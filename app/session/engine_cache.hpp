@@ -22,13 +22,13 @@ class EngineCache {
 
   // `balls` come without solvent radius. `of_all`: results of an earlier answer for all balls,
   // which another owner has. Results for other balls are ignored. The engine itself handles a
-  // failing GPU (core/engines/short_of_memory.hpp). Throws as make_engine(), with_solvent() and
+  // failing GPU (core/engines/engine_of_executors.hpp). Throws as make_engine(), with_solvent() and
   // Engine::compute() do.
   EngineAnswer compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
-                       const RunContext& context, const OfAllBalls& of_all = {});
+                       const RunContext& context, const ResultsForAllAlphas& of_all = {});
   // Hands over the results for all balls of the last answer's engine. The next answers use them
   // while the new owner keeps them.
-  OfAllBalls take_made();
+  ResultsForAllAlphas take_made();
   // Call when the last answer is shared: complexes of smaller alphas may be thresholds of it.
   void share(const std::shared_ptr<const EngineAnswer>& answer);
 
@@ -38,13 +38,13 @@ class EngineCache {
                                                  const RunContext& context);
   // Lets the engine's device find the outer faces of the last answer's complex. Stores them in the
   // complex, and the time in `answer`. No effect without a device, or if it fails.
-  void find_outside_on_device(EngineAnswer& answer);
+  void find_outer_faces_on_device(EngineAnswer& answer);
   // Measures by the device, or on the CPU if there is none. Derivatives need the CPU.
   MeasuredUnion measure(const EngineAnswer& answer, const RunContext& context,
                         UnionDerivatives* derivatives = nullptr);
 
   // Call before idle time: engines free the memory that they keep for their next results alone.
-  void rest();
+  void release_memory();
   void clear() { entries_.clear(); }
   std::uint64_t kept_bytes() const;  // bytes kept for later answers
 
@@ -57,17 +57,17 @@ class EngineCache {
     Request request;  // the first request; requests with the same set-up share the entry
     MadeEngine made;
     bool answered = false;    // `made` has answered a request
-    KnownOfBalls known = {};  // results without those of other owners
+    KnownResults known = {};  // results without those of other owners
     std::weak_ptr<const Triangulation> taken_triangulation = {};
     std::weak_ptr<const Filtration> taken_filtration = {};
   };
 
   AlphaComplex complex_of(Entry& entry, const Request& request, const RunContext& context,
-                          const OfAllBalls& of_all);
+                          const ResultsForAllAlphas& of_all);
   EngineAnswer answer(Entry& entry, const Request& request, const RunContext& context,
-                      const OfAllBalls& of_all);
+                      const ResultsForAllAlphas& of_all);
   Entry& find_or_make(const std::shared_ptr<const BallSet>& balls, const Request& request,
-                      const OfAllBalls& of_all);
+                      const ResultsForAllAlphas& of_all);
 
   EngineSettings engine_settings(const Request& request) const;
   std::shared_ptr<WorkThreads> threads_of(const Request& request) const;

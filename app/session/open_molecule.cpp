@@ -39,7 +39,7 @@ void expand(OpenedMolecule& opened, const OpenOptions& options, const RunContext
   TreatedAtoms atoms;
   if (!options.sandbox && !options.balls.treated.empty()) {
     auto treated = std::make_shared<Molecule>(*opened.molecule);
-    atoms = treat(*treated, options.balls.treated);
+    atoms = apply_treatments(*treated, options.balls.treated);
     opened.molecule = std::move(treated);
   }
   opened.treated = std::make_shared<const TreatedAtoms>(std::move(atoms));

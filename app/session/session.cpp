@@ -4,8 +4,8 @@
 #include <thread>
 #include <utility>
 
-#include "core/engines/known.hpp"
-#include "core/run/freed_elsewhere.hpp"
+#include "core/engines/answers_from_known.hpp"
+#include "core/run/freed_on_other_thread.hpp"
 
 namespace alphascope {
 
@@ -150,7 +150,7 @@ void Session::opening_failed() {
   }
 }
 
-void Session::set_request(const Request& request, const OfAllBalls& of_all) {
+void Session::set_request(const Request& request, const ResultsForAllAlphas& of_all) {
   if (request == state_.request && (state_.up_to_date() || computer_.activity().busy)) return;
   if (!same_setup(request, state_.request)) state_.our_timings = {};
   if (request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {
@@ -162,7 +162,7 @@ void Session::set_request(const Request& request, const OfAllBalls& of_all) {
   if (state_.prepared) submit_compute(Engines::kept, of_all);
 }
 
-void Session::let_finish(bool dragging) {
+void Session::set_dragging(bool dragging) {
   computer_.set_grace(dragging ? kAlways : kSliderGrace);
 }
 
@@ -173,11 +173,11 @@ void Session::compute_anew() {
   submit_compute(Engines::anew);
 }
 
-void Session::submit_compute(Engines which, const OfAllBalls& of_all) {
+void Session::submit_compute(Engines which, const ResultsForAllAlphas& of_all) {
   computer_.submit(
       [this, which, of_all, request = state_.request, molecule = state_.molecule,
        prepared = state_.prepared, engines = engines_, measuring = measuring_,
-       finding_outside = finding_outside_](const RunContext& context) {
+       finding_outside = finding_outer_faces_](const RunContext& context) {
         if (which == Engines::anew) engines->clear();
         EngineAnswer found = engines->compute(prepared->balls, request, context, of_all);
         if (measuring && !request.tetrahedra_only) {
@@ -185,11 +185,11 @@ void Session::submit_compute(Engines which, const OfAllBalls& of_all) {
             found.measures = std::make_shared<const MeasuredUnion>(*std::move(measured));
           }
         }
-        if (finding_outside) engines->find_outside_on_device(found);
-        const auto made = std::make_shared<OfAllBalls>(engines->take_made());
+        if (finding_outside) engines->find_outer_faces_on_device(found);
+        const auto made = std::make_shared<ResultsForAllAlphas>(engines->take_made());
         const std::uint64_t kept = engines->kept_bytes();
         const std::shared_ptr<const Answer> answer =
-            freed_elsewhere(Answer{std::move(found), molecule, prepared, made, kept});
+            freed_on_other_thread(Answer{std::move(found), molecule, prepared, made, kept});
         engines->share(answer);
         return [this, answer] { take_answer(answer); };
       },
@@ -326,8 +326,8 @@ SessionChanges Session::poll() {
   return std::exchange(changes_, {});
 }
 
-void Session::let_engines_rest() {
-  computer_.when_idle([engines = engines_] { engines->rest(); });
+void Session::release_engine_memory() {
+  computer_.when_idle([engines = engines_] { engines->release_memory(); });
 }
 
 std::uint64_t Session::held_bytes() const {

@@ -100,19 +100,19 @@ class Session {
   // The latest request wins. No effect if `request` is the present one and is answered or being
   // computed. `of_all`: the store's results for all balls, for engines on the CPU; results for
   // other balls are ignored. The comparison with CGAL does not use them.
-  void set_request(const Request& request, const OfAllBalls& of_all = {});
+  void set_request(const Request& request, const ResultsForAllAlphas& of_all = {});
   // Whether answers come with areas and volumes (EngineAnswer::measures), if the engine's device
   // keeps the complex.
   void set_measuring(bool measuring) { measuring_ = measuring; }
   // Whether answers come with the outer faces of their tetrahedra (AlphaComplex::outside).
-  void set_finding_outside(bool finding) { finding_outside_ = finding; }
+  void set_finding_outer_faces(bool finding) { finding_outer_faces_ = finding; }
   // Call when memory gets short. If nothing is being computed, engines free the memory that they
   // keep for their next results alone.
-  void let_engines_rest();
+  void release_engine_memory();
   void cancel_computing() { computer_.cancel(); }
   // While a slider is dragged, a running computation finishes although a newer request waits.
   // Otherwise slow computations would never show a result. At rest it soon gives way.
-  void let_finish(bool dragging);
+  void set_dragging(bool dragging);
 
   // Computes the present request once more with its set-up, as after opening the molecule. CGAL
   // does the same at its next comparison. This gives cold times of engines that were kept.
@@ -142,7 +142,7 @@ class Session {
   void submit_reopen();
   void opening_failed();
   enum class Engines { kept, anew };
-  void submit_compute(Engines which = Engines::kept, const OfAllBalls& of_all = {});
+  void submit_compute(Engines which = Engines::kept, const ResultsForAllAlphas& of_all = {});
   Request reference_request(int threads) const;
   void submit_comparison();
   void submit_parallel_timing();
@@ -161,7 +161,7 @@ class Session {
   SessionChanges changes_;
   std::filesystem::path opening_path_;  // empty: no file is being opened
   std::optional<Asked> asked_;          // for opening_path_; none: the options and request in force
-  bool measuring_ = false, finding_outside_ = false;
+  bool measuring_ = false, finding_outer_faces_ = false;
   bool comparison_wanted_ = false;
   bool reference_anew_ = false;   // the next comparison needs a new engine
   bool timing_parallel_ = false;  // the comparer times parallel CGAL

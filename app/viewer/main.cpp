@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "app/options/exit_code.hpp"
-#include "app/session/orderly_end.hpp"
+#include "app/session/clean_exit.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/script/script.hpp"
@@ -190,7 +190,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  alphascope::prepare_orderly_end("alphascope", status_of(ExitCode::computing_failed));
+  alphascope::prepare_clean_exit("alphascope", status_of(ExitCode::computing_failed));
   alphascope::end_on_signals({SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU});
   try {
     return run(argc, argv);

@@ -9,7 +9,7 @@
 #include "app/viewer/commands/commands.hpp"
 #include "app/viewer/mouse/gestures.hpp"
 #include "app/viewer/resources.hpp"
-#include "app/viewer/state_bridge.hpp"
+#include "app/viewer/session_text.hpp"
 #include "core/document/settings/display_preset.hpp"
 
 namespace alphascope {
@@ -85,7 +85,7 @@ bool Viewer::busy() const {
   return working() || benchmark_.busy() || store_.busy();
 }
 
-bool Viewer::all_but_saving() const {
+bool Viewer::working_except_saving() const {
   const SessionActivity a = session_.activity();
   return !sender_.options_are_sent() || a.opening.busy || a.computing.busy || a.comparing.busy ||
          a.timing.busy || !state_.gpu || scene_.busy() || folder_reader_.busy() ||

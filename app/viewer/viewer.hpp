@@ -60,7 +60,7 @@ class Viewer {
   // True while a molecule, a complex, a comparison or a mesh is being made.
   bool busy() const;
   // Draws pictures in the background with software OpenGL too, as with a GPU.
-  void draw_meanwhile() { scene_.draw_meanwhile(); }
+  void render_asynchronously() { scene_.render_asynchronously(); }
   // From now on panels are drawn only in the frames of shoot().
   void draw_shots_only() { draw_shots_only_ = true; }
   // Draws the scene at the finest quality, then the window, into a PNG file.
@@ -95,8 +95,8 @@ class Viewer {
   void guarded(const std::function<void()>& what);
   float line_scale() const { return preferences_.line_scale(frame_.scale()); }
   // As busy(), without the benchmark. Frames drawn during a benchmark would be in its times.
-  bool working() const { return all_but_saving() || saving_.busy(); }
-  bool all_but_saving() const;  // working(), without files being saved
+  bool working() const { return working_except_saving() || saving_.busy(); }
+  bool working_except_saving() const;  // working(), without files being saved
   void take_results();
   void take_machine();
   void take_session();  // moves results and failures of the session into the state

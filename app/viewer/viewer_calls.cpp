@@ -38,11 +38,11 @@ class Viewer::Queued {
         v.opening_.save(file);
       });
     }
-    void go_on_with_session(const std::filesystem::path& molecule) override {
-      queue.put("go_on_with_session", [this, molecule] { v.opening_.go_on(molecule); });
+    void continue_session(const std::filesystem::path& molecule) override {
+      queue.put("continue_session", [this, molecule] { v.opening_.go_on(molecule); });
     }
-    void give_session_up() override {
-      queue.put("give_session_up", [this] { v.opening_.forget_waiting_session(); });
+    void abandon_session() override {
+      queue.put("abandon_session", [this] { v.opening_.forget_waiting_session(); });
     }
     void forget_recent() override {
       queue.put("forget_recent", [this] { v.preferences_.forget_recent(); });
@@ -132,10 +132,10 @@ class Viewer::Queued {
     }
     void run_benchmark() override {
       queue.put("run_benchmark",
-                [this] { v.benchmark_.start(v.session_.state(), v.state_.benchmark_controls); });
+                [this] { v.benchmark_.start(v.session_.state(), v.state_.benchmark_settings); });
     }
     void export_benchmark() override {
-      queue.put("export_benchmark", [this] { v.benchmark_.save(v.state_.benchmark_controls); });
+      queue.put("export_benchmark", [this] { v.benchmark_.save(v.state_.benchmark_settings); });
     }
     void cancel(JobId job) override {
       queue.put(kCancel[static_cast<std::size_t>(job)], [this, job] { v.jobs_.cancel(job); });
@@ -168,8 +168,8 @@ class Viewer::Queued {
     void back() override {
       queue.put("lesson_back", [this] { v.lessons_.player().back(); });
     }
-    void again() override {
-      queue.put("lesson_again", [this] { v.lessons_.player().again(); });
+    void restart_step() override {
+      queue.put("lesson_again", [this] { v.lessons_.player().restart_step(); });
     }
     void reveal() override {
       queue.put("lesson_reveal", [this] { v.lessons_.player().reveal(); });

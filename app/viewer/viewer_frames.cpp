@@ -27,7 +27,7 @@ void Viewer::act() {
   }
   run_calls();
   lessons_.player().step();
-  saving_.go_on_recording(!all_but_saving() && !store_.busy());
+  saving_.go_on_recording(!working_except_saving() && !store_.busy());
   playing_.step(sender_.settled() && sender_.options_are_sent());
   send_controls();
   preferences_.note();
@@ -48,11 +48,11 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   status_.update_background();
   if (preferences_.follow_scale()) due_.ask();
   guarded([this] { pointing_.describe_under_mouse(); });
-  if (!frame_.begin(state_.window.theme, input)) return inputs_.want_of_all_balls();
-  session_.let_finish(interacting(state_));
+  if (!frame_.begin(state_.window.theme, input)) return inputs_.want_results_for_all_alphas();
+  session_.set_dragging(interacting(state_));
   session_.set_measuring(state_.measures_wanted ||
                          is_exposure(state_.settings.display.ball_paint.by));
-  session_.set_finding_outside(scene_.draws_outside());
+  session_.set_finding_outer_faces(scene_.draws_outer_faces());
   history_.begin_frame();
   store_.next_frame();
   guarded([&] {
@@ -65,7 +65,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   const Calls calls = this->calls();
   const WindowParts parts{state_, rects_, commands_, store_, inputs_.now(), calls, panels_};
   draw_window(parts, frame_.fonts(), frame_.scale());
-  guarded([this] { inputs_.want_of_all_balls(); });
+  guarded([this] { inputs_.want_results_for_all_alphas(); });
   guarded([this] { move_view(); });
   guarded([this] { act(); });
   guarded([this] {

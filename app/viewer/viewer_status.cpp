@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/viewer/state_bridge.hpp"
+#include "app/viewer/session_text.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/text/printable.hpp"
@@ -27,11 +27,11 @@ void Viewer::guarded(const std::function<void()>& what) {
     what();
     return;
   } catch (const std::bad_alloc&) {
-    state_.tell("There is not enough memory",
-                "The last action failed. Use a smaller alpha, compute tetrahedra only, keep "
-                "fewer atoms, or close other programs.");
+    state_.show_error("There is not enough memory",
+                      "The last action failed. Use a smaller alpha, compute tetrahedra only, keep "
+                      "fewer atoms, or close other programs.");
   } catch (const std::exception& error) {
-    state_.tell("The last action failed", error.what());
+    state_.show_error("The last action failed", error.what());
   }
   due_.count = kFramesForNews;
 }
@@ -45,16 +45,16 @@ void Viewer::take_error(bool only_the_model_changed) {
   switch (s.error_source) {
     case Source::opening:
       opening_.forget_failed();
-      state_.tell("The file cannot be opened",
-                  s.last_error + opening_.not_opened_either() +
-                      still(state_, "The previous molecule is still open."));
+      state_.show_error("The file cannot be opened",
+                        s.last_error + opening_.not_opened_either() +
+                            still(state_, "The previous molecule is still open."));
       break;
     case Source::changing:
       if (only_the_model_changed) {
         state_.notice = s.last_error;
       } else {
-        state_.tell("The selection cannot be changed",
-                    s.last_error + still(state_, "The previous selection is still in use."));
+        state_.show_error("The selection cannot be changed",
+                          s.last_error + still(state_, "The previous selection is still in use."));
       }
       break;
     case Source::none:

@@ -21,7 +21,7 @@ inline UnionFind joined_balls(const CavityGround& ground, const Membership& in,
 }
 
 // The number of these sets to which the atoms of a cavity belong.
-inline std::uint32_t bodies_of(const Cavity& cavity, UnionFind& sets) {
+inline std::uint32_t count_bodies(const Cavity& cavity, UnionFind& sets) {
   std::vector<std::uint32_t> roots;  // hardly ever more than two
   for (const BallIndex v : cavity.atoms) {
     const std::uint32_t root = sets.root(v);

@@ -131,7 +131,7 @@ class CavityFinder {
     }
     for (Cavity& cavity : result_.cavities) {
       result_.voids += cavity.is_void();
-      cavity.bodies = bodies_of(cavity, sets);
+      cavity.bodies = count_bodies(cavity, sets);
     }
     const auto& n = result_.simplices;
     const auto euler = static_cast<long long>(n[0] + n[2]) - static_cast<long long>(n[1] + n[3]);

@@ -55,16 +55,17 @@ std::vector<CavityMeasures> measure_cavities(const CavityGround& ground,
 
 // Volume and area exactly outside all balls, within the tetrahedra of a cavity. Takes about 20
 // microseconds per tetrahedron.
-struct ClippedMeasures {
+struct ExactCavityMeasures {
   double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
 };
 
 // Measures cavities.cavities[n] for each n of `which`, in that order. Otherwise as
 // measure_cavities().
-std::vector<ClippedMeasures> clip_cavities(const CavityGround& ground, const Cavities& cavities,
-                                           std::span<const std::uint32_t> which,
-                                           const LatticeAlpha& alpha_on_lattice,
-                                           const RunContext& context = {});
+std::vector<ExactCavityMeasures> measure_cavities_exactly(const CavityGround& ground,
+                                                          const Cavities& cavities,
+                                                          std::span<const std::uint32_t> which,
+                                                          const LatticeAlpha& alpha_on_lattice,
+                                                          const RunContext& context = {});
 
 // Indices of cavities by falling SA volume, as CASTp numbers them. Equal ones are ordered by the
 // centres of their deepest sinks.

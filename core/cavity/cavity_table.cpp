@@ -30,9 +30,10 @@ double CavityTable::area_sa_angstrom2(bool of_voids) const {
   return sum_over(*this, of_voids, [](const CavityMeasures& m) { return m.area_sa_angstrom2; });
 }
 
-std::vector<ClippedMeasures> clip_all(const CavityTable& table, const RunContext& context) {
+std::vector<ExactCavityMeasures> measure_all_exactly(const CavityTable& table,
+                                                     const RunContext& context) {
   const std::vector<Cavity>& cavities = table.found.cavities;
-  std::vector<ClippedMeasures> all;
+  std::vector<ExactCavityMeasures> all;
   std::vector<std::uint32_t> pockets;
   for (std::uint32_t c = 0; c < cavities.size(); ++c) {
     all.push_back({table.measures[c].volume_sa_angstrom3, table.measures[c].area_sa_angstrom2});
@@ -40,21 +41,21 @@ std::vector<ClippedMeasures> clip_all(const CavityTable& table, const RunContext
   }
   if (pockets.empty()) return all;
   const CavityGround& ground = *table.ground;
-  const std::vector<ClippedMeasures> clipped = clip_cavities(
+  const std::vector<ExactCavityMeasures> clipped = measure_cavities_exactly(
       ground, table.found, pockets,
       ground.balls->lattice.alpha_on_lattice(table.question.alpha_angstrom2), context);
   for (std::size_t n = 0; n < pockets.size(); ++n) all[pockets[n]] = clipped[n];
   return all;
 }
 
-bool is_doubtful(double sa_angstrom3, double exact_angstrom3) {
+bool differs_from_exact(double sa_angstrom3, double exact_angstrom3) {
   constexpr double kSmallAngstrom3 = 1, kFar = 0.1;
   return exact_angstrom3 < kSmallAngstrom3 ||
          std::fabs(sa_angstrom3 - exact_angstrom3) > kFar * exact_angstrom3;
 }
 
 CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
-                              const CavityQuestion& question, const RunContext& context) {
+                              const CavityParameters& question, const RunContext& context) {
   if (std::isnan(question.alpha_angstrom2.nearest()))
     throw std::invalid_argument("alpha is not a number");
   CavityTable table;

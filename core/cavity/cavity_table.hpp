@@ -9,17 +9,17 @@
 
 namespace alphascope {
 
-struct CavityQuestion {
+struct CavityParameters {
   Alpha alpha_angstrom2;
   double solvent_radius_angstrom = 0;  // already part of the radii of the ground's balls
   OutsideRule rule = OutsideRule::castp;
   bool split_networks = false;  // whether networks are listed as their parts
-  friend bool operator==(const CavityQuestion&, const CavityQuestion&) = default;
+  friend bool operator==(const CavityParameters&, const CavityParameters&) = default;
 };
 
 struct CavityTable {
   std::shared_ptr<const CavityGround> ground;
-  CavityQuestion question;
+  CavityParameters question;
   Cavities found;
   std::vector<CavityMeasures> measures;  // one for each of found.cavities
   // Indices of found.cavities by falling SA volume. Row 0 is CASTp's cavity 1.
@@ -42,15 +42,16 @@ struct CavityTable {
 // The exact volume and area of every cavity, in the order of found.cavities. They take longer than
 // the table and can be computed after it. Only pockets are clipped. No ball pokes out of a void, so
 // the sums of voids are exact already.
-std::vector<ClippedMeasures> clip_all(const CavityTable& table, const RunContext& context = {});
+std::vector<ExactCavityMeasures> measure_all_exactly(const CavityTable& table,
+                                                     const RunContext& context = {});
 
 // Returns whether the exact volume is below 1 Å³, or the SA volume is off by more than a tenth. The
 // user must then see the difference.
-bool is_doubtful(double sa_angstrom3, double exact_angstrom3);
+bool differs_from_exact(double sa_angstrom3, double exact_angstrom3);
 
 // Makes the table for the balls of the ground. Works in the caller's task arena; the result does
 // not depend on the number of threads. Throws Cancelled, and std::invalid_argument if alpha is NaN.
 CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
-                              const CavityQuestion& question, const RunContext& context = {});
+                              const CavityParameters& question, const RunContext& context = {});
 
 }  // namespace alphascope

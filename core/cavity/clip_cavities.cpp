@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/cavity/cavity_measures.hpp"
-#include "core/measure/clipped.hpp"
+#include "core/measure/exact_outside.hpp"
 #include "core/measure/exact_sum.hpp"
 
 namespace alphascope {
@@ -22,20 +22,21 @@ double sum_of(std::vector<double>& values, std::size_t first, std::size_t end) {
 
 }  // namespace
 
-std::vector<ClippedMeasures> clip_cavities(const CavityGround& ground, const Cavities& cavities,
-                                           std::span<const std::uint32_t> which,
-                                           const LatticeAlpha& alpha_on_lattice,
-                                           const RunContext& context) {
+std::vector<ExactCavityMeasures> measure_cavities_exactly(const CavityGround& ground,
+                                                          const Cavities& cavities,
+                                                          std::span<const std::uint32_t> which,
+                                                          const LatticeAlpha& alpha_on_lattice,
+                                                          const RunContext& context) {
   std::vector<std::uint32_t> tetrahedra;
   for (const std::uint32_t c : which) {
     const auto& of = cavities.cavities.at(c).tetrahedra;
     tetrahedra.insert(tetrahedra.end(), of.begin(), of.end());
   }
   if (tetrahedra.empty()) return {};
-  ClippedTetrahedra parts =
-      clipped_outside(*ground.triangulation, *ground.balls, alpha_on_lattice, tetrahedra,
-                      tbb::this_task_arena::max_concurrency(), context);
-  std::vector<ClippedMeasures> measures;
+  ExactTetrahedra parts =
+      exact_outside(*ground.triangulation, *ground.balls, alpha_on_lattice, tetrahedra,
+                    tbb::this_task_arena::max_concurrency(), context);
+  std::vector<ExactCavityMeasures> measures;
   std::size_t n = 0;
   for (const std::uint32_t c : which) {
     const std::size_t end = n + cavities.cavities[c].tetrahedra.size();

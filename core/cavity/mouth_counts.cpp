@@ -52,9 +52,9 @@ class MouthCounts {
               [](const Opening& a, const Opening& b) { return a.value > b.value; });
   }
 
-  std::vector<QuietRange> quiet(const CancelToken& cancel) {
+  std::vector<RangeWithoutNetwork> quiet(const CancelToken& cancel) {
     begin();
-    std::vector<QuietRange> ranges;
+    std::vector<RangeWithoutNetwork> ranges;
     float above = std::numeric_limits<float>::infinity();
     for (std::size_t n = 0; n <= openings_.size(); ++n) {
       const bool last = n == openings_.size();
@@ -71,7 +71,7 @@ class MouthCounts {
   }
 
  private:
-  static void add_range(std::vector<QuietRange>& falling, float from, float to) {
+  static void add_range(std::vector<RangeWithoutNetwork>& falling, float from, float to) {
     if (!falling.empty() && falling.back().from == to) {
       falling.back().from = from;
     } else {
@@ -225,10 +225,11 @@ class MouthCounts {
 
 }  // namespace
 
-std::vector<QuietRange> ranges_without_network(const CavityGround& ground,
-                                               const Filtration& filtration,
-                                               const Membership& membership, const Cavities& found,
-                                               std::uint32_t index, const CancelToken& cancel) {
+std::vector<RangeWithoutNetwork> ranges_without_network(const CavityGround& ground,
+                                                        const Filtration& filtration,
+                                                        const Membership& membership,
+                                                        const Cavities& found, std::uint32_t index,
+                                                        const CancelToken& cancel) {
   return MouthCounts(ground, filtration, membership, found, index).quiet(cancel);
 }
 

@@ -11,15 +11,16 @@ namespace alphascope {
 
 // A range of alpha in which no descendant is a network: from < alpha < to. Square lattice units,
 // rounded as alpha values are. At both ends the rounding may decide otherwise.
-struct QuietRange {
+struct RangeWithoutNetwork {
   float from = 0, to = 0;
 };
 
 // All such ranges, ascending; the last one reaches infinity. Outside of them some descendant is a
 // network. Throws Cancelled.
-std::vector<QuietRange> ranges_without_network(const CavityGround& ground,
-                                               const Filtration& filtration,
-                                               const Membership& membership, const Cavities& found,
-                                               std::uint32_t index, const CancelToken& cancel = {});
+std::vector<RangeWithoutNetwork> ranges_without_network(const CavityGround& ground,
+                                                        const Filtration& filtration,
+                                                        const Membership& membership,
+                                                        const Cavities& found, std::uint32_t index,
+                                                        const CancelToken& cancel = {});
 
 }  // namespace alphascope

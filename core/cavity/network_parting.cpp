@@ -38,12 +38,12 @@ std::optional<NetworkParting> part_network(const CavityGround& ground, const Fil
   const Lattice& lattice = ground.balls->lattice;
   double step = std::floor(alpha.nearest() * kStepsPerSquareAngstrom);
   while (alpha_of(step) <= alpha) ++step;
-  for (const QuietRange& range :
+  for (const RangeWithoutNetwork& range :
        ranges_without_network(ground, filtration, in, found, index, cancel)) {
     // Begins one step before, because square_angstrom() rounds.
     step = std::max(step,
                     std::floor(lattice.square_angstrom(range.from) * kStepsPerSquareAngstrom) - 1);
-    for (; is_alpha(alpha_of(step)); ++step) {
+    for (; is_valid_alpha(alpha_of(step)); ++step) {
       cancel.throw_if_cancelled();
       NetworkParting parting{alpha_of(step), {}, {}};
       const LatticeAlpha limit = lattice.alpha_on_lattice(parting.alpha_angstrom2);

@@ -93,7 +93,7 @@ class NetworkSplitter {
     add_passages(passages);
     if (bodies_wanted_) {
       UnionFind balls = joined_balls(ground_, in_, cancel_);
-      for (Cavity& part : parts_) part.bodies = bodies_of(part, balls);
+      for (Cavity& part : parts_) part.bodies = count_bodies(part, balls);
     } else {
       for (Cavity& part : parts_) part.bodies = part.atoms.empty() ? 0 : 1;
     }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t kNone = CavityMatch::kNone;
 
 CurveSample sample_of(double at, const CavityTable& table,
-                      const std::vector<ClippedMeasures>& exact = {}) {
+                      const std::vector<ExactCavityMeasures>& exact = {}) {
   CurveSample sample;
   sample.at = at;
   sample.known = true;
@@ -32,10 +32,10 @@ CurveSample sample_of(double at, const CavityTable& table,
 CurveSample sample_with(double at, const CavityTable& table, CurveNumbers numbers,
                         const CancelToken& cancel) {
   if (numbers == CurveNumbers::sums) return sample_of(at, table);
-  return sample_of(at, table, clip_all(table, RunContext{cancel, {}}));
+  return sample_of(at, table, measure_all_exactly(table, RunContext{cancel, {}}));
 }
 
-CavityTable table_of_balls(std::shared_ptr<const BallSet> balls, const CavityQuestion& question,
+CavityTable table_of_balls(std::shared_ptr<const BallSet> balls, const CavityParameters& question,
                            const CancelToken& cancel) {
   const RunContext quiet{cancel, {}};  // reports nothing: progress is counted in samples
   auto triangulation = std::make_shared<const Triangulation>(make_triangulation(*balls, 1, quiet));
@@ -163,7 +163,7 @@ CavityCurves curves_against_solvent(const BallSet& balls, const Alpha& alpha_ang
 }
 
 CavityCurves curves_against_model(std::size_t models, const ModelBalls& balls,
-                                  const CavityQuestion& question, const RunContext& context,
+                                  const CavityParameters& question, const RunContext& context,
                                   CurveNumbers numbers) {
   CavityCurves curves;
   curves.numbers = numbers;

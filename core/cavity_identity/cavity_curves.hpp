@@ -17,7 +17,7 @@ struct CurveCavity {
   std::array<BallIndex, 4> sink;  // its deepest sink
   bool is_void = false;
   double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
-  double volume_exact_angstrom3 = 0;  // of ClippedMeasures; for CurveNumbers::exact only
+  double volume_exact_angstrom3 = 0;  // of ExactCavityMeasures; for CurveNumbers::exact only
 };
 
 // The volumes computed for each cavity. Exact volumes take about twenty times as long as all else.
@@ -63,7 +63,7 @@ CavityCurves curves_against_solvent(const BallSet& balls, const Alpha& alpha_ang
 // close and open again.
 using ModelBalls = std::function<std::shared_ptr<const BallSet>(std::size_t model)>;
 CavityCurves curves_against_model(std::size_t models, const ModelBalls& balls,
-                                  const CavityQuestion& question, const RunContext& context = {},
+                                  const CavityParameters& question, const RunContext& context = {},
                                   CurveNumbers numbers = CurveNumbers::sums);
 
 // The samples' cavities that correspond to the cavities of one table.

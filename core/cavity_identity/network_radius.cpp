@@ -86,7 +86,7 @@ class RadiusSearch {
 
   void part_by_alpha() {
     const CavityGround& ground = *table_.ground;
-    const CavityQuestion& question = table_.question;
+    const CavityParameters& question = table_.question;
     const Membership in = membership(
         *ground.balls, *ground.triangulation, ground.incidence, ground.flow,
         ground.balls->lattice.alpha_on_lattice(question.alpha_angstrom2), context_.cancel);
@@ -125,7 +125,7 @@ class RadiusSearch {
         std::make_shared<const Triangulation>(make_triangulation(*balls, search_.threads, quiet()));
     const auto ground = std::make_shared<const CavityGround>(
         make_cavity_ground(std::move(balls), std::move(triangulation), search_.ties, quiet()));
-    const CavityQuestion question{table_.question.alpha_angstrom2, radius, table_.question.rule};
+    const CavityParameters question{table_.question.alpha_angstrom2, radius, table_.question.rule};
     const CavityTable there = make_cavity_table(ground, question, quiet());
     const CavityMatch match = match_cavities(table_, there, context_.cancel);
     Left left;

@@ -13,7 +13,7 @@
 #include "core/channel/clearance.hpp"
 #include "core/channel/empty_space.hpp"
 #include "core/channel/equal_clearance.hpp"
-#include "core/channel/grown_scene.hpp"
+#include "core/channel/grown_triangulation.hpp"
 #include "core/channel/passage.hpp"
 
 namespace alphascope {
@@ -57,9 +57,10 @@ class Finder {
   void add(const RealPoint& place);
   std::optional<std::int64_t> next_growth() const;
   void ask(std::int64_t growth);
-  WayWidth width_in(const GrownScene& scene, std::int64_t growth) const;
-  EqualClearance gap_of(const GrownScene& scene, const std::array<BallIndex, 3>& triangle) const;
-  RealPoint narrowest_of(const GrownScene& scene, const EmptySpace::WayOut& way) const;
+  WayWidth width_in(const GrownTriangulation& scene, std::int64_t growth) const;
+  EqualClearance gap_of(const GrownTriangulation& scene,
+                        const std::array<BallIndex, 3>& triangle) const;
+  RealPoint narrowest_of(const GrownTriangulation& scene, const EmptySpace::WayOut& way) const;
   Bottleneck answer(std::size_t place) const;
 
   BallSet balls_;
@@ -72,7 +73,7 @@ class Finder {
   std::vector<RealPoint> rounded_;    // each place on the lattice, Å
   std::map<std::tuple<int, int, int>, std::size_t> seen_;
   PassageEnds scene_ends_;
-  std::optional<GrownScenes> scenes_;
+  std::optional<GrownTriangulations> scenes_;
   int triangulations_ = 0;
 };
 
@@ -115,14 +116,14 @@ std::optional<std::int64_t> Finder::next_growth() const {
 
 // The narrowest place between the three balls of a triangle. It is not found if a corner is a
 // helping ball (far away, or an end), which has a higher index.
-EqualClearance Finder::gap_of(const GrownScene& scene,
+EqualClearance Finder::gap_of(const GrownTriangulation& scene,
                               const std::array<BallIndex, 3>& triangle) const {
   if (triangle[2] >= scene.original.size()) return {};
   return equal_clearance(balls_, {scene.original[triangle[0]], scene.original[triangle[1]],
                                   scene.original[triangle[2]]});
 }
 
-WayWidth Finder::width_in(const GrownScene& scene, std::int64_t growth) const {
+WayWidth Finder::width_in(const GrownTriangulation& scene, std::int64_t growth) const {
   const double units = balls_.lattice.units_per_angstrom();
   const auto at_gap = [&, units](const std::array<BallIndex, 3>& triangle) {
     const EqualClearance gap = gap_of(scene, triangle);
@@ -131,7 +132,8 @@ WayWidth Finder::width_in(const GrownScene& scene, std::int64_t growth) const {
   return {at_gap, static_cast<double>(growth), static_cast<BallIndex>(scene.original.size())};
 }
 
-RealPoint Finder::narrowest_of(const GrownScene& scene, const EmptySpace::WayOut& way) const {
+RealPoint Finder::narrowest_of(const GrownTriangulation& scene,
+                               const EmptySpace::WayOut& way) const {
   const EmptySpace space(scene.balls, scene.triangulation);
   const double unit = balls_.lattice.unit_angstrom();
   if (space.is_gap(way.tetrahedron, way.face)) {

@@ -45,14 +45,14 @@ class Search {
  private:
   // An open growth: its scene and the widest way through it.
   struct Open {
-    std::shared_ptr<const GrownScene> scene;
+    std::shared_ptr<const GrownTriangulation> scene;
     EmptySpace::Way way;
   };
 
   std::optional<Open> ask(std::int64_t growth, bool report) const;
   void ask_all(const std::vector<std::int64_t>& growths);
   EqualClearance gap_at_wall(const std::array<BallIndex, 2>& two) const;
-  std::optional<PassageGap> gap_of(const GrownScene& scene,
+  std::optional<PassageGap> gap_of(const GrownTriangulation& scene,
                                    const std::array<BallIndex, 3>& triangle) const;
   std::vector<PassageGap> gaps_on(const Open& open, const EmptySpace::Way& way) const;
   std::vector<std::int64_t> next_growths() const;
@@ -65,7 +65,7 @@ class Search {
   const PassageEnds& ends_;
   const RunContext& context_;
   const std::int64_t step_;
-  const GrownScenes scenes_;
+  const GrownTriangulations scenes_;
   std::int64_t most_ = 0;  // largest growth that leaves both ends uncovered
   std::int64_t open_at_ = 0, closed_at_ = 0;
   static constexpr int kSlowRounds = 2;
@@ -78,7 +78,7 @@ std::optional<Search::Open> Search::ask(std::int64_t growth, bool report) const 
   RunContext quiet;
   quiet.cancel = context_.cancel;
   Open open{scenes_.at(growth, report ? context_ : quiet), {}};
-  const GrownScene& scene = *open.scene;
+  const GrownTriangulation& scene = *open.scene;
   const EmptySpace space(scene.balls, scene.triangulation);
   const double units = balls_.lattice.units_per_angstrom();
   const auto at_gap = [&](const std::array<BallIndex, 3>& triangle) -> std::optional<double> {
@@ -137,7 +137,7 @@ EqualClearance Search::gap_at_wall(const std::array<BallIndex, 2>& two) const {
 }
 
 // The gap between three balls, or between two balls and the plane.
-std::optional<PassageGap> Search::gap_of(const GrownScene& scene,
+std::optional<PassageGap> Search::gap_of(const GrownTriangulation& scene,
                                          const std::array<BallIndex, 3>& triangle) const {
   const auto ball_end = static_cast<BallIndex>(scene.original.size());
   const bool at_wall = scenes_.wall() && triangle[2] + 1 == scene.balls.size();
@@ -250,7 +250,7 @@ void Search::set_curve(const Open& open, Passage& passage) const {
   constexpr double kLeast = 0.1, kEnough = 10;  // Å
   const double grown = std::max(static_cast<double>(open_at_), balls.lattice.nearest_units(kLeast));
   const WayCost cost{grown, std::max(2 * grown, balls.lattice.nearest_units(kEnough)), ball_end};
-  const GrownScene& scene = *open.scene;
+  const GrownTriangulation& scene = *open.scene;
   const auto way = space.cheapest_way(scene.from, scene.to, cost, context_.cancel);
   if (!way) throw InternalError("An open passage has no way.");
   passage.gaps = gaps_on(open, *way);

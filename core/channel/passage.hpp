@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/channel/clearance.hpp"
-#include "core/channel/grown_scene.hpp"
+#include "core/channel/grown_triangulation.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"

@@ -78,7 +78,7 @@ bool WayAxis::is_near(const RealPoint& x) const {
   return from_axis(x) <= near_[slab_of(along(x))];
 }
 
-bool WayAxis::may_lead(const RealPoint& from, const RealPoint& to) const {
+bool WayAxis::stays_near_axis(const RealPoint& from, const RealPoint& to) const {
   const double third = (high_ - low_) / 3, low = low_ + third, high = high_ - third;
   const double begin = along(from), end = along(to);
   if (std::max(begin, end) < low || std::min(begin, end) > high) return true;
@@ -92,7 +92,7 @@ bool WayAxis::may_lead(const RealPoint& from, const RealPoint& to) const {
 WayGraph::WayGraph(const BallSet& balls, const Envelope& envelope, const RunContext& context)
     : balls_(balls) {
   const PassageEnds ends{beside(balls), {}, {}};
-  scene_ = GrownScenes(balls, ends).at(0, context);
+  scene_ = GrownTriangulations(balls, ends).at(0, context);
   space_.emplace(scene_->balls, scene_->triangulation);
   const std::size_t count = scene_->triangulation.tetrahedra.size();
   kind_.assign(count, Kind::full);
@@ -158,7 +158,7 @@ void WayGraph::set_widths(const CancelToken& cancel) {
 
 // Tests the whole segment between both corners, because they can be far apart.
 bool WayGraph::may_pass(std::uint32_t from, std::uint32_t to) const {
-  return axis_->may_lead(corner_[from], corner_[to]);
+  return axis_->stays_near_axis(corner_[from], corner_[to]);
 }
 
 // Dijkstra's search inwards from both sides at once. Each tetrahedron gets the label of the side

@@ -10,7 +10,7 @@
 
 #include "core/channel/empty_space.hpp"
 #include "core/channel/envelope.hpp"
-#include "core/channel/grown_scene.hpp"
+#include "core/channel/grown_triangulation.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
 
@@ -38,7 +38,7 @@ class WayAxis {
   // atoms at this height.
   bool is_near(const RealPoint& x) const;
   // Returns whether a straight step is near the axis wherever it passes the middle third.
-  bool may_lead(const RealPoint& from, const RealPoint& to) const;
+  bool stays_near_axis(const RealPoint& from, const RealPoint& to) const;
 
  private:
   static constexpr double kSlab = 2;  // Å
@@ -91,7 +91,7 @@ class WayGraph {
                                      const CancelToken& cancel) const;
 
   const BallSet& balls_;
-  std::shared_ptr<const GrownScene> scene_;
+  std::shared_ptr<const GrownTriangulation> scene_;
   std::optional<EmptySpace> space_;
   std::vector<Kind> kind_;
   std::vector<RealPoint> corner_;  // Å; only for tetrahedra that are not full

@@ -13,7 +13,7 @@
 #include "core/channel/centre_line.hpp"
 #include "core/channel/clearance.hpp"
 #include "core/channel/envelope.hpp"
-#include "core/channel/grown_scene.hpp"
+#include "core/channel/grown_triangulation.hpp"
 #include "core/channel/passage.hpp"
 #include "core/channel/way_graph.hpp"
 #include "core/geometry/principal_axes.hpp"

@@ -12,10 +12,10 @@
 namespace alphascope {
 
 // Colours of the surroundings, which differ between the window and paper.
-enum class ChartInk { text, muted, grid, axis, accent, ground };
+enum class ChartColourRole { text, muted, grid, axis, accent, ground };
 
 struct ChartPaint {
-  ChartInk ink = ChartInk::grid;
+  ChartColourRole ink = ChartColourRole::grid;
   std::optional<ChartColour> colour = {};  // if set, in place of the ink
   float opacity = 1;
 };
@@ -54,7 +54,7 @@ enum class ChartAnchor { start, middle, end };
 struct ChartText {
   float x, y;  // y is that of the text's middle
   std::string text;
-  ChartInk ink = ChartInk::text;
+  ChartColourRole ink = ChartColourRole::text;
   ChartAnchor anchor = ChartAnchor::start;
   bool title = false;
 };
@@ -70,7 +70,7 @@ struct ChartDrawing {
 
 // `font` is the height of ordinary text in pixels. `text_width` measures text in that font. `pixel`
 // is the length of a pixel at scale 1.
-struct ChartType {
+struct ChartFont {
   float font = 13;
   std::function<float(const std::string&)> text_width;
   float pixel = 1;

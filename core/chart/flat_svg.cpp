@@ -8,9 +8,9 @@
 namespace alphascope {
 namespace {
 
-constexpr FlatInk kNone{};
+constexpr FlatColour kNone{};
 
-FlatInk ink(std::uint32_t rgb, double opacity = 1) {
+FlatColour ink(std::uint32_t rgb, double opacity = 1) {
   return {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8 & 255),
           static_cast<std::uint8_t>(rgb & 255), opacity};
 }
@@ -22,7 +22,7 @@ std::string format(const char* pattern, Args... args) {
   return text;
 }
 
-std::string paint(const char* what, const FlatInk& ink) {
+std::string paint(const char* what, const FlatColour& ink) {
   if (ink.opacity <= 0) return format(" %s=\"none\"", what);
   std::string text = format(" %s=\"#%02x%02x%02x\"", what, ink.r, ink.g, ink.b);
   if (ink.opacity < 1) text += format(" %s-opacity=\"%.2f\"", what, ink.opacity);

@@ -10,13 +10,13 @@
 
 namespace alphascope {
 
-struct FlatInk {
+struct FlatColour {
   std::uint8_t r = 0, g = 0, b = 0;
   double opacity = 0;  // 0: none
 };
 
 struct FlatStyle {
-  FlatInk fill, line;
+  FlatColour fill, line;
   double line_width = 1;  // pixels
   bool dashed = false;
   double dot_radius = 0;  // pixels; radius of centres

@@ -76,12 +76,12 @@ std::vector<double> ticks_of(const Range& range, int most) {
 }
 
 ChartPaint paint_of_series(std::size_t n) {
-  return {ChartInk::text, chart_colour(n), 1};
+  return {ChartColourRole::text, chart_colour(n), 1};
 }
 
 class Layout {
  public:
-  Layout(const Chart& chart, float width, const ChartType& type)
+  Layout(const Chart& chart, float width, const ChartFont& type)
       : chart_(chart), type_(type), row_(type.font * 1.5f) {
     drawing_.width = width;
     right_ = width - type.font;
@@ -90,7 +90,7 @@ class Layout {
   ChartDrawing run() {
     header();
     if (chart_.empty()) {
-      text(type_.font, y_ + row_, "Nothing was measured for this figure.", ChartInk::muted);
+      text(type_.font, y_ + row_, "Nothing was measured for this figure.", ChartColourRole::muted);
       y_ += 2 * row_;
     } else if (chart_.kind == ChartKind::lines) {
       lines();
@@ -98,7 +98,7 @@ class Layout {
       bars();
     }
     for (const std::string& line : wrapped(chart_.caption)) {
-      text(type_.font, y_ + row_ / 2, line, ChartInk::muted);
+      text(type_.font, y_ + row_ / 2, line, ChartColourRole::muted);
       y_ += row_;
     }
     drawing_.height = y_ + type_.font / 2;
@@ -106,7 +106,7 @@ class Layout {
   }
 
  private:
-  void text(float x, float y, const std::string& what, ChartInk ink = ChartInk::text,
+  void text(float x, float y, const std::string& what, ChartColourRole ink = ChartColourRole::text,
             ChartAnchor anchor = ChartAnchor::start, bool title = false) {
     if (!what.empty()) drawing_.texts.push_back({x, y, what, ink, anchor, title});
   }
@@ -140,7 +140,7 @@ class Layout {
   void header() {
     y_ = type_.font * 0.7f;
     for (const std::string& line : wrapped(chart_.title)) {
-      text(type_.font, y_ + row_ / 2, line, ChartInk::text, ChartAnchor::start, true);
+      text(type_.font, y_ + row_ / 2, line, ChartColourRole::text, ChartAnchor::start, true);
       y_ += row_ * 1.15f;
     }
     legend();
@@ -163,7 +163,7 @@ class Layout {
         drawing_.boxes.push_back({x, y_ + (row_ - swatch) / 2, swatch, swatch, paint_of_series(s),
                                   chart_.series[s].name});
       }
-      text(x + swatch * 1.5f, y_ + row_ / 2, chart_.series[s].name, ChartInk::text);
+      text(x + swatch * 1.5f, y_ + row_ / 2, chart_.series[s].name, ChartColourRole::text);
       x += needed + type_.font * 1.4f;
     }
     y_ += row_ * 1.2f;
@@ -175,13 +175,13 @@ class Layout {
 
   // Draws the axis of values above horizontal bars, with grid lines down to `bottom`.
   void value_axis(const Range& range, int most, float bottom) {
-    text(left_, y_ + row_ / 2, chart_.value_label, ChartInk::muted);
+    text(left_, y_ + row_ / 2, chart_.value_label, ChartColourRole::muted);
     y_ += row_;
     axis_top_ = y_ + row_;
     for (const double t : ticks_of(range, most)) {
       const float x = value_x(range, t);
-      text(x, y_ + row_ / 2, chart_number(t), ChartInk::muted, ChartAnchor::middle);
-      drawing_.lines.push_back({x, axis_top_, x, bottom, {ChartInk::grid}});
+      text(x, y_ + row_ / 2, chart_number(t), ChartColourRole::muted, ChartAnchor::middle);
+      drawing_.lines.push_back({x, axis_top_, x, bottom, {ChartColourRole::grid}});
     }
     y_ += row_;
   }
@@ -203,7 +203,7 @@ class Layout {
     const float bottom = y_ + 2 * row_ + group * static_cast<float>(chart_.categories.size());
     value_axis(range, most, bottom);
     for (std::size_t c = 0; c < chart_.categories.size(); ++c) {
-      text(left_ - type_.font * 0.7f, y_ + group / 2, chart_.categories[c], ChartInk::text,
+      text(left_ - type_.font * 0.7f, y_ + group / 2, chart_.categories[c], ChartColourRole::text,
            ChartAnchor::end);
       const float top = y_ + type_.font * 0.4f;
       stacked ? stack(range, c, top, bar) : grouped(range, c, top, bar);
@@ -230,11 +230,11 @@ class Layout {
 
   void zero_line(const Range& range, float bottom) {
     const float start = value_x(range, base(range));
-    drawing_.lines.push_back({start, axis_top_, start, bottom, {ChartInk::axis}});
+    drawing_.lines.push_back({start, axis_top_, start, bottom, {ChartColourRole::axis}});
     if (!chart_.reference) return;
     const float x = value_x(range, *chart_.reference);
-    drawing_.lines.push_back({x, axis_top_, x, bottom, {ChartInk::axis}, 1, true});
-    text(x, bottom + row_ / 2, chart_.reference_label, ChartInk::muted, ChartAnchor::middle);
+    drawing_.lines.push_back({x, axis_top_, x, bottom, {ChartColourRole::axis}, 1, true});
+    text(x, bottom + row_ / 2, chart_.reference_label, ChartColourRole::muted, ChartAnchor::middle);
   }
 
   std::string tip(std::size_t category, const ChartSeries& series, double value) const {
@@ -249,7 +249,7 @@ class Layout {
       const float middle = top + bar / 2;
       const std::string note = c < series.notes.size() ? series.notes[c] : std::string();
       if (c >= series.values.size() || !series.values[c]) {
-        text(start + type_.font * 0.4f, middle, note, ChartInk::muted);
+        text(start + type_.font * 0.4f, middle, note, ChartColourRole::muted);
         continue;
       }
       const double value = *series.values[c];
@@ -276,7 +276,7 @@ class Layout {
     const auto has_note = [c](const ChartSeries& s) { return c < s.notes.size(); };
     const auto noted = std::find_if(chart_.series.begin(), chart_.series.end(), has_note);
     if (noted != chart_.series.end()) {
-      text(left_ + type_.font * 0.4f, top + bar / 2, noted->notes[c], ChartInk::muted);
+      text(left_ + type_.font * 0.4f, top + bar / 2, noted->notes[c], ChartColourRole::muted);
     }
   }
 
@@ -302,32 +302,33 @@ class Layout {
       left_ = std::max(left_, type_.text_width(chart_number(t)) + 2 * type_.font);
     }
     end_ = right_ - 2 * type_.font;
-    text(type_.font, y_ + row_ / 2, chart_.value_label, ChartInk::muted);
+    text(type_.font, y_ + row_ / 2, chart_.value_label, ChartColourRole::muted);
     const float top = y_ + row_ * 1.4f, bottom = top + height;
     const auto at = [&](double v) {
       return bottom - static_cast<float>(y_range.share(v)) * height;
     };
     for (const double t : ticks) {
-      text(left_ - type_.font * 0.6f, at(t), chart_number(t), ChartInk::muted, ChartAnchor::end);
-      drawing_.lines.push_back({left_, at(t), end_, at(t), {ChartInk::grid}});
+      text(left_ - type_.font * 0.6f, at(t), chart_number(t), ChartColourRole::muted,
+           ChartAnchor::end);
+      drawing_.lines.push_back({left_, at(t), end_, at(t), {ChartColourRole::grid}});
     }
     const int most_x = std::max(2, static_cast<int>((end_ - left_) / (5 * type_.font)));
     for (const double t : ticks_of(x, most_x)) {
-      text(value_x(x, t), bottom + row_ * 0.6f, chart_number(t), ChartInk::muted,
+      text(value_x(x, t), bottom + row_ * 0.6f, chart_number(t), ChartColourRole::muted,
            ChartAnchor::middle);
       drawing_.lines.push_back(
-          {value_x(x, t), bottom, value_x(x, t), bottom + 4, {ChartInk::axis}});
+          {value_x(x, t), bottom, value_x(x, t), bottom + 4, {ChartColourRole::axis}});
     }
     const double zero = y_range.logarithmic ? y_range.low : 0;
-    drawing_.lines.push_back({left_, at(zero), end_, at(zero), {ChartInk::axis}});
-    drawing_.lines.push_back({left_, top, left_, bottom, {ChartInk::axis}});
+    drawing_.lines.push_back({left_, at(zero), end_, at(zero), {ChartColourRole::axis}});
+    drawing_.lines.push_back({left_, top, left_, bottom, {ChartColourRole::axis}});
     if (chart_.reference) {
       const float y = at(*chart_.reference);
-      drawing_.lines.push_back({left_, y, end_, y, {ChartInk::axis}, 1, true});
-      text(end_, y - row_ / 2, chart_.reference_label, ChartInk::muted, ChartAnchor::end);
+      drawing_.lines.push_back({left_, y, end_, y, {ChartColourRole::axis}, 1, true});
+      text(end_, y - row_ / 2, chart_.reference_label, ChartColourRole::muted, ChartAnchor::end);
     }
     for (std::size_t s = 0; s < chart_.series.size(); ++s) curve(s, x, at);
-    text((left_ + end_) / 2, bottom + row_ * 1.7f, chart_.x_label, ChartInk::muted,
+    text((left_ + end_) / 2, bottom + row_ * 1.7f, chart_.x_label, ChartColourRole::muted,
          ChartAnchor::middle);
     y_ = bottom + row_ * 2.4f;
   }
@@ -355,7 +356,7 @@ class Layout {
   }
 
   const Chart& chart_;
-  const ChartType& type_;
+  const ChartFont& type_;
   const float row_;
   ChartDrawing drawing_;
   float left_ = 0, end_ = 0, right_ = 0, axis_top_ = 0, y_ = 0;
@@ -379,7 +380,7 @@ ChartColour chart_colour(std::size_t n) {
   return kColours[n % kChartColours];
 }
 
-ChartDrawing lay_out(const Chart& chart, float width, const ChartType& type) {
+ChartDrawing lay_out(const Chart& chart, float width, const ChartFont& type) {
   return Layout(chart, width, type).run();
 }
 

@@ -7,6 +7,6 @@
 namespace alphascope {
 
 // Lays out a chart of this width (pixels). The height follows from the content.
-ChartDrawing lay_out(const Chart& chart, float width, const ChartType& type);
+ChartDrawing lay_out(const Chart& chart, float width, const ChartFont& type);
 
 }  // namespace alphascope

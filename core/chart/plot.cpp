@@ -11,11 +11,11 @@ namespace {
 constexpr float kGap = 6, kTick = 3;  // pixels at scale 1
 constexpr float kXDistance = 65;      // least distance of numbers below the plot
 constexpr float kYDistance = 1.8f;    // least distance of numbers at its left, lines of text
-constexpr ChartPaint kGrid{ChartInk::grid, {}, 0.6f};
+constexpr ChartPaint kGrid{ChartColourRole::grid, {}, 0.6f};
 
 class PlotLayout {
  public:
-  PlotLayout(const Plot& plot, const PlotArea& area, const ChartType& type)
+  PlotLayout(const Plot& plot, const PlotArea& area, const ChartFont& type)
       : plot_(plot), area_(area), type_(type) {}
 
   ChartDrawing run() {
@@ -39,7 +39,8 @@ class PlotLayout {
   float px(float pixels_at_scale_1) const { return pixels_at_scale_1 * type_.pixel; }
 
   void text(float x, float y, const std::string& what, ChartAnchor anchor) {
-    if (!what.empty()) drawing_.texts.push_back({x, y, what, ChartInk::muted, anchor, false});
+    if (!what.empty())
+      drawing_.texts.push_back({x, y, what, ChartColourRole::muted, anchor, false});
   }
 
   static double step_of(const PlotAxis& axis, float length, float distance) {
@@ -74,15 +75,20 @@ class PlotLayout {
       }
       if (!plot_.y.numbered) drawing_.lines.push_back({x, area_.top, x, area_.bottom, kGrid});
       drawing_.lines.push_back(
-          {x, area_.bottom, x, area_.bottom + px(kTick), {ChartInk::muted, {}, 1}});
+          {x, area_.bottom, x, area_.bottom + px(kTick), {ChartColourRole::muted, {}, 1}});
       text(x, area_.bottom + px(kTick) + type_.font / 2, number, ChartAnchor::middle);
     }
   }
 
   void labels() {
     if (!plot_.numbers_above) {
-      drawing_.boxes.push_back(
-          {area_.left, area_.top, area_.width(), area_.height(), {ChartInk::grid}, {}, false});
+      drawing_.boxes.push_back({area_.left,
+                                area_.top,
+                                area_.width(),
+                                area_.height(),
+                                {ChartColourRole::grid},
+                                {},
+                                false});
     }
     text((area_.left + area_.right) / 2, area_.bottom + px(kTick) + 1.5f * type_.font,
          plot_.x.label, ChartAnchor::middle);
@@ -133,13 +139,13 @@ class PlotLayout {
 
   const Plot& plot_;
   const PlotArea& area_;
-  const ChartType& type_;
+  const ChartFont& type_;
   ChartDrawing drawing_;
 };
 
 }  // namespace
 
-ChartDrawing lay_out(const Plot& plot, const PlotArea& area, const ChartType& type) {
+ChartDrawing lay_out(const Plot& plot, const PlotArea& area, const ChartFont& type) {
   return PlotLayout(plot, area, type).run();
 }
 

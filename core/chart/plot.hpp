@@ -99,7 +99,7 @@ struct PlotArea {
 
 // Both ranges of the area must be those of the axes. Points of curves beyond the x axis are left
 // out.
-ChartDrawing lay_out(const Plot& plot, const PlotArea& area, const ChartType& type);
+ChartDrawing lay_out(const Plot& plot, const PlotArea& area, const ChartFont& type);
 
 // The index of the point that is nearest to `x`. The points must be in ascending order of x.
 // Without a point: none.

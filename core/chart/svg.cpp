@@ -33,19 +33,19 @@ std::string hex(ChartColour c) {
   return format("#%02x%02x%02x", c.r, c.g, c.b);
 }
 
-const char* colour(ChartInk ink) {
+const char* colour(ChartColourRole ink) {
   switch (ink) {
-    case ChartInk::text:
+    case ChartColourRole::text:
       return "#1b1f24";
-    case ChartInk::muted:
+    case ChartColourRole::muted:
       return "#57606a";
-    case ChartInk::grid:
+    case ChartColourRole::grid:
       return "#dfe3e8";
-    case ChartInk::axis:
+    case ChartColourRole::axis:
       return "#6e7781";
-    case ChartInk::accent:
+    case ChartColourRole::accent:
       return "#0969da";
-    case ChartInk::ground:
+    case ChartColourRole::ground:
       return "#ffffff";
   }
   return "#000000";
@@ -132,11 +132,11 @@ std::string chart_svg(const Chart& chart, float width) {
 }
 
 std::string plot_svg(const Plot& plot, const std::string& title, float width) {
-  const ChartType type{kFont, estimated_width};
+  const ChartFont type{kFont, estimated_width};
   constexpr float kLeft = 70, kRight = 20, kRow = 1.5f * kFont, kBelow = 3.2f * kFont;
   ChartDrawing legend;
   float y = kRow;
-  legend.texts.push_back({kFont, y, title, ChartInk::text, ChartAnchor::start, true});
+  legend.texts.push_back({kFont, y, title, ChartColourRole::text, ChartAnchor::start, true});
   y += kRow;
   float x = kFont;
   for (const PlotCurve& curve : plot.curves) {

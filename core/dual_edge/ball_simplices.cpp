@@ -165,7 +165,7 @@ VertexState BallSimplices::vertex_state() const {
 
 VertexState BallSimplices::process(std::uint32_t slot, std::span<const std::uint32_t> list,
                                    BlockOutput& out) {
-  return process_with(slot, list, out, NotRecorded());
+  return process_with(slot, list, out, NoSink());
 }
 
 }  // namespace alphascope

@@ -93,7 +93,7 @@ class BallSimplices {
   // Kernel II. `body` calls filtered_face or filtered_ends.
   template <class Body>
   auto filtered(const NearFirstRows& rows, const Body& body) const;
-  template <class Sink = NotRecorded>
+  template <class Sink = NoSink>
   TriangleFace exactly(const TriangleRows& rows, const Sink& sink = {});
   void note_coface(int j, float value, SimplexClass coface, BlockOutput& out);
   VertexState vertex_state() const;

@@ -95,7 +95,7 @@ template <class Sink>
 void BallSimplices::triangles_of(int j, BlockOutput& out, const Sink& sink) {
   const TriangleRows ij{j, j, row(j), row(j)};
   for (int k = ij.next_common(j, words_); k >= 0; k = ij.next_common(k, words_)) {
-    if constexpr (!std::is_same_v<Sink, NotRecorded>) {
+    if constexpr (!std::is_same_v<Sink, NoSink>) {
       if (!sink.wants(j, k)) continue;
     }
     const bool dead = dead_[static_cast<std::size_t>(k)] != 0;

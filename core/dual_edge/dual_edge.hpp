@@ -185,7 +185,7 @@ class DualEdge {
   ALPHASCOPE_INLINE bool ends_certain() const { return !unsure_; }
   // Is the interval between the ends certainly not empty? An end at the disc's boundary does not
   // matter: within() then judges the other one.
-  ALPHASCOPE_INLINE bool certainly_there() const {
+  ALPHASCOPE_INLINE bool certainly_not_empty() const {
     return high_.cutter < 0 || low_.cutter < 0 || high_.t + low_.t > high_.error + low_.error;
   }
 
@@ -204,7 +204,7 @@ class DualEdge {
   ALPHASCOPE_INLINE const End& low() const { return low_; }
 
   // Does this end cut off the foot, so that ijk is attached to its tetrahedron?
-  ALPHASCOPE_INLINE static Decision beyond_foot(const End& end) {
+  ALPHASCOPE_INLINE static Decision cuts_off_foot(const End& end) {
     return end.t > end.error    ? Decision::out
            : end.t < -end.error ? Decision::in
                                 : Decision::unknown;

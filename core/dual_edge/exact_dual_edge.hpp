@@ -56,7 +56,7 @@ ALPHASCOPE_HOST_DEVICE int orthocentre_cut(const LiftedInt& j, const LiftedInt& 
 // nothing is left, or when the three centres are collinear (then ijk is no simplex). `next(m)` is
 // the common neighbour after m, starting with next(-1), or -1 after the last. `sink` gets the slots
 // of both ends, or the slot of the ball that removes the rest.
-template <class Integer, class Neighbours, class Next, class Sink = NotRecorded>
+template <class Integer, class Neighbours, class Next, class Sink = NoSink>
 ALPHASCOPE_HOST_DEVICE bool exact_ends(const Neighbourhood<Neighbours>& in, int j, int k,
                                        const Next& next, EndBall& high, EndBall& low,
                                        const Sink& sink = {}) {

@@ -60,7 +60,7 @@ class FacetDisc {
 
   // Does ball m cut off the disc's centre? `sink` gets pi_i - pi_m there, in square lattice units,
   // and its error.
-  template <class Sink = NotRecorded>
+  template <class Sink = NoSink>
   ALPHASCOPE_INLINE Decision centre_cut_by(const LiftedVector<Real>& m,
                                            const Sink& sink = {}) const {
     const Real along = multiply_add(m.x, j_.x, multiply_add(m.y, j_.y, m.z * j_.z));

@@ -100,13 +100,13 @@ ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, int words, const Cutters
   return false;
 }
 
-template <class Real, class Lifted, class Sink = NotRecorded>
+template <class Real, class Lifted, class Sink = NoSink>
 ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const TriangleRows& t, int words,
                                   const Lifted& lifted, const Sink& sink = {}) {
   return clips_away(
       edge, words, [&](int w) { return t.common(w); }, lifted, sink);
 }
-template <class Real, class Lifted, class Sink = NotRecorded>
+template <class Real, class Lifted, class Sink = NoSink>
 ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const NearFirstRows& t, int words,
                                   const Lifted& lifted, const Sink& sink = {}) {
   return clips_away(
@@ -118,7 +118,7 @@ ALPHASCOPE_INLINE bool clips_away(DualEdge<Real>& edge, const NearFirstRows& t, 
 // The dual edge of a triangle after all cuts; false when nothing is left. `sink` gets the edge
 // before the first cut, and then the calls of clips_away(). This is one expression because two
 // statements make nvcc emit other code for the empty sink.
-template <class Real, class Rows, class Lifted, class Sink = NotRecorded>
+template <class Real, class Rows, class Lifted, class Sink = NoSink>
 ALPHASCOPE_INLINE bool clipped_edge(DualEdge<Real>& edge, const Rows& t, int words,
                                     Real radius_square, const Lifted& lifted,
                                     const Sink& sink = {}) {
@@ -137,7 +137,7 @@ ALPHASCOPE_INLINE TriangleEnds filtered_ends(const Rows& t, int words, Real radi
   TriangleEnds ends{-1, -1, true};
   const bool high = edge.high().cutter > t.k, low = edge.low().cutter > t.k;
   if (!high && !low) return ends;
-  ends.known = edge.certainly_there();
+  ends.known = edge.certainly_not_empty();
   if (high) {
     const Decision d = edge.within(edge.high(), radius_square);
     if (d == Decision::in) ends.high = edge.high().cutter;
@@ -172,24 +172,24 @@ ALPHASCOPE_INLINE TriangleFace decided_face(const FaceDecisions& d, int high, in
 }
 
 // Kernel II for one triangle. `sink`: see clipped_edge().
-template <class Real, class Rows, class Lifted, class Sink = NotRecorded>
+template <class Real, class Rows, class Lifted, class Sink = NoSink>
 ALPHASCOPE_INLINE TriangleFace filtered_face(const Rows& t, int words, Real radius_square,
                                              const Lifted& lifted, const Sink& sink = {}) {
   DualEdge<Real> edge;
   if (!clipped_edge(edge, t, words, radius_square, lifted, sink)) return TriangleFace::absent();
-  if (!edge.ends_certain() || !edge.certainly_there()) return TriangleFace::undecided();
+  if (!edge.ends_certain() || !edge.certainly_not_empty()) return TriangleFace::undecided();
   const auto &high = edge.high(), &low = edge.low();
   const bool has_high = high.cutter >= 0, has_low = low.cutter >= 0;
   return decided_face(
       {has_high ? edge.within(high, radius_square) : Decision::out,
        has_low ? edge.within(low, radius_square) : Decision::out,
-       has_high ? edge.beyond_foot(high) : Decision::out,
-       has_low ? edge.beyond_foot(low) : Decision::out, edge.foot_within(radius_square)},
+       has_high ? edge.cuts_off_foot(high) : Decision::out,
+       has_low ? edge.cuts_off_foot(low) : Decision::out, edge.foot_within(radius_square)},
       high.cutter, low.cutter);
 }
 
 // Kernel III for one triangle, in integers; for Integer see kSmallOffset. `sink`: see exact_ends().
-template <class Integer, class Neighbours, class Sink = NotRecorded>
+template <class Integer, class Neighbours, class Sink = NoSink>
 ALPHASCOPE_HOST_DEVICE TriangleFace exact_face(const Neighbourhood<Neighbours>& in,
                                                const TriangleRows& t, int words,
                                                const Sink& sink = {}) {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/complex/alpha_complex.hpp"
-#include "core/engine/known_of_balls.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/run/work_threads.hpp"
 
@@ -44,11 +44,11 @@ class Engine {
   // has a later call with fewer known results. Throws Cancelled. Throws std::bad_alloc when memory
   // is short; the engine stays usable. Throws std::invalid_argument for a NaN alpha, and where
   // `known` belongs to other balls. Two threads must not call it at once.
-  virtual AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+  virtual AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                                const RunContext& context) = 0;
   // The same with nothing known, for callers that need one alpha only.
   AlphaComplex compute(const AlphaRequest& request, const RunContext& context) {
-    KnownOfBalls nothing;
+    KnownResults nothing;
     return compute(request, nothing, context);
   }
 
@@ -63,12 +63,12 @@ class Engine {
   // The outer faces of this engine's last result, found by its device, for AlphaComplex::outside.
   // The CPU then need not find them. Nothing where no device holds the complex, or where it fails.
   // Two threads must not call it at once, nor together with compute().
-  virtual std::optional<SharedFaces> find_outside(const AlphaComplex&) { return std::nullopt; }
+  virtual std::optional<SharedFaces> find_outer_faces(const AlphaComplex&) { return std::nullopt; }
 
   // Called when another engine will be asked from now on. Frees memory that only serves this
   // engine's next results. May wait for a device. compute() may be called again at any time. The
   // rule of compute() on threads holds.
-  virtual void rest() {}
+  virtual void release_memory() {}
 };
 
 // threads = 0: as many as the machine has.

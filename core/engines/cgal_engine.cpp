@@ -7,7 +7,7 @@
 
 #include "core/complex/count_limits.hpp"
 #include "core/engine/engine.hpp"
-#include "core/engines/known.hpp"
+#include "core/engines/answers_from_known.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -38,7 +38,7 @@ class CgalEngine : public Engine {
   CgalEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
       : balls_(std::move(balls)), threads_(options.work_threads()) {}
 
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                        const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2.nearest()))
       throw std::invalid_argument("alpha is not a number");
@@ -47,7 +47,7 @@ class CgalEngine : public Engine {
     StageTimes times;
     threads_->run([&] {
       StageTimer timer(times);
-      auto answer = threshold_of_all(*balls_, request, known, context, timer);
+      auto answer = threshold_of_filtration(*balls_, request, known, context, timer);
       complex = answer ? *std::move(answer) : triangulated(request, known, context, timer);
       timer.finish();
     });
@@ -59,7 +59,7 @@ class CgalEngine : public Engine {
   }
 
  private:
-  AlphaComplex triangulated(const AlphaRequest& request, KnownOfBalls& known,
+  AlphaComplex triangulated(const AlphaRequest& request, KnownResults& known,
                             const RunContext& context, StageTimer& timer) const {
     const LatticeAlpha alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
     const std::string route = next_route(request, known);
@@ -85,7 +85,7 @@ class CgalEngine : public Engine {
   }
 
   // The route of the next call of triangulated().
-  static std::string next_route(const AlphaRequest& request, const KnownOfBalls& known) {
+  static std::string next_route(const AlphaRequest& request, const KnownResults& known) {
     if (request.tetrahedra_only) {
       return known.triangulation ? "threshold of the whole triangulation"
                                  : "regular triangulation, then threshold";

@@ -8,7 +8,7 @@
 #include "core/complex/count_limits.hpp"
 #include "core/dual_edge/cpu_dual_edges.hpp"
 #include "core/engine/engine.hpp"
-#include "core/engines/known.hpp"
+#include "core/engines/answers_from_known.hpp"
 #include "core/engines/route.hpp"
 #include "core/neighbours/coincident.hpp"
 
@@ -22,7 +22,7 @@ class CpuEngine : public Engine {
     options_.shared = threads_;  // the CGAL engine works on them, too
   }
 
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                        const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2.nearest()))
       throw std::invalid_argument("alpha is not a number");
@@ -42,9 +42,9 @@ class CpuEngine : public Engine {
   }
 
  private:
-  AlphaComplex answered(const AlphaRequest& request, KnownOfBalls& known, const RunContext& context,
+  AlphaComplex answered(const AlphaRequest& request, KnownResults& known, const RunContext& context,
                         StageTimer& timer) {
-    if (auto complex = threshold_of_all(*balls_, request, known, context, timer)) {
+    if (auto complex = threshold_of_filtration(*balls_, request, known, context, timer)) {
       return *std::move(complex);
     }
     if (auto complex = threshold_of_complex(*balls_, request, known, context, timer)) {
@@ -53,7 +53,7 @@ class CpuEngine : public Engine {
     return computed(request, known, context, timer);
   }
 
-  AlphaComplex computed(const AlphaRequest& request, KnownOfBalls& known, const RunContext& context,
+  AlphaComplex computed(const AlphaRequest& request, KnownResults& known, const RunContext& context,
                         StageTimer& timer) {
     const LatticeAlpha alpha = balls_->lattice.alpha_on_lattice(request.alpha_angstrom2);
     if (!hidden_) {
@@ -89,7 +89,7 @@ class CpuEngine : public Engine {
     return complex;
   }
 
-  AlphaComplex triangulated(const AlphaRequest& request, KnownOfBalls& known,
+  AlphaComplex triangulated(const AlphaRequest& request, KnownResults& known,
                             const RunContext& context, StageTimer& timer) const {
     AlphaComplex complex = make_cgal_engine(balls_, options_)->compute(request, known, context);
     timer.adopt(complex.timings);

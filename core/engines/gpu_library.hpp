@@ -16,7 +16,7 @@
 #include <string>
 
 #include "core/engine/gpu_device.hpp"
-#include "core/engines/short_of_memory.hpp"
+#include "core/engines/engine_of_executors.hpp"
 #include "core/tuples/tuple_options.hpp"
 
 namespace alphascope {

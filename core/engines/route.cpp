@@ -20,7 +20,7 @@ constexpr std::size_t kCostSamples = 256;
 constexpr double kTriangulationCost = 3.5;
 // Costs after the triangulation: ortho-radii of the tetrahedra, or alpha values of all simplices.
 constexpr double kTetrahedraCost = 0.2, kAlphaValuesCost = 4.7;
-double triangulating_cost(const RouteQuestion& question) {
+double triangulating_cost(const RouteInput& question) {
   return (question.has_triangulation ? 0 : kTriangulationCost) +
          (question.tetrahedra_only ? kTetrahedraCost : kAlphaValuesCost);
 }
@@ -44,7 +44,7 @@ bool within_clipping_reach(const UniformGrid& grid) {
   return largest == grid.reach.end() || 2 * double{*largest} < kMaxClippingReach;
 }
 
-Route choose_route(const UniformGrid& grid, const RouteQuestion& question) {
+Route choose_route(const UniformGrid& grid, const RouteInput& question) {
   if (!is_local(grid) || !within_clipping_reach(grid)) return Route::triangulate;
   const NeighbourMoments moments = sample_neighbours(grid, kCostSamples);
   const double clipping = clipping_cost(moments, question.tetrahedra_only) / question.threads;

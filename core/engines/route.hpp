@@ -8,7 +8,7 @@ namespace alphascope {
 
 enum class Route { clip_dual_edges, triangulate };
 
-struct RouteQuestion {
+struct RouteInput {
   int threads = 1;
   bool tetrahedra_only = false;
   bool has_triangulation = false;  // then only the steps after it cost
@@ -18,6 +18,6 @@ struct RouteQuestion {
 bool within_clipping_reach(const UniformGrid& grid);
 
 // The faster route. The result does not depend on it. Works in the caller's task arena.
-Route choose_route(const UniformGrid& grid, const RouteQuestion& question);
+Route choose_route(const UniformGrid& grid, const RouteInput& question);
 
 }  // namespace alphascope

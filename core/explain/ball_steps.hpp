@@ -123,7 +123,7 @@ struct StepDualEdge {
 };
 
 // A ball in conflict with simplices of the step, and their number. It ends the test of each.
-struct StepRemover {
+struct StepConflict {
   BallIndex ball = 0;
   std::uint64_t simplices = 0;
   std::vector<BallIndex> first;  // one of these simplices
@@ -141,8 +141,8 @@ struct Step {
   std::vector<StepCount> counts;
   std::vector<MarkedSimplices> marks;
   std::vector<StepBox> boxes;
-  std::vector<StepRemover> removers;  // by falling number of simplices
-  std::vector<StepPlace> places;      // only the first few
+  std::vector<StepConflict> removers;  // by falling number of simplices
+  std::vector<StepPlace> places;       // only the first few
   // Grid: side of a cell; cube: half its side; neighbours: the grown radius
   double length_angstrom = 0;
   // Only in the dual-edge engine:
@@ -155,7 +155,7 @@ struct Step {
 };
 
 // The reason why a ball takes no part.
-enum class LeftOut : std::uint8_t { no, empty, hidden };
+enum class LeftOutReason : std::uint8_t { no, empty, hidden };
 
 struct BallSteps {
   StepsEngine engine = StepsEngine::tuples;
@@ -163,7 +163,7 @@ struct BallSteps {
   Lattice lattice;
   LatticeAlpha alpha_on_lattice;
   TupleOptions options;  // of the tuple engine
-  LeftOut left_out = LeftOut::no;
+  LeftOutReason left_out = LeftOutReason::no;
   std::vector<Step> steps;
   // The simplices of the alpha complex that contain the ball; empty after `too_many`.
   AlphaComplex star;

@@ -117,7 +117,8 @@ bool DualEdgeSteps::make_grid() {
   grid_ = make_uniform_grid(balls_, alpha, hidden);
   const auto at = std::find(grid_.ball.begin(), grid_.ball.end(), result_.ball);
   if (at == grid_.ball.end()) {
-    result_.left_out = !hidden.empty() && hidden[result_.ball] ? LeftOut::hidden : LeftOut::empty;
+    result_.left_out =
+        !hidden.empty() && hidden[result_.ball] ? LeftOutReason::hidden : LeftOutReason::empty;
     add_step(StepKind::left_out).counts = {counted(step_count::kBalls, grid_.size())};
     return false;
   }
@@ -212,7 +213,7 @@ void DualEdgeSteps::discs_step() {
 }
 
 void DualEdgeSteps::edges_step() {
-  Fates& fates = trace_.edges;
+  TestTallies& fates = trace_.edges;
   Step& step = add_step(StepKind::edges);
   step.counts = {counted(step_count::kMade, neighbours()),
                  counted(step_count::kTested, fates.tested),
@@ -224,7 +225,7 @@ void DualEdgeSteps::edges_step() {
 }
 
 void DualEdgeSteps::triangles_step() {
-  LeftByChoice& choice = trace_.triples;
+  OptimisationTallies& choice = trace_.triples;
   Step& step = add_step(StepKind::triangles);
   Tally made = choice.kept;
   made += choice.dropped;
@@ -234,7 +235,7 @@ void DualEdgeSteps::triangles_step() {
 }
 
 void DualEdgeSteps::clipping_step() {
-  Fates& fates = trace_.filter;
+  TestTallies& fates = trace_.filter;
   Step& step = add_step(StepKind::clipping);
   step.counts = {
       counted(step_count::kTested, fates.tested),     counted(step_count::kOutside, trace_.outside),
@@ -249,7 +250,7 @@ void DualEdgeSteps::clipping_step() {
 }
 
 void DualEdgeSteps::exact_step() {
-  Fates& fates = trace_.exact;
+  TestTallies& fates = trace_.exact;
   Step& step = add_step(StepKind::exact);
   step.counts = {counted(step_count::kTested, fates.tested),
                  counted(step_count::kConflict, fates.conflict),
@@ -310,11 +311,11 @@ void DualEdgeSteps::gather() {
     }
   }
   gather_edges(ranges, star);
-  keep_those_with(result_.ball, star.edges);
+  keep_simplices_with(result_.ball, star.edges);
   std::vector<VertexState> states(balls_.size(), VertexState::absent);
   states[result_.ball] = vertex_;
   gather_vertices(balls_, states, star);
-  keep_those_with(result_.ball, star.vertices);
+  keep_simplices_with(result_.ball, star.vertices);
 }
 
 void DualEdgeSteps::add_tetrahedra() {

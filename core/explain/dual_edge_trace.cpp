@@ -63,7 +63,7 @@ void DualEdgeTraceSink::operator()(const EdgeNote& note) const {
   edge_ = {};
   if (!here() && ball(note.j) != about_) return;
   const std::array<BallIndex, 2> ij{from_, ball(note.j)};
-  Fates& fates = trace_.edges;
+  TestTallies& fates = trace_.edges;
   fates.tested.add(here());
   if (edge.integers) fates.band.add(here());
   if (note.attached) {
@@ -81,7 +81,7 @@ void DualEdgeTraceSink::operator()(const TripleNote& note) const {
   current_.triangle = {from_, ball(note.j), ball(note.k)};
   current_.j = note.j;
   current_.k = note.k;
-  LeftByChoice& triples = trace_.triples;
+  OptimisationTallies& triples = trace_.triples;
   (note.dropped ? triples.dropped : triples.kept).add(here());
   alphascope::add<3>(note.dropped ? triples.gone : triples.left, current_.triangle);
   if (triples.kept.all % 256 == 0) context_.cancel.throw_if_cancelled();
@@ -155,7 +155,7 @@ void DualEdgeTraceSink::operator()(const FaceNote& note) const {
 
 // Notes the result of kernel II.
 void DualEdgeTraceSink::filtered(bool open) const {
-  Fates& fates = trace_.filter;
+  TestTallies& fates = trace_.filter;
   fates.tested.add(here());
   if (open) {
     fates.band.add(here());
@@ -180,7 +180,7 @@ void DualEdgeTraceSink::filtered(bool open) const {
 
 // Notes the result of kernel III.
 void DualEdgeTraceSink::exactly() const {
-  Fates& fates = trace_.exact;
+  TestTallies& fates = trace_.exact;
   fates.tested.add(here());
   if (!current_.ends) {
     if (current_.taken_by >= 0) {

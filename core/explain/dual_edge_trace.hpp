@@ -21,9 +21,9 @@ struct DualEdgeTrace {
   std::vector<BallIndex> listed;  // neighbours that may cut
   std::vector<BallIndex> facing;  // those of them that may have a facet
 
-  Fates edges;  // conflict: attached; band: integers were needed
-  LeftByChoice triples;
-  Fates filter, exact;  // of dual edges; valid: a rest is left
+  TestTallies edges;  // conflict: attached; band: integers were needed
+  OptimisationTallies triples;
+  TestTallies filter, exact;  // of dual edges; valid: a rest is left
   Tally outside, held, far, moved;
   std::vector<StepSegment> filter_segments, exact_segments;
   std::vector<StepDualEdge> samples;

@@ -327,9 +327,9 @@ LocalStar star_of(const BallSet& balls, const Balls& simplex, const Explanation&
 // Notes why `simplex` is absent if the reason is not the absence of a face.
 void own_absence(const BallSet& balls, const Balls& simplex, const Explanation& e,
                  const Balls& chosen, Explanation& to) {
-  to.absence = Absence::cut_away;
+  to.absence = AbsenceReason::cut_away;
   if (simplex.size() == 1) {
-    to.absence = Absence::hidden;
+    to.absence = AbsenceReason::hidden;
     to.absent_face = simplex;
     if (const auto twin = twin_that_hides(balls, simplex[0])) {
       to.culprits = {*twin};
@@ -363,14 +363,14 @@ void explain_absence(const BallSet& balls, const RunContext& context, const Loca
     return own_absence(balls, one, alone, around.chosen, e);
   }
   if (!e.orthosphere) {
-    e.absence = Absence::dependent;
+    e.absence = AbsenceReason::dependent;
     return;
   }
   for (const Balls& face : proper_faces(e.simplex)) {
     if (face.size() < 2 || !independent(balls, face)) continue;
     const LocalStar around = star_of(balls, face, e, context);
     if (Surrounded(balls, around, context).has(face)) continue;
-    e.absence = Absence::face;
+    e.absence = AbsenceReason::face;
     e.absent_face = face;
     return;
   }

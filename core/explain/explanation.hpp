@@ -28,7 +28,7 @@ struct BallMargin {
 };
 
 // The reason why a simplex is in no alpha complex.
-enum class Absence : std::uint8_t {
+enum class AbsenceReason : std::uint8_t {
   none,       // it is in the regular triangulation, so in the complex from some alpha on
   hidden,     // ball `absent_face` is hidden by `culprits`: one of the same centre, or others
   dependent,  // two equal centres, three on a line or four in a plane: no orthosphere
@@ -64,7 +64,7 @@ struct Explanation {
   std::optional<Sphere> orthosphere;
   std::vector<BallMargin> nearest;  // other balls, by margin
 
-  Absence absence = Absence::none;
+  AbsenceReason absence = AbsenceReason::none;
   std::vector<BallIndex> absent_face, culprits;
 
   int dimension = -1;  // dimension of the triangulation, to which the classes refer

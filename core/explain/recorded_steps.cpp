@@ -104,7 +104,7 @@ void filter_triangle(Recorder& r, const LiftedInt& m, double reach) {
       edge.clip(cut, 0);
       const auto& end = cut.slope > 0 ? edge.high() : edge.low();
       // An end without a ball is the boundary of the search, far beyond the foot.
-      if (edge.ends_certain()) sign = end.cutter < 0 ? 1 : outside_unless(Edge::beyond_foot(end));
+      if (edge.ends_certain()) sign = end.cutter < 0 ? 1 : outside_unless(Edge::cuts_off_foot(end));
     }
   }
   r.add(kFilter<Real>, sign, 2.0 * cut.offset, 2.0 * cut.offset_error);
@@ -137,7 +137,7 @@ void filter_tetrahedron(Recorder& r, const LiftedInt& m, double reach) {
     const bool gone = edge.clip(cut, 1);
     const bool there = (high ? edge.high() : edge.low()).cutter == 0;
     if (edge.ends_certain()) {
-      sign = gone || !there ? -1 : edge.certainly_there() ? 1 : 0;
+      sign = gone || !there ? -1 : edge.certainly_not_empty() ? 1 : 0;
     }
   }
   r.add(kFilter<Real>, sign, 2 * (cut.offset - cut.slope * at),

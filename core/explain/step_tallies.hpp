@@ -47,22 +47,22 @@ void add(MarkedSimplices& marked, const std::array<BallIndex, N>& simplex) {
 }
 
 // The results of a kernel's tests: numbers and lists of simplices.
-struct Fates {
+struct TestTallies {
   Tally tested, conflict, above_alpha, flat, valid, band;
   MarkedSimplices gone{.mark = StepMark::dropped}, kept{.mark = StepMark::kept},
       open{.mark = StepMark::undecided};
-  std::unordered_map<BallIndex, StepRemover> removers;
+  std::unordered_map<BallIndex, StepConflict> removers;
 
   template <int N>
   void remove(BallIndex by, const std::array<BallIndex, N>& simplex) {
-    StepRemover& remover = removers[by];
+    StepConflict& remover = removers[by];
     remover.ball = by;
     if (remover.simplices++ == 0) remover.first.assign(simplex.begin(), simplex.end());
   }
   void give_to(Step& step) {
     for (auto& [ball, remover] : removers) step.removers.push_back(std::move(remover));
     std::sort(step.removers.begin(), step.removers.end(),
-              [](const StepRemover& a, const StepRemover& b) {
+              [](const StepConflict& a, const StepConflict& b) {
                 return a.simplices != b.simplices ? a.simplices > b.simplices : a.ball < b.ball;
               });
     step.marks.push_back(std::move(gone));
@@ -72,13 +72,13 @@ struct Fates {
 };
 
 // The simplices that an optimisation kept and dropped.
-struct LeftByChoice {
+struct OptimisationTallies {
   Tally kept, dropped;
   MarkedSimplices gone{.mark = StepMark::dropped}, left{.mark = StepMark::kept};
 };
 
 template <int N>
-void keep_those_with(BallIndex ball, SimplexList<N>& list) {
+void keep_simplices_with(BallIndex ball, SimplexList<N>& list) {
   SimplexList<N> kept;
   for (std::size_t n = 0; n < list.size(); ++n) {
     const auto& s = list.simplices[n];

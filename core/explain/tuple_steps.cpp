@@ -52,7 +52,7 @@ class TupleTrace {
   }
 
  private:
-  using Scene = TupleScene<PlainReader>;
+  using Scene = TupleInput<PlainReader>;
 
   Step& add_step(StepKind kind) {
     result_.steps.emplace_back().kind = kind;
@@ -100,7 +100,7 @@ class TupleTrace {
       tuple.at[N - 1] = at;
       return simplex(tuple);
     };
-    LeftByChoice& by_edges = choices_[N - 1];
+    OptimisationTallies& by_edges = choices_[N - 1];
     std::uint64_t made = 0;
     const std::uint32_t considered = for_extensions<N>(
         scene_, lists_, base,
@@ -116,7 +116,7 @@ class TupleTrace {
           if constexpr (N == 2) extend(tuple);
         },
         [&](Optimisation by, std::uint32_t at) {
-          LeftByChoice& choice = by == Optimisation::alpha ? by_alpha_ : by_edges;
+          OptimisationTallies& choice = by == Optimisation::alpha ? by_alpha_ : by_edges;
           choice.dropped.add(here);
           add<N + 1>(choice.gone, with(at));
           if (by == Optimisation::alpha) add<N + 1>(by_edges.left, with(at));
@@ -149,11 +149,11 @@ class TupleTrace {
     }
     if (verdict == Verdict::valid) emit(tuple);
   }
-  Fates& filter_fates(int balls) { return balls == 4 ? filter_ : faces_; }
-  Fates& exact_fates(int balls) { return balls == 4 ? exact_ : exact_faces_; }
+  TestTallies& filter_fates(int balls) { return balls == 4 ? filter_ : faces_; }
+  TestTallies& exact_fates(int balls) { return balls == 4 ? exact_ : exact_faces_; }
 
   template <std::size_t N, class Kernel>
-  Verdict note_fate(Fates& fates, const std::array<BallIndex, N>& s, bool here,
+  Verdict note_fate(TestTallies& fates, const std::array<BallIndex, N>& s, bool here,
                     const Kernel& kernel) {
     fates.tested.add(here);
     const auto note = [&](TupleNote what, auto... at) {
@@ -174,7 +174,7 @@ class TupleTrace {
   }
 
   template <int N>
-  OwnSimplices<N>& own_list() {
+  UnattachedSimplices<N>& own_list() {
     if constexpr (N == 1) return own_.vertices;
     if constexpr (N == 2) return own_.edges;
     if constexpr (N == 3) return own_.triangles;
@@ -200,13 +200,13 @@ class TupleTrace {
   std::vector<std::uint32_t> slots_;   // the list
   NeighbourLists lists_{};
   std::vector<BallTuple<2>> pairs_;
-  LeftByChoice choices_[3];  // edge optimisation of pairs, triples and 4-tuples
-  LeftByChoice by_alpha_;
+  OptimisationTallies choices_[3];  // edge optimisation of pairs, triples and 4-tuples
+  OptimisationTallies by_alpha_;
   // Two for 4-tuples, two for smaller tuples.
-  Fates filter_, exact_, faces_, exact_faces_;
+  TestTallies filter_, exact_, faces_, exact_faces_;
   std::vector<StepPlace> places_;
   std::uint64_t next_place_ = 0;
-  OwnSimplicesByDimension own_;
+  UnattachedSimplicesByDimension own_;
   BallSteps result_;
 };
 
@@ -215,12 +215,13 @@ bool TupleTrace::make_grid() {
   make_tuple_grid(balls_, result_.alpha_on_lattice, hidden, result_.options.grid, grid_);
   const auto at = std::find(grid_.ball.begin(), grid_.ball.end(), result_.ball);
   if (at == grid_.ball.end()) {
-    result_.left_out = !hidden.empty() && hidden[result_.ball] ? LeftOut::hidden : LeftOut::empty;
+    result_.left_out =
+        !hidden.empty() && hidden[result_.ball] ? LeftOutReason::hidden : LeftOutReason::empty;
     add_step(StepKind::left_out).counts = {counted(step_count::kBalls, grid_.size())};
     return false;
   }
   slot_ = static_cast<std::uint32_t>(at - grid_.ball.begin());
-  scene_ = make_tuple_scene(
+  scene_ = make_tuple_input(
       TupleUpload<PlainReader>{
           {grid_.records.data(), grid_.reach.data()}, grid_.cell_start.data(), grid_.ball.data()},
       grid_, result_.options, result_.alpha_on_lattice);
@@ -255,7 +256,7 @@ void TupleTrace::grid_step() {
 
 void TupleTrace::find_neighbours() {
   std::vector<std::uint32_t> looked_at;
-  for_cube(
+  for_balls_in_cube(
       scene_, slot_, [&](std::uint32_t t) { slots_.push_back(t); },
       [&](std::uint32_t t) { looked_at.push_back(t); });
   starts_.assign(grid_.size() + std::size_t{1}, 0);
@@ -300,8 +301,8 @@ void TupleTrace::find_neighbours() {
 void TupleTrace::make_pairs() {
   for (std::uint32_t at = 0; at < slots_.size(); ++at) {
     const BallTuple<2> pair{slot_, {at}};
-    const bool left = pair_is_left(scene_, slot_, slots_[at]);
-    LeftByChoice& choice = choices_[0];
+    const bool left = is_pair_kept(scene_, slot_, slots_[at]);
+    OptimisationTallies& choice = choices_[0];
     (left ? choice.kept : choice.dropped).add(is_here(pair));
     add<2>(left ? choice.left : choice.gone, simplex(pair));
     if (left) pairs_.push_back(pair);
@@ -309,7 +310,7 @@ void TupleTrace::make_pairs() {
 }
 
 void TupleTrace::optimisation_steps() {
-  const auto add_choice = [&](StepKind kind, LeftByChoice& choice, bool on) {
+  const auto add_choice = [&](StepKind kind, OptimisationTallies& choice, bool on) {
     Step& step = add_step(kind);
     step.off = !on;
     Tally made = choice.kept;
@@ -371,10 +372,10 @@ void TupleTrace::result_step() {
   const std::size_t own = own_.vertices.simplices.size() + own_.edges.simplices.size() +
                           own_.triangles.simplices.size() + own_.tetrahedra.simplices.size();
   complete_complex(std::move(own_), balls_.size(), star);
-  keep_those_with(result_.ball, star.vertices);
-  keep_those_with(result_.ball, star.edges);
-  keep_those_with(result_.ball, star.triangles);
-  keep_those_with(result_.ball, star.tetrahedra);
+  keep_simplices_with(result_.ball, star.vertices);
+  keep_simplices_with(result_.ball, star.edges);
+  keep_simplices_with(result_.ball, star.triangles);
+  keep_simplices_with(result_.ball, star.tetrahedra);
   const std::size_t all =
       star.vertices.size() + star.edges.size() + star.triangles.size() + star.tetrahedra.size();
   Step& step = add_step(StepKind::result);

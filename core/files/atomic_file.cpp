@@ -15,9 +15,9 @@
 #include <system_error>
 #include <utility>
 
-#include "core/files/left_behind.hpp"
+#include "core/files/temporary_names.hpp"
 #include "core/run/child_program.hpp"
-#include "core/run/undivided_step.hpp"
+#include "core/run/uninterrupted_step.hpp"
 
 namespace alphascope {
 
@@ -90,7 +90,7 @@ bool exchange(const fs::path& a, const fs::path& b) {
 }  // namespace
 
 void refuse_to_replace_input(const std::string& what, const fs::path& output, FileKind kind) {
-  if (const auto input = read_behind(output, kind)) {
+  if (const auto input = input_replaced_by(output, kind)) {
     throw ReplacesInput(what + " would replace " + *input +
                         ", which is read. Give the output another name.");
   }
@@ -147,7 +147,7 @@ void AtomicFile::open_temporary() {
   constexpr int kAttempts = 10000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     temporary_ = temporary_name(target_, attempt);
-    const UndividedStep step;
+    const UninterruptedStep step;
     // The mode of any new file.
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) {
@@ -192,7 +192,7 @@ void AtomicFile::commit() {
   commit_together({&one, 1});
 }
 
-void AtomicFile::make_whole() {
+void AtomicFile::flush_to_disk() {
   if (temporary_.empty()) {
     if (::close(std::exchange(descriptor_, -1)) != 0) fail("write");
     return;
@@ -256,13 +256,13 @@ void AtomicFile::finish() noexcept {
 }
 
 void commit_together(std::span<AtomicFile* const> files) {
-  for (AtomicFile* const file : files) file->make_whole();
+  for (AtomicFile* const file : files) file->flush_to_disk();
   std::set<fs::path> folders;
   for (AtomicFile* const file : files) {
     if (!file->temporary_.empty()) folders.insert(file->target_.parent_path());
   }
   {
-    const UndividedStep step;
+    const UninterruptedStep step;
     try {
       for (AtomicFile* const file : files) file->take_name(files.size() == 1);
     } catch (...) {
@@ -294,7 +294,7 @@ void remove_temporary_files() noexcept {
 }
 
 void end_all_writing() noexcept {
-  end_of_steps();
+  end_uninterrupted_steps();
   kill_child_programs();
   remove_temporary_files();
 }

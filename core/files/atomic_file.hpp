@@ -58,7 +58,7 @@ class AtomicFile {
 
   void open_temporary();
   void keep_owner_and_mode() const;
-  void make_whole();
+  void flush_to_disk();
   void take_name(bool alone);
   bool set_aside();
   void give_name_back() noexcept;

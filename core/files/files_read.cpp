@@ -118,13 +118,13 @@ void note_read(const fs::path& file, FileKind kind) {
   note(status, file, without_links(file), kind);
 }
 
-std::optional<std::string> read_behind(const fs::path& output, FileKind kind) {
+std::optional<std::string> input_replaced_by(const fs::path& output, FileKind kind) {
   struct stat status {};
   if (output.empty() || ::stat(output.c_str(), &status) != 0) return std::nullopt;
   return find(status, without_links(output), kind);
 }
 
-std::optional<std::string> read_behind(int descriptor) {
+std::optional<std::string> input_replaced_by(int descriptor) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) return std::nullopt;
   return find(status, path_behind(descriptor), FileKind::other);

@@ -20,8 +20,8 @@ void note_read(const std::filesystem::path& file, FileKind kind = FileKind::othe
 
 // The name of the file that was read and that this output would replace, or that the descriptor
 // writes to. Empty if no such file was read.
-std::optional<std::string> read_behind(const std::filesystem::path& output,
-                                       FileKind kind = FileKind::other);
-std::optional<std::string> read_behind(int descriptor);
+std::optional<std::string> input_replaced_by(const std::filesystem::path& output,
+                                             FileKind kind = FileKind::other);
+std::optional<std::string> input_replaced_by(int descriptor);
 
 }  // namespace alphascope

@@ -92,7 +92,7 @@ TextBuffer unpack_gzip(const std::filesystem::path& path, std::string_view packe
     const int code = inflate(&stream, Z_NO_FLUSH);
     used += in - stream.avail_in;
     text.set_size(text.size() + (out - stream.avail_out));
-    lengths.look_at(text.view());
+    lengths.check(text.view());
     refuse_bomb(path, text.size(), packed.size());
     if (code == Z_STREAM_END) {
       const std::string_view tail = packed.substr(used);

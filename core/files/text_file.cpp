@@ -43,7 +43,7 @@ TextBuffer read_to_end(const std::filesystem::path& path, int descriptor, std::u
     if (got == 0) return bytes;
     bytes.set_size(bytes.size() + static_cast<std::size_t>(got));
     if (bytes.size() > max_bytes) refuse_text_beyond(path, max_bytes);
-    if (!bytes.view().starts_with("\x1f\x8b")) lengths.look_at(bytes.view());
+    if (!bytes.view().starts_with("\x1f\x8b")) lengths.check(bytes.view());
   }
 }
 

@@ -26,7 +26,7 @@ void refuse_text_beyond(const std::filesystem::path& path, std::uint64_t limit) 
                       : "Keep only the atoms that you need, in a file of their own");
 }
 
-void LineLengths::look_at(std::string_view text) {
+void LineLengths::check(std::string_view text) {
   const std::string_view fresh = text.substr(seen_);
   const std::size_t last = fresh.find_last_of("\n\r");
   if (last != std::string_view::npos) line_start_ = seen_ + last + 1;

@@ -22,7 +22,7 @@ class LineLengths {
 
   // Checks the text so far. The part that was checked before must not have changed. Throws
   // ReadError.
-  void look_at(std::string_view text);
+  void check(std::string_view text);
 
  private:
   const std::filesystem::path& path_;

@@ -68,7 +68,7 @@ bool split(std::string_view text, Written& written) {
 }  // namespace
 
 Alpha::Alpha(double angstrom2) {
-  if (!is_alpha(angstrom2)) {
+  if (!is_valid_alpha(angstrom2)) {
     nearest_ = angstrom2;
     return;
   }
@@ -121,7 +121,7 @@ Alpha::Reading read_decimal(std::string_view text, Int128& whole, std::int64_t& 
 }
 
 bool Alpha::is_decimal() const {
-  return is_alpha(nearest_);
+  return is_valid_alpha(nearest_);
 }
 
 std::string Alpha::digits() const {

@@ -80,7 +80,7 @@ std::string decimal_text(Int128 whole, std::int64_t fraction);
 Alpha::Reading read_decimal(std::string_view text, Int128& whole, std::int64_t& fraction);
 
 // Is the number within the bound? False for NaN.
-inline bool is_alpha(double angstrom2) {
+inline bool is_valid_alpha(double angstrom2) {
   return angstrom2 >= -kMaxAlphaAngstrom2 && angstrom2 <= kMaxAlphaAngstrom2;
 }
 

@@ -14,8 +14,8 @@ double milliseconds_since(Clock::time_point start) {
 
 }  // namespace
 
-MeasuredUnion measure_here(const BallSet& balls, const AlphaComplex& complex,
-                           const RunContext& context, UnionDerivatives* derivatives) {
+MeasuredUnion measure_on_calling_threads(const BallSet& balls, const AlphaComplex& complex,
+                                         const RunContext& context, UnionDerivatives* derivatives) {
   MeasuredUnion measured;
   const auto start = Clock::now();
   measured.measures = measure_union(balls, complex, {0, derivatives}, context);
@@ -28,7 +28,7 @@ MeasuredUnion measure_on_cpu(const BallSet& balls, const AlphaComplex& complex,
                              WorkThreads& threads, const RunContext& context,
                              UnionDerivatives* derivatives) {
   MeasuredUnion measured;
-  threads.run([&] { measured = measure_here(balls, complex, context, derivatives); });
+  threads.run([&] { measured = measure_on_calling_threads(balls, complex, context, derivatives); });
   measured.device = threads.text();
   return measured;
 }

@@ -19,8 +19,9 @@ struct MeasuredUnion {
 };
 
 // Measures on the CPU, in the caller's task arena. Throws as measure_union() does.
-MeasuredUnion measure_here(const BallSet& balls, const AlphaComplex& complex,
-                           const RunContext& context, UnionDerivatives* derivatives = nullptr);
+MeasuredUnion measure_on_calling_threads(const BallSet& balls, const AlphaComplex& complex,
+                                         const RunContext& context,
+                                         UnionDerivatives* derivatives = nullptr);
 
 // Measures on these threads of the CPU. Throws as measure_union() does.
 MeasuredUnion measure_on_cpu(const BallSet& balls, const AlphaComplex& complex,

@@ -28,12 +28,14 @@ ALPHASCOPE_INLINE Vector3<double> between(const GrownBall& from, const GrownBall
 }
 // Adds a vector to one ball and the opposite vector to the other.
 template <class Sink>
-ALPHASCOPE_INLINE void pull_area(const BallIndex (&i)[2], const Vector3<double>& v, Sink& sink) {
+ALPHASCOPE_INLINE void add_opposite_area_gradients(const BallIndex (&i)[2],
+                                                   const Vector3<double>& v, Sink& sink) {
   sink.area_gradient(i[0], v);
   sink.area_gradient(i[1], scaled(v, -1));
 }
 template <class Sink>
-ALPHASCOPE_INLINE void pull_volume(const BallIndex (&i)[2], const Vector3<double>& v, Sink& sink) {
+ALPHASCOPE_INLINE void add_opposite_volume_gradients(const BallIndex (&i)[2],
+                                                     const Vector3<double>& v, Sink& sink) {
   sink.volume_gradient(i[0], v);
   sink.volume_gradient(i[1], scaled(v, -1));
 }
@@ -56,8 +58,8 @@ ALPHASCOPE_INLINE void add_arc_and_wall(const BallIndex (&i)[2], const PairMotio
                                         double angle, double wall, Sink& sink) {
   sink.area_slope(i[0], motion.arc_slope * angle);
   sink.area_slope(i[1], motion.arc_slope * angle);
-  pull_area(i, scaled(motion.unit, motion.arc_force * angle), sink);
-  pull_volume(i, scaled(motion.unit, -wall), sink);
+  add_opposite_area_gradients(i, scaled(motion.unit, motion.arc_force * angle), sink);
+  add_opposite_volume_gradients(i, scaled(motion.unit, -wall), sink);
 }
 
 // A triangle with open sides cuts the arcs of its three edges, and cuts segments off their walls.
@@ -80,7 +82,7 @@ ALPHASCOPE_INLINE void triangle_derivatives(const BallIndex (&i)[3], const Grown
                                     to.z - along * motion.unit.z};
     const double length = sqrt(dot(across, across));
     const double turn = length > 0 ? motion.arc_turn * open_sides * triple.half_chord / length : 0;
-    pull_area(ends, scaled(across, -turn), sink);
+    add_opposite_area_gradients(ends, scaled(across, -turn), sink);
   }
 }
 
@@ -101,10 +103,12 @@ ALPHASCOPE_INLINE void tetrahedron_derivatives(const BallIndex (&i)[4], const Gr
     // wall = six_volumes / 2d (..), along a vector of length d.
     const double wall =
         t.at.six_volumes / (2 * d2) * (foot_n * t.at.centre[m] + foot_m * t.at.centre[n]);
-    pull_volume(ends, scaled(between(ball[a], ball[b]), -wall), sink);
+    add_opposite_volume_gradients(ends, scaled(between(ball[a], ball[b]), -wall), sink);
     const double turn = (ball[a].grown_radius - ball[b].grown_radius) / d2 * t.at.outward;
-    if (open_faces >> m & 1) pull_area(ends, scaled(t.at.normal[m], turn * foot_n), sink);
-    if (open_faces >> n & 1) pull_area(ends, scaled(t.at.normal[n], turn * foot_m), sink);
+    if (open_faces >> m & 1)
+      add_opposite_area_gradients(ends, scaled(t.at.normal[m], turn * foot_n), sink);
+    if (open_faces >> n & 1)
+      add_opposite_area_gradients(ends, scaled(t.at.normal[n], turn * foot_m), sink);
   }
 }
 

@@ -12,9 +12,9 @@
 
 #include "core/geometry/lattice.hpp"
 #include "core/molecule/assembly.hpp"
-#include "core/molecule/atom_kind.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/name_table.hpp"
+#include "core/molecule/residue_kind.hpp"
 #include "core/molecule/residue_reason.hpp"
 
 namespace alphascope {
@@ -35,7 +35,7 @@ struct Atom {
   // The label_asym_id of mmCIF, to which assemblies refer; else the author's name.
   NameId label_chain = 0;
   Element element = kUnknownElement;
-  AtomKind kind = AtomKind::polymer;
+  ResidueKind kind = ResidueKind::polymer;
   char altloc = ' ';
   char insertion_code = ' ';
   bool hetero = false;                          // HETATM record in the file

@@ -1,34 +1,12 @@
-// The class of an atom's residue. Amino acids have Lesk's classes (Introduction to Bioinformatics,
-// Oxford University Press, 2002); other residues have further ones.
+// The kinds of residues.
 #pragma once
 
-#include <array>
 #include <cstdint>
-
-#include "core/molecule/atom_colours.hpp"
-#include "core/molecule/molecule.hpp"
 
 namespace alphascope {
 
-enum class ResidueKind : std::uint8_t {
-  small_nonpolar,  // Gly, Ala, Ser, Thr
-  hydrophobic,     // Cys, Val, Ile, Leu, Pro, Phe, Tyr, Met, Trp
-  polar,           // Asn, Gln, His
-  negative,        // Asp, Glu
-  positive,        // Lys, Arg
-  nucleotide,
-  other,  // in a polymer, but none of these
-  ligand,
-  ion,
-  water,
-  dummy
-};
-inline constexpr std::size_t kResidueKinds = 11;
-
-ResidueKind residue_kind(const Molecule& molecule, const Atom& atom);
-
-const char* residue_kind_name(ResidueKind kind);  // "small non-polar"
-// Lesk's hues in the shades of Okabe and Ito. Other residues have further colours.
-Rgb8 residue_kind_colour(ResidueKind kind);
+// The kind of residue an atom belongs to. Dummies are markers without matter, such as OPM's
+// membrane planes.
+enum class ResidueKind : std::uint8_t { polymer, water, ligand, ion, dummy };
 
 }  // namespace alphascope

@@ -18,18 +18,19 @@ struct ExactRho {
   WideInt<4> numerator, denominator;
 };
 
-ALPHASCOPE_HOST_DEVICE inline ExactRho quotient_less(const WideInt<4>& p, const WideInt<4>& q,
-                                                     std::int64_t weight) {
+ALPHASCOPE_HOST_DEVICE inline ExactRho quotient_minus_weight(const WideInt<4>& p,
+                                                             const WideInt<4>& q,
+                                                             std::int64_t weight) {
   return {p - q.times(weight), q};
 }
 ALPHASCOPE_HOST_DEVICE inline WideInt<4> square_of(const Vector3<Int128>& v) {
   return square_of(v.x) + square_of(v.y) + square_of(v.z);
 }
 ALPHASCOPE_HOST_DEVICE inline ExactRho exact_vertex_rho(std::int64_t weight) {
-  return quotient_less(WideInt<4>(0), WideInt<4>(1), weight);
+  return quotient_minus_weight(WideInt<4>(0), WideInt<4>(1), weight);
 }
 ALPHASCOPE_HOST_DEVICE inline ExactRho exact_edge_rho(const LiftedInt& j, std::int64_t weight) {
-  return quotient_less(square_of(Int128{j.c}), WideInt<4>(dot(j, j)).times(4), weight);
+  return quotient_minus_weight(square_of(Int128{j.c}), WideInt<4>(dot(j, j)).times(4), weight);
 }
 ALPHASCOPE_HOST_DEVICE inline ExactRho exact_triangle_rho(const LiftedInt& j, const LiftedInt& k,
                                                           std::int64_t weight) {
@@ -37,8 +38,9 @@ ALPHASCOPE_HOST_DEVICE inline ExactRho exact_triangle_rho(const LiftedInt& j, co
   const auto combined = [&](std::int64_t a, std::int64_t b) {
     return Int128{j.c} * b - Int128{k.c} * a;
   };
-  return quotient_less(square_of({combined(j.x, k.x), combined(j.y, k.y), combined(j.z, k.z)}),
-                       square_of({2 * Int128{n.x}, 2 * Int128{n.y}, 2 * Int128{n.z}}), weight);
+  return quotient_minus_weight(
+      square_of({combined(j.x, k.x), combined(j.y, k.y), combined(j.z, k.z)}),
+      square_of({2 * Int128{n.x}, 2 * Int128{n.y}, 2 * Int128{n.z}}), weight);
 }
 ALPHASCOPE_HOST_DEVICE inline ExactRho exact_tetrahedron_rho(const LiftedInt& j, const LiftedInt& k,
                                                              const LiftedInt& l,
@@ -48,9 +50,9 @@ ALPHASCOPE_HOST_DEVICE inline ExactRho exact_tetrahedron_rho(const LiftedInt& j,
   const auto combined = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
     return Int128{j.c} * a + Int128{k.c} * b + Int128{l.c} * c;
   };
-  return quotient_less(square_of({combined(kl.x, lj.x, jk.x), combined(kl.y, lj.y, jk.y),
-                                  combined(kl.z, lj.z, jk.z)}),
-                       square_of(2 * d), weight);
+  return quotient_minus_weight(square_of({combined(kl.x, lj.x, jk.x), combined(kl.y, lj.y, jk.y),
+                                          combined(kl.z, lj.z, jk.z)}),
+                               square_of(2 * d), weight);
 }
 
 // rho of a simplex of any dimension; its balls must be affinely independent.

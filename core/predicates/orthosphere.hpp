@@ -19,8 +19,9 @@ struct Bracket {
 };
 
 // The bracket of the ortho-radius |x|² - w = P / Q - w, from brackets of P and Q.
-ALPHASCOPE_HOST_DEVICE inline Bracket quotient_less(double p, double p_error, double q,
-                                                    double q_relative_error, double weight) {
+ALPHASCOPE_HOST_DEVICE inline Bracket quotient_minus_weight(double p, double p_error, double q,
+                                                            double q_relative_error,
+                                                            double weight) {
   const double quotient = p / q;
   const double value = quotient - weight;
   // `value` is rounded, and so are value - error and value + error. The factor 1.01 covers terms of
@@ -42,7 +43,7 @@ ALPHASCOPE_HOST_DEVICE inline Bracket edge_rho(const LiftedVector<double>& j, do
     return {value, std::fabs(value) < 2251799813685248.0 ? 0 : 0.5};
   }
   const double p = j.c * j.c;
-  return quotient_less(p, kUnitRoundoff * p, 4 * g, 0, weight);
+  return quotient_minus_weight(p, kUnitRoundoff * p, 4 * g, 0, weight);
 }
 
 // rho of a triangle: |x|² = |c_j d_k - c_k d_j|² / (4 |d_j × d_k|²).
@@ -60,7 +61,7 @@ ALPHASCOPE_HOST_DEVICE inline Bracket triangle_rho(const LiftedVector<double>& j
   const double p = vx * vx + vy * vy + vz * vz;
   const double p_error = ex * (2 * std::fabs(vx) + ex) + ey * (2 * std::fabs(vy) + ey) +
                          ez * (2 * std::fabs(vz) + ez) + 3 * kUnitRoundoff * p;
-  return quotient_less(p, p_error, q, 4 * kUnitRoundoff, weight);
+  return quotient_minus_weight(p, p_error, q, 4 * kUnitRoundoff, weight);
 }
 
 // The orthocentre x of a tetrahedron by Cramer's rule: 2x D = c_j d_k×d_l + c_k d_l×d_j + c_l
@@ -109,8 +110,8 @@ ALPHASCOPE_HOST_DEVICE inline Bracket tetrahedron_rho(const TetrahedronCentre& c
   add(centre.numerator.y, centre.size.y);
   add(centre.numerator.z, centre.size.z);
   const double r = d_error / (d - d_error);
-  return quotient_less(p, p_error + 3 * kUnitRoundoff * p, 4 * d * d,
-                       2 * r + r * r + 2 * kUnitRoundoff, weight);
+  return quotient_minus_weight(p, p_error + 3 * kUnitRoundoff * p, 4 * d * d,
+                               2 * r + r * r + 2 * kUnitRoundoff, weight);
 }
 ALPHASCOPE_HOST_DEVICE inline Bracket tetrahedron_rho(const LiftedVector<double>& j,
                                                       const LiftedVector<double>& k,

@@ -8,7 +8,7 @@
 namespace alphascope {
 
 // The sink of a normal run: it records nothing, and compilers remove the calls.
-struct NotRecorded {
+struct NoSink {
   template <class... Seen>
   ALPHASCOPE_INLINE void operator()(const Seen&...) const {}
 };

@@ -257,16 +257,16 @@ AmberForm AmberFormFinder::form() const {
 }
 
 AmberRadius amber_radius(std::string_view residue, std::string_view atom, AmberForm form,
-                         Element element, AtomKind kind) {
-  if (kind == AtomKind::water && element == kHydrogen) return typed(kHO);
-  if (kind == AtomKind::water && element == 8) return typed(kOW);
-  if (kind == AtomKind::ligand) {  // whatever its name, it is no residue of AMBER's
+                         Element element, ResidueKind kind) {
+  if (kind == ResidueKind::water && element == kHydrogen) return typed(kHO);
+  if (kind == ResidueKind::water && element == 8) return typed(kOW);
+  if (kind == ResidueKind::ligand) {  // whatever its name, it is no residue of AMBER's
     residue = {};
     form = 0;
   }
   if (element == kHydrogen) return hydrogen(residue, atom, form);
   if (element == 8) return oxygen(residue, atom, form);
-  if (kind == AtomKind::ion) {
+  if (kind == ResidueKind::ion) {
     if (element == 17) return typed(kChlorideIon);
     if (element == 9 || element == 35 || element == 53) return {};
   }

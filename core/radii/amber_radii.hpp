@@ -50,6 +50,6 @@ struct AmberRadius {
 };
 
 AmberRadius amber_radius(std::string_view residue, std::string_view atom, AmberForm form,
-                         Element element, AtomKind kind);
+                         Element element, ResidueKind kind);
 
 }  // namespace alphascope

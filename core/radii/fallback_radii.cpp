@@ -56,12 +56,12 @@ int bondi_milliangstrom(Element element) {
   return element <= kHeaviestElement ? kBondi[element] : 0;
 }
 
-AssignedRadius fallback_radius(RadiiSet set, Element element, AtomKind kind) {
+AssignedRadius fallback_radius(RadiiSet set, Element element, ResidueKind kind) {
   if (element == kUnknownElement || element > kHeaviestElement) {
     return from(static_cast<int>(std::lround(kUnknownRadiusAngstrom * 1000)),
                 "of an unknown element");
   }
-  const bool ion = is_metal(element) || (kind == AtomKind::ion && is_halogen(element));
+  const bool ion = is_metal(element) || (kind == ResidueKind::ion && is_halogen(element));
   if (ion && !is_van_der_waals(set) && kIonic[element] > 0) {
     return from(kIonic[element], "ionic radius, Shannon 1976");
   }

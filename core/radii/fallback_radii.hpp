@@ -12,7 +12,7 @@ namespace alphascope {
 // gets its ionic radius, as in ChimeraX. So it touches its ligands instead of swallowing them, and
 // the site of an absent ligand stays open. In the van der Waals sets (Bondi, Alvarez) it stays an
 // atom on the scale of those sets.
-AssignedRadius fallback_radius(RadiiSet set, Element element, AtomKind kind);
+AssignedRadius fallback_radius(RadiiSet set, Element element, ResidueKind kind);
 
 // Bondi's own value, 10^-3 Å; 0: none.
 int bondi_milliangstrom(Element element);

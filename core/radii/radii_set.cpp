@@ -169,7 +169,7 @@ AssignedRadius by_type(RadiiSet set, AtomType type, const Atom& atom) {
   const int typed = set == RadiiSet::naccess ? naccess(type) : protor(type);
   if (typed > 0) return of_set(typed);
   const int middle = typical(set, atom.element);
-  if (middle > 0) return {middle * 1000, true, kTypicalOfTheSet};
+  if (middle > 0) return {middle * 1000, true, kTypicalValueSource};
   return fallback_radius(set, atom.element, atom.kind);
 }
 
@@ -254,7 +254,7 @@ AssignedRadius RadiiLookup::find(const Atom& atom, AmberForm form) const {
     case RadiiSet::protor:
     case RadiiSet::castp:
     case RadiiSet::naccess: {
-      const bool typed = atom.element != kHydrogen && atom.kind != AtomKind::ligand;
+      const bool typed = atom.element != kHydrogen && atom.kind != ResidueKind::ligand;
       if (set_ == RadiiSet::castp && typed && is_carboxylate_oxygen(residue, name)) {
         return of_set(kCarboxylateOxygen);
       }
@@ -264,7 +264,7 @@ AssignedRadius RadiiLookup::find(const Atom& atom, AmberForm form) const {
       const AmberRadius amber = amber_radius(residue, name, form, atom.element, atom.kind);
       if (amber.milliangstrom == 0) return fallback_radius(set_, atom.element, atom.kind);
       if (amber.typed) return of_set(amber.milliangstrom);
-      return {amber.milliangstrom * 1000, true, kTypicalOfTheSet};
+      return {amber.milliangstrom * 1000, true, kTypicalValueSource};
     }
     default: {
       const int radius = bondi_milliangstrom(atom.element);

@@ -37,7 +37,7 @@ struct UserRadii {
 };
 
 // AssignedRadius::source of atoms that the set knows only by their element, such as a ligand's.
-inline constexpr std::string_view kTypicalOfTheSet = "the set's typical value for the element";
+inline constexpr std::string_view kTypicalValueSource = "the set's typical value for the element";
 
 struct AssignedRadius {
   std::int32_t microangstrom = 0;  // > 0
@@ -63,7 +63,7 @@ class RadiiLookup {
   struct Key {
     NameId residue, name;
     Element element;
-    AtomKind kind;
+    ResidueKind kind;
     AmberForm form;  // of the residue, for AMBER; else 0
     friend bool operator==(const Key&, const Key&) = default;
   };

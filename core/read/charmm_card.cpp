@@ -98,7 +98,8 @@ class CardReader {
     const auto [end, error] =
         std::from_chars(id.data(), id.data() + id.size(), atom.residue_number);
     if (error == std::errc() && end + 1 == id.data() + id.size()) atom.insertion_code = *end;
-    atom.kind = atom_kind(guesser_.identify(atom, StatedElement{}, NamePlace::free, names), false);
+    atom.kind =
+        residue_kind(guesser_.identify(atom, StatedElement{}, NamePlace::free, names), false);
     builder_.set_record({});
     builder_.add(atom, position);
   }

@@ -56,7 +56,7 @@ struct FileFormat {
   Molecule (*read)(const ReaderInput& input);
   // True when columns show that a cut goes through numbers of the last line. For other formats a
   // note says that these numbers may be wrong.
-  bool tells_cuts = false;
+  bool detects_truncation = false;
 };
 
 const std::vector<FileFormat>& file_formats();

@@ -92,7 +92,7 @@ const FileFormat* recognise_format(const std::filesystem::path& path, std::strin
     best = &format;
   }
   // Recognition can be wrong where a title begins like another format: "solid water".
-  return how_well < Recognised::certain && look_at(text).certain ? nullptr : best;
+  return how_well < Recognised::certain && find_lookalike(text).certain ? nullptr : best;
 }
 
 bool has_molecule_ending(const std::filesystem::path& path) {

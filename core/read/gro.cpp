@@ -127,7 +127,8 @@ class GroReader {
     atom.name = names.intern(trimmed(field_at(line, 10, 5)));
     std::array<Decimal, 3> position;
     for (std::size_t axis = 0; axis < 3; ++axis) position[axis] = coordinate(line, axis);
-    atom.kind = atom_kind(guesser_.identify(atom, StatedElement{}, NamePlace::free, names), false);
+    atom.kind =
+        residue_kind(guesser_.identify(atom, StatedElement{}, NamePlace::free, names), false);
     builder_.set_record({});
     builder_.add(atom, position);
   }

@@ -101,7 +101,7 @@ Lookalike look_at_lines(std::string_view text) {
 
 }  // namespace
 
-Lookalike look_at(std::string_view text) {
+Lookalike find_lookalike(std::string_view text) {
   const std::string_view head = text.substr(0, kHead);
   if (head.empty()) return {"an empty file", "", false};
   const bool binary = head.find('\0') != head.npos;

@@ -13,6 +13,6 @@ struct Lookalike {
   bool certain = false;  // its own mark was found, so its name does not matter
 };
 
-Lookalike look_at(std::string_view text);
+Lookalike find_lookalike(std::string_view text);
 
 }  // namespace alphascope

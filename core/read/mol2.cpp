@@ -40,13 +40,13 @@ bool is_lower(char c) {
 // they state no element.
 StatedElement sybyl_element(std::string_view type) {
   const std::string_view head = type.substr(0, type.find('.'));
-  if (head == "LP" || head == "Du") return {Statement::virtual_site, kUnknownElement};
+  if (head == "LP" || head == "Du") return {ElementStatement::virtual_site, kUnknownElement};
   for (const std::string_view any : {"Any", "Hal", "Het", "Hev"}) {
-    if (head == any) return {Statement::placeholder, kUnknownElement};
+    if (head == any) return {ElementStatement::placeholder, kUnknownElement};
   }
   const bool as_people = (head.size() == 1 && is_upper(head[0])) ||
                          (head.size() == 2 && is_upper(head[0]) && is_lower(head[1]));
-  return as_people ? stated_element(head) : StatedElement{Statement::other, kUnknownElement};
+  return as_people ? stated_element(head) : StatedElement{ElementStatement::other, kUnknownElement};
 }
 
 // True for placeholders such as "****" and "<0>".
@@ -248,7 +248,7 @@ class Mol2Reader {
       if (!is_no_name(s.chain)) atom.chain = atom.label_chain = molecule.names.intern(s.chain);
       const ResidueFamily family =
           guesser_.identify(atom, sybyl_element(placed.type), NamePlace::free, molecule.names);
-      atom.kind = atom_kind(family, false);
+      atom.kind = residue_kind(family, false);
     }
     placed_.clear();
     serials_.clear();

@@ -65,7 +65,7 @@ Molecule MoleculeBuilder::finish() {
   }
   if (!radii_.empty()) radii_.resize(size(), kNoRadius);
   place(choose_digits());
-  mark_sites_on_their_atoms(molecule_);
+  mark_sites_at_atoms(molecule_);
   if (has_residues_) decide_residues(molecule_, records_);
   finish_virtual_sites(molecule_);
   make_texts_printable();

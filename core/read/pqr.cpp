@@ -78,7 +78,7 @@ class PqrReader {
     if (radius.mantissa < 0) fail("the radius is negative", "Radii are in Å and at least 0");
     const ResidueFamily family = guesser_.identify(atom, stated_element(element_), NamePlace::free,
                                                    builder_.molecule().names);
-    atom.kind = atom_kind(family, atom.hetero);
+    atom.kind = residue_kind(family, atom.hetero);
     builder_.set_record({.section = sections_});
     builder_.add(atom, position, radius);
   }
@@ -133,7 +133,7 @@ class PqrReader {
   }
 
   static bool is_element(std::string_view text) {
-    return stated_element(text).what == Statement::element;
+    return stated_element(text).what == ElementStatement::element;
   }
 
   // Refuses a PDB file, whose occupancies and B factors would pass for charges and radii. Each has

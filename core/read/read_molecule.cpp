@@ -24,7 +24,7 @@ void refuse_blank(const std::filesystem::path& path, std::string_view text) {
 Molecule read_format(const FileFormat* format, const ReaderInput& input) {
   refuse_blank(input.source, input.text);
   if (format != nullptr) return format->read(input);
-  const Lookalike found = look_at(input.text);
+  const Lookalike found = find_lookalike(input.text);
   throw ReadError(input.source, 0,
                   "this is not a molecule file that can be read: it looks like " + found.what,
                   found.remedy.empty()
@@ -43,7 +43,7 @@ Molecule read_molecule(const std::filesystem::path& path, const ReadOptions& opt
       options.format != nullptr ? options.format : recognise_format(path, loaded.text);
   Molecule molecule = read_format(format, {path, loaded.text, context});
   molecule.sha256 = hash.get();
-  if (!format->tells_cuts && loaded.text.back() != '\n') {
+  if (!format->detects_truncation && loaded.text.back() != '\n') {
     molecule.notes.push_back(
         "The last line has no line end: if the file was cut off, its last atom may be wrong");
   }

@@ -222,14 +222,14 @@ class XyzReader {
         // "MW" and "EP" are points of a force field. "X", "Bq" and "Du" stay atoms of no element.
         constexpr std::string_view kOfSites = "MELV";
         if (element == kUnknownElement && kOfSites.find(symbol[0]) != kOfSites.npos &&
-            is_virtual_site({"", symbol}, Statement::none)) {
-          atom.kind = AtomKind::dummy;
+            is_virtual_site({"", symbol}, ElementStatement::none)) {
+          atom.kind = ResidueKind::dummy;
         }
         return;
       }
     }
     const ResidueFamily family = guesser_.identify(atom, StatedElement{}, NamePlace::free, names);
-    if (family == ResidueFamily::dummy) atom.kind = AtomKind::dummy;
+    if (family == ResidueFamily::dummy) atom.kind = ResidueKind::dummy;
   }
 
   // Some files have names such as HB2. There "CA", "NE" and "OG" are names as well, not Ca, Ne and

@@ -23,7 +23,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/run/undivided_step.hpp"
+#include "core/run/uninterrupted_step.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
 
@@ -128,7 +128,7 @@ ChildProgram::ChildProgram(const fs::path& program, const std::vector<std::strin
   int error = errno;
   if (errors_ >= 0) {
     const SpawnSettings settings(ends[1], errors_, file);
-    const UndividedStep step;
+    const UninterruptedStep step;
     error = settings.start(process, program.c_str(), words.data());
     if (error == 0) remember(process);
   }
@@ -154,7 +154,7 @@ ChildProgram::~ChildProgram() {
 // Returns the exit status if the child has ended, else a negative number. Afterwards its process
 // number may be reused.
 int ChildProgram::reap(int options) {
-  const UndividedStep step;
+  const UninterruptedStep step;
   int status = 0;
   const pid_t ended = ::waitpid(process_, &status, options);
   if (ended != process_) return ended < 0 ? -1 : -2;
@@ -201,7 +201,7 @@ int ChildProgram::finish(const CancelToken& cancel) {
   }
 }
 
-std::string ChildProgram::said(std::size_t most) const {
+std::string ChildProgram::error_output(std::size_t most) const {
   struct stat status {};
   if (::fstat(errors_, &status) != 0) return {};
   const std::size_t length = std::min(most, static_cast<std::size_t>(status.st_size));

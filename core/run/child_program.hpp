@@ -36,7 +36,7 @@ class ChildProgram {
   // signal. Throws Cancelled.
   int finish(const CancelToken& cancel);
   // The text that it has written to standard error, at most the last `most` bytes.
-  std::string said(std::size_t most = 2000) const;
+  std::string error_output(std::size_t most = 2000) const;
 
  private:
   void close_input();

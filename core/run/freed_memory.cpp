@@ -5,7 +5,7 @@
 
 namespace alphascope {
 
-void give_back_freed_memory() {
+void return_freed_memory() {
   malloc_trim(0);
 }
 

@@ -5,6 +5,6 @@ namespace alphascope {
 
 // Returns whole free pages to the system. Without this call the allocator keeps most of the memory
 // of many small objects. Other threads may wait for their allocations meanwhile.
-void give_back_freed_memory();
+void return_freed_memory();
 
 }  // namespace alphascope

@@ -12,7 +12,7 @@ AtomFilter::AtomFilter(const Molecule& molecule, const BallOptions& options, Ato
     selection_ = SelectionExpression::parse(options.selection).bind(molecule);
   }
   choose_chains();
-  const auto picked = [this](const Atom& atom) { return !reason_not_picked(atom); };
+  const auto picked = [this](const Atom& atom) { return !reason_not_selected(atom); };
   if (options.altlocs == AltlocRule::best && options.model != kAllModels) {
     minor_ = minor_altlocs(molecule, range.begin, range.end, picked);
   } else if (options.altlocs == AltlocRule::best) {
@@ -25,21 +25,21 @@ AtomFilter::AtomFilter(const Molecule& molecule, const BallOptions& options, Ato
 
 std::optional<DropReason> AtomFilter::reason_to_drop(std::size_t i) const {
   const Atom& atom = molecule_.atoms[i];
-  if (const auto reason = reason_not_picked(atom)) return reason;
+  if (const auto reason = reason_not_selected(atom)) return reason;
   switch (atom.kind) {
-    case AtomKind::dummy:
+    case ResidueKind::dummy:
       if (!options_.dummies) return DropReason::dummy;
       break;
-    case AtomKind::water:
+    case ResidueKind::water:
       if (!options_.waters) return DropReason::water;
       break;
-    case AtomKind::ion:
+    case ResidueKind::ion:
       if (!options_.ions) return DropReason::ion;
       break;
-    case AtomKind::ligand:
+    case ResidueKind::ligand:
       if (!options_.ligands) return DropReason::ligand;
       break;
-    case AtomKind::polymer:
+    case ResidueKind::polymer:
       if (!options_.polymers) return DropReason::polymer;
       break;
   }
@@ -48,7 +48,7 @@ std::optional<DropReason> AtomFilter::reason_to_drop(std::size_t i) const {
   return std::nullopt;
 }
 
-std::optional<DropReason> AtomFilter::reason_not_picked(const Atom& atom) const {
+std::optional<DropReason> AtomFilter::reason_not_selected(const Atom& atom) const {
   if (!chains_.empty() && !chains_[atom.chain]) return DropReason::chain;
   if (selection_ && !(*selection_)(atom)) return DropReason::selection;
   return std::nullopt;

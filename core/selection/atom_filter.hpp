@@ -29,7 +29,7 @@ class AtomFilter {
   }
 
  private:
-  std::optional<DropReason> reason_not_picked(const Atom& atom) const;
+  std::optional<DropReason> reason_not_selected(const Atom& atom) const;
   void choose_chains();
 
   const Molecule& molecule_;

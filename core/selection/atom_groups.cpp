@@ -24,9 +24,9 @@ class OneResidue {
   // may all have one number. Number 0 does not tell other residues apart either, except where atoms
   // are named by their elements alone.
   bool ends_before(const Molecule& molecule, const Atom& atom) {
-    const bool alone = atom.kind == AtomKind::water || atom.kind == AtomKind::ion;
+    const bool alone = atom.kind == ResidueKind::water || atom.kind == ResidueKind::ion;
     const bool told = alone || (atom.residue_number == 0 && has_names_);
-    const bool again = told && atom.name != 0 && atom.kind != AtomKind::ligand && comes(atom);
+    const bool again = told && atom.name != 0 && atom.kind != ResidueKind::ligand && comes(atom);
     if (!again) add(molecule, atom);
     return again;
   }

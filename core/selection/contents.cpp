@@ -32,8 +32,8 @@ std::string kinds_text(const KindCounts& counts) {
   std::string text;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     if (counts[k] == 0) continue;
-    text += (text.empty() ? "" : " · ") + std::string(kind_name(static_cast<AtomKind>(k))) + " " +
-            grouped(counts[k]);
+    text += (text.empty() ? "" : " · ") + std::string(kind_name(static_cast<ResidueKind>(k))) +
+            " " + grouped(counts[k]);
   }
   return text;
 }

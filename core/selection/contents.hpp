@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "core/molecule/atom_kind.hpp"
+#include "core/molecule/residue_kind.hpp"
 
 namespace alphascope {
 
 struct Molecule;
 
-// Numbers of atoms by kind; the index is an AtomKind.
+// Numbers of atoms by kind; the index is an ResidueKind.
 using KindCounts = std::array<std::size_t, 5>;
 
-inline std::size_t of_kind(const KindCounts& counts, AtomKind kind) {
+inline std::size_t of_kind(const KindCounts& counts, ResidueKind kind) {
   return counts[static_cast<std::size_t>(kind)];
 }
 

@@ -242,7 +242,7 @@ bool suits_protor(const Molecule& molecule, AtomRange range) {
   RadiiLookup protor(molecule, RadiiSet::protor, nullptr);
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const Atom& atom = molecule.atoms[i];
-    if (atom.kind != AtomKind::polymer) continue;
+    if (atom.kind != ResidueKind::polymer) continue;
     if (atom.element == kHydrogen) return false;
     typed = typed || !protor.radius(i).guessed;
   }

@@ -170,8 +170,8 @@ class Grouping {
 // The order of groups: small numbers first.
 int rank(const ResidueGroup& group) {
   if (is_guess(group.file_why)) return -1;
-  constexpr AtomKind kOrder[] = {AtomKind::ligand, AtomKind::ion, AtomKind::dummy, AtomKind::water,
-                                 AtomKind::polymer};
+  constexpr ResidueKind kOrder[] = {ResidueKind::ligand, ResidueKind::ion, ResidueKind::dummy,
+                                    ResidueKind::water, ResidueKind::polymer};
   return static_cast<int>(std::find(std::begin(kOrder), std::end(kOrder), group.file_kind) -
                           std::begin(kOrder));
 }
@@ -230,11 +230,12 @@ std::string selection_text(const ResidueGroup& group) {
       [](const std::string& text, const std::string& address) { return text + "," + address; });
 }
 
-void treat_group(std::vector<std::string>& treatments, const ResidueGroup& group, AtomKind kind) {
+void set_group_kind(std::vector<std::string>& treatments, const ResidueGroup& group,
+                    ResidueKind kind) {
   for (const std::string& residues : group.called) set_treatment(treatments, {residues, kind});
 }
 
-void take_back(std::vector<std::string>& treatments, const ResidueGroup& group) {
+void remove_treatments(std::vector<std::string>& treatments, const ResidueGroup& group) {
   std::erase_if(treatments, [&](const std::string& text) {
     return std::find(group.treated.begin(), group.treated.end(), text) != group.treated.end();
   });

@@ -15,9 +15,9 @@ namespace alphascope {
 // Residues of one name with the same kind and reason, both in the file and now.
 struct ResidueGroup {
   std::string name;  // empty: the file gives none
-  AtomKind kind = AtomKind::polymer;
-  ResidueReason why = ResidueReason::none;  // `by_hand` if a treatment decided
-  AtomKind file_kind = AtomKind::polymer;   // without treatments
+  ResidueKind kind = ResidueKind::polymer;
+  ResidueReason why = ResidueReason::none;       // `by_hand` if a treatment decided
+  ResidueKind file_kind = ResidueKind::polymer;  // without treatments
   ResidueReason file_why = ResidueReason::none;
   std::size_t residues = 0, atoms = 0;
   std::size_t nth = 1;  // number among the groups of this name, in the order of the list
@@ -57,9 +57,10 @@ std::string why_text(const ResidueGroup& group);
 // An expression or addresses that select the residues; empty if `called` is.
 std::string selection_text(const ResidueGroup& group);
 
-// treat_group() sets the kind of the residues. take_back() removes every treatment that names any
-// of them.
-void treat_group(std::vector<std::string>& treatments, const ResidueGroup& group, AtomKind kind);
-void take_back(std::vector<std::string>& treatments, const ResidueGroup& group);
+// set_group_kind() sets the kind of the residues. remove_treatments() removes every treatment that
+// names any of them.
+void set_group_kind(std::vector<std::string>& treatments, const ResidueGroup& group,
+                    ResidueKind kind);
+void remove_treatments(std::vector<std::string>& treatments, const ResidueGroup& group);
 
 }  // namespace alphascope

@@ -36,11 +36,11 @@ std::vector<Run> runs_of(const Molecule& molecule, std::size_t begin, std::size_
   return runs;
 }
 
-using Key = std::tuple<NameId, AtomKind, ResidueReason, NameId>;
+using Key = std::tuple<NameId, ResidueKind, ResidueReason, NameId>;
 
 // Polymers, and waters, of a chain share one entry whatever their names.
 Key key_of(const Atom& atom) {
-  const bool together = atom.kind == AtomKind::polymer || atom.kind == AtomKind::water;
+  const bool together = atom.kind == ResidueKind::polymer || atom.kind == ResidueKind::water;
   return {atom.chain, atom.kind, atom.why, together && !is_guess(atom.why) ? 0 : atom.residue_name};
 }
 
@@ -55,7 +55,7 @@ std::vector<ListedResidues> list_residues(const Molecule& molecule, std::size_t 
   }
   const auto is_grouped = [&](const Atom& atom) {
     if (listing == ResidueListing::each) return false;
-    const bool body = atom.kind == AtomKind::polymer || atom.kind == AtomKind::water;
+    const bool body = atom.kind == ResidueKind::polymer || atom.kind == ResidueKind::water;
     return (body && !is_guess(atom.why)) || counts[key_of(atom)] > kToldOneByOne;
   };
   std::vector<ListedResidues> list;

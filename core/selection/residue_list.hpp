@@ -16,7 +16,7 @@ enum class ResidueListing : unsigned char {
 
 struct ListedResidues {
   std::string chain, name, number;  // "16-223"; `name` is empty if there are several
-  AtomKind kind = AtomKind::polymer;
+  ResidueKind kind = ResidueKind::polymer;
   ResidueReason why = ResidueReason::none;
   std::size_t residues = 0, atoms = 0;
   std::size_t first_atom = 0;  // first atom of the first residue

@@ -203,13 +203,13 @@ bool SelectionExpression::Bound::Node::holds(const Molecule& molecule, const Ato
     case Test::occupancy:
       return alphascope::holds(of.comparison, atom.occupancy, of.number);
     case Test::polymer:
-      return atom.kind == AtomKind::polymer;
+      return atom.kind == ResidueKind::polymer;
     case Test::water:
-      return atom.kind == AtomKind::water;
+      return atom.kind == ResidueKind::water;
     case Test::ligand:
-      return atom.kind == AtomKind::ligand;
+      return atom.kind == ResidueKind::ligand;
     case Test::ion:
-      return atom.kind == AtomKind::ion;
+      return atom.kind == ResidueKind::ion;
     case Test::hydrogen:
       return atom.element == kHydrogen;
     case Test::hetero:

@@ -32,7 +32,7 @@ void for_each_residue(const Molecule& molecule, const Use& use) {
 enum class Polymer : std::uint8_t { none, protein, nucleic };
 
 Polymer polymer_of(const Molecule& molecule, std::size_t begin, std::size_t end) {
-  if (molecule.atoms[begin].kind != AtomKind::polymer) return Polymer::none;
+  if (molecule.atoms[begin].kind != ResidueKind::polymer) return Polymer::none;
   const std::string_view residue = molecule.text(molecule.atoms[begin].residue_name);
   if (!standard_amino_acid(residue).empty()) return Polymer::protein;
   if (nucleotide_base(residue) != 0) return Polymer::nucleic;

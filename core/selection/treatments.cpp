@@ -14,8 +14,8 @@
 namespace alphascope {
 namespace {
 
-constexpr AtomKind kKinds[] = {AtomKind::polymer, AtomKind::ligand, AtomKind::ion, AtomKind::water,
-                               AtomKind::dummy};
+constexpr ResidueKind kKinds[] = {ResidueKind::polymer, ResidueKind::ligand, ResidueKind::ion,
+                                  ResidueKind::water, ResidueKind::dummy};
 
 std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -62,7 +62,8 @@ void settle_notes(Molecule& molecule, const Reasons& treated_guesses) {
 }
 
 // Applies one treatment. Adds the reasons of treated guesses to `guesses`.
-std::vector<bool> treat(Molecule& molecule, const Treatment& treatment, Reasons& guesses) {
+std::vector<bool> apply_treatments(Molecule& molecule, const Treatment& treatment,
+                                   Reasons& guesses) {
   const auto named = residues_named(molecule, treatment.residues);
   std::vector<bool> atoms(molecule.atoms.size());
   for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = named(i);
@@ -87,7 +88,7 @@ std::vector<bool> treat(Molecule& molecule, const Treatment& treatment, Reasons&
 
 }  // namespace
 
-const char* kind_name(AtomKind kind) {
+const char* kind_name(ResidueKind kind) {
   static constexpr const char* kNames[] = {"polymer", "water", "ligand", "ion", "dummy"};
   return kNames[static_cast<std::size_t>(kind)];
 }
@@ -97,7 +98,7 @@ Treatment parse_treatment(std::string_view text) {
   const std::string_view residues = without_blanks(text.substr(0, std::min(equals, text.size())));
   if (equals != std::string_view::npos && !residues.empty()) {
     const std::string_view word = without_blanks(text.substr(equals + 1));
-    for (const AtomKind kind : kKinds) {
+    for (const ResidueKind kind : kKinds) {
       if (word != kind_name(kind)) continue;
       const auto fault = is_only_a_name(residues) ? std::nullopt : fault_of_address(residues);
       if (!fault) return {std::string(residues), kind};
@@ -115,11 +116,11 @@ std::string treatment_text(const Treatment& treatment) {
   return treatment.residues + "=" + kind_name(treatment.kind);
 }
 
-TreatedAtoms treat(Molecule& molecule, const std::vector<std::string>& treatments) {
+TreatedAtoms apply_treatments(Molecule& molecule, const std::vector<std::string>& treatments) {
   TreatedAtoms atoms;
   Reasons guesses;
   for (const std::string& text : treatments) {
-    atoms.push_back(treat(molecule, parse_treatment(text), guesses));
+    atoms.push_back(apply_treatments(molecule, parse_treatment(text), guesses));
   }
   settle_notes(molecule, guesses);
   return atoms;

@@ -13,11 +13,11 @@ namespace alphascope {
 // expression or a residue name, and the kind.
 struct Treatment {
   std::string residues;
-  AtomKind kind = AtomKind::ligand;
+  ResidueKind kind = ResidueKind::ligand;
 };
 
 // "polymer", "water", "ligand", "ion", "dummy".
-const char* kind_name(AtomKind kind);
+const char* kind_name(ResidueKind kind);
 
 // Throws std::invalid_argument if the text is no treatment, or if its address or expression cannot
 // be understood. Does not look for the residues.
@@ -30,7 +30,7 @@ using TreatedAtoms = std::vector<std::vector<bool>>;
 // Sets the kind of all atoms of these residues in the order of the list, with
 // ResidueReason::by_hand. Adds a note on each treatment that found nothing. Removes notes on
 // guesses of which none is left. Throws as parse_treatment().
-TreatedAtoms treat(Molecule& molecule, const std::vector<std::string>& treatments);
+TreatedAtoms apply_treatments(Molecule& molecule, const std::vector<std::string>& treatments);
 
 // Both remove the list's treatment of these residues. set_treatment() then adds the new one.
 void set_treatment(std::vector<std::string>& treatments, const Treatment& treatment);

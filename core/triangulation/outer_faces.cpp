@@ -9,7 +9,7 @@
 #include "core/complex/count_limits.hpp"
 #include "core/complex/face_groups.hpp"
 #include "core/run/parallel.hpp"
-#include "core/triangulation/chosen_places.hpp"
+#include "core/triangulation/indices_where.hpp"
 
 namespace alphascope {
 namespace {
@@ -20,7 +20,7 @@ constexpr FaceCode kNone = ~FaceCode{0};  // no tetrahedron; there are fewer tha
 class RegularTriangles {
  public:
   RegularTriangles(const SimplexList<3>& triangles, const CancelToken& cancel) : cancel_(cancel) {
-    const auto places = chosen_places(
+    const auto places = indices_where(
         triangles.size(),
         [&](std::size_t i) { return triangles.classes[i] == SimplexClass::regular; }, cancel);
     const auto vertex = [&](std::size_t n) { return triangles.simplices[places[n]][0]; };
@@ -106,7 +106,7 @@ ResultArray<FaceCode> outer_faces(const AlphaComplex& complex, const CancelToken
 
 ResultArray<FaceCode> outer_faces(const Simplices<4>& tetrahedra, const CancelToken& cancel) {
   const FaceGroups<3> groups(tetrahedra, cancel);
-  const auto places = chosen_places(
+  const auto places = indices_where(
       groups.size(), [&](std::size_t f) { return groups.coface_count(f) == 1; }, cancel);
   ResultArray<FaceCode> faces(places.size());
   parallel_many(places.size(), cancel, [&](std::size_t n) {

@@ -44,18 +44,18 @@ struct FindBatch {
 
 template <class Reader>
 struct CountNeighbours {
-  TupleScene<Reader> scene;
+  TupleInput<Reader> scene;
   std::uint32_t* counts;
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t slot) const {
     std::uint32_t count = 0;
-    for_cube(scene, static_cast<std::uint32_t>(slot), [&](std::uint32_t) { ++count; });
+    for_balls_in_cube(scene, static_cast<std::uint32_t>(slot), [&](std::uint32_t) { ++count; });
     counts[slot] = count;
   }
 };
 
 template <class Reader>
 struct FillNeighbours {
-  TupleScene<Reader> scene;
+  TupleInput<Reader> scene;
   NeighbourLists lists;
   std::uint32_t first_slot;
   std::uint32_t* slots;
@@ -63,7 +63,7 @@ struct FillNeighbours {
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t n) const {
     const std::uint32_t slot = first_slot + static_cast<std::uint32_t>(n);
     std::uint32_t at = lists.begin(slot);
-    for_cube(scene, slot, [&](std::uint32_t t) {
+    for_balls_in_cube(scene, slot, [&](std::uint32_t t) {
       slots[at] = t;
       owners[at++] = slot;
     });
@@ -72,7 +72,7 @@ struct FillNeighbours {
 
 // Does the edge optimisation keep the pair of balls i and j?
 template <class Reader>
-ALPHASCOPE_INLINE bool pair_is_left(const TupleScene<Reader>& scene, std::uint32_t i,
+ALPHASCOPE_INLINE bool is_pair_kept(const TupleInput<Reader>& scene, std::uint32_t i,
                                     std::uint32_t j) {
   return !scene.edge_optimisation || grown_balls_may_meet(scene, i, j);
 }
@@ -80,13 +80,13 @@ ALPHASCOPE_INLINE bool pair_is_left(const TupleScene<Reader>& scene, std::uint32
 // Marks each place in the lists: 1 if ball and neighbour become a pair.
 template <class Reader>
 struct MarkPairs {
-  TupleScene<Reader> scene;
+  TupleInput<Reader> scene;
   NeighbourLists lists;
   const std::uint32_t* owners;
   std::uint32_t* marks;
   ALPHASCOPE_HOST_DEVICE void operator()(std::uint64_t at) const {
     const std::uint32_t i = owners[at], j = lists.slots[at];
-    marks[at] = j > i && pair_is_left(scene, i, j) ? 1 : 0;
+    marks[at] = j > i && is_pair_kept(scene, i, j) ? 1 : 0;
   }
 };
 
@@ -109,7 +109,7 @@ struct FillSingles {
 };
 
 template <int N, class Reader>
-ALPHASCOPE_INLINE FloatCentre centre_of(const TupleScene<Reader>& scene,
+ALPHASCOPE_INLINE FloatCentre centre_of(const TupleInput<Reader>& scene,
                                         const NeighbourLists& lists, const BallTuple<N>& tuple) {
   const BallRecord i = scene.read.ball(tuple.first);
   FloatLifted v[N - 1];
@@ -124,7 +124,7 @@ ALPHASCOPE_INLINE FloatCentre centre_of(const TupleScene<Reader>& scene,
 }
 
 template <class Reader>
-ALPHASCOPE_INLINE Decision within_alpha(const TupleScene<Reader>& scene, std::uint32_t first,
+ALPHASCOPE_INLINE Decision within_alpha(const TupleInput<Reader>& scene, std::uint32_t first,
                                         const FloatCentre& centre) {
   if (scene.alpha_covers_all) return Decision::in;
   return centre_within(centre, scene.read.ball(first).radius, scene.alpha_float);
@@ -135,8 +135,8 @@ enum class Optimisation : std::uint8_t { edge, alpha };
 // Calls visit(tuple) for every tuple that extends `base` by one later neighbour. Returns the number
 // of tuples that the edge optimisation keeps. The alpha optimisation drops 4-tuples with rho >
 // alpha. For each dropped tuple `sink` gets the optimisation and the place of the added neighbour.
-template <int N, class Reader, class Visit, class Sink = NotRecorded>
-ALPHASCOPE_INLINE std::uint32_t for_extensions(const TupleScene<Reader>& scene,
+template <int N, class Reader, class Visit, class Sink = NoSink>
+ALPHASCOPE_INLINE std::uint32_t for_extensions(const TupleInput<Reader>& scene,
                                                const NeighbourLists& lists,
                                                const BallTuple<N>& base, const Visit& visit,
                                                const Sink& sink = {}) {
@@ -172,7 +172,7 @@ ALPHASCOPE_INLINE std::uint32_t for_extensions(const TupleScene<Reader>& scene,
 
 template <int N, class Reader>
 struct CountExtensions {
-  TupleScene<Reader> scene;
+  TupleInput<Reader> scene;
   NeighbourLists lists;
   const BallTuple<N>* bases;
   std::uint32_t* counts;
@@ -189,7 +189,7 @@ struct CountExtensions {
 // at index sums[base] - sums[first].
 template <int N, class Reader>
 struct FillExtensions {
-  TupleScene<Reader> scene;
+  TupleInput<Reader> scene;
   NeighbourLists lists;
   const BallTuple<N>* bases;
   const std::uint64_t* sums;
@@ -222,7 +222,7 @@ enum class TupleNote : std::uint8_t { above_alpha, flat, conflict, unsure };
 // Integers, which are as fast as floats here. With equality the larger simplices decide
 // (tuple_exact.hpp).
 template <class Reader, class Sink>
-ALPHASCOPE_INLINE Verdict filter_vertex(const TupleScene<Reader>& scene,
+ALPHASCOPE_INLINE Verdict filter_vertex(const TupleInput<Reader>& scene,
                                         const NeighbourLists& lists, std::uint32_t slot,
                                         const Sink& sink) {
   const BallRecord i = scene.read.ball(slot);
@@ -237,7 +237,7 @@ ALPHASCOPE_INLINE Verdict filter_vertex(const TupleScene<Reader>& scene,
 
 // Where the power is at most alpha, only neighbours of the first ball can be in conflict.
 template <int N, class Reader, class Sink>
-ALPHASCOPE_INLINE Verdict filter_orthosphere(const TupleScene<Reader>& scene,
+ALPHASCOPE_INLINE Verdict filter_orthosphere(const TupleInput<Reader>& scene,
                                              const NeighbourLists& lists, const BallTuple<N>& tuple,
                                              const Sink& sink) {
   const FloatCentre centre = centre_of<N>(scene, lists, tuple);
@@ -270,8 +270,8 @@ ALPHASCOPE_INLINE Verdict filter_orthosphere(const TupleScene<Reader>& scene,
 }
 
 // Kernel II for one tuple.
-template <int N, class Reader, class Sink = NotRecorded>
-ALPHASCOPE_INLINE Verdict filter_tuple(const TupleScene<Reader>& scene, const NeighbourLists& lists,
+template <int N, class Reader, class Sink = NoSink>
+ALPHASCOPE_INLINE Verdict filter_tuple(const TupleInput<Reader>& scene, const NeighbourLists& lists,
                                        const BallTuple<N>& tuple, const Sink& sink = {}) {
   if constexpr (N == 1) {
     return filter_vertex(scene, lists, tuple.first, sink);
@@ -282,7 +282,7 @@ ALPHASCOPE_INLINE Verdict filter_tuple(const TupleScene<Reader>& scene, const Ne
 
 template <int N, class Reader>
 struct FilterTuples {
-  TupleScene<Reader> scene;
+  TupleInput<Reader> scene;
   NeighbourLists lists;
   const BallTuple<N>* tuples;
   Verdict* verdicts;
@@ -311,7 +311,7 @@ struct FillBand {
 };
 
 template <int N, class Reader>
-ALPHASCOPE_INLINE LiftedSimplex<N> lifted_tuple(const TupleScene<Reader>& scene,
+ALPHASCOPE_INLINE LiftedSimplex<N> lifted_tuple(const TupleInput<Reader>& scene,
                                                 const NeighbourLists& lists,
                                                 const BallTuple<N>& tuple) {
   const BallRecord i = scene.read.ball(tuple.first);
@@ -331,7 +331,7 @@ ALPHASCOPE_INLINE bool rho_within(const LiftedSimplex<N>& s, const LatticeAlpha&
 
 // Kernel III for one tuple: by the filter where it is certain, else by integers.
 template <class Integer, int N, class Reader, class Sink>
-ALPHASCOPE_HOST_DEVICE inline bool decide_with(const TupleScene<Reader>& scene,
+ALPHASCOPE_HOST_DEVICE inline bool decide_with(const TupleInput<Reader>& scene,
                                                const NeighbourLists& lists,
                                                const BallTuple<N>& tuple, const Sink& sink) {
   const BallRecord i = scene.read.ball(tuple.first);
@@ -356,8 +356,8 @@ ALPHASCOPE_HOST_DEVICE inline bool decide_with(const TupleScene<Reader>& scene,
   }
   return true;
 }
-template <int N, class Reader, class Sink = NotRecorded>
-ALPHASCOPE_INLINE Verdict decide_tuple(const TupleScene<Reader>& scene, const NeighbourLists& lists,
+template <int N, class Reader, class Sink = NoSink>
+ALPHASCOPE_INLINE Verdict decide_tuple(const TupleInput<Reader>& scene, const NeighbourLists& lists,
                                        const BallTuple<N>& tuple, const Sink& sink = {}) {
   const bool valid = scene.int128_holds ? decide_with<Int128, N>(scene, lists, tuple, sink)
                                         : decide_with<WideInt<4>, N>(scene, lists, tuple, sink);
@@ -367,7 +367,7 @@ ALPHASCOPE_INLINE Verdict decide_tuple(const TupleScene<Reader>& scene, const Ne
 // Kernel III for the tuples that kernel II left in the band.
 template <int N, class Reader>
 struct DecideTuples {
-  TupleScene<Reader> scene;
+  TupleInput<Reader> scene;
   NeighbourLists lists;
   const BallTuple<N>* tuples;
   const std::uint32_t* band;
@@ -384,7 +384,7 @@ struct DecideTuples {
 // value (the float nearest to rho, square lattice units) unless `values` is null.
 template <int N, class Reader>
 struct EmitSimplices {
-  TupleScene<Reader> scene;
+  TupleInput<Reader> scene;
   NeighbourLists lists;
   const BallTuple<N>* tuples;
   const Verdict* verdicts;

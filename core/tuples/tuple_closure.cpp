@@ -19,7 +19,7 @@ struct Valued {
 
 // Sorts in lexicographic order: a counting sort by first vertex, then a sort for each first vertex.
 template <int N>
-void sort_own(OwnSimplices<N>& own, std::size_t ball_count) {
+void sort_own(UnattachedSimplices<N>& own, std::size_t ball_count) {
   if (own.values.empty()) {
     sort_simplices<N>(own.simplices, ball_count);
     return;
@@ -46,7 +46,7 @@ void sort_own(OwnSimplices<N>& own, std::size_t ball_count) {
 
 // Merges the faces of the cofaces with the simplices that are valid by themselves, both in order.
 template <int N>
-void close(OwnSimplices<N> own, const SimplexList<N + 1>& cofaces, std::size_t ball_count,
+void close(UnattachedSimplices<N> own, const SimplexList<N + 1>& cofaces, std::size_t ball_count,
            SimplexList<N>& list) {
   sort_own<N>(own, ball_count);
   const FaceGroups<N> groups(cofaces.simplices);
@@ -76,7 +76,8 @@ void close(OwnSimplices<N> own, const SimplexList<N + 1>& cofaces, std::size_t b
 
 }  // namespace
 
-void complete_complex(OwnSimplicesByDimension own, std::size_t ball_count, AlphaComplex& complex) {
+void complete_complex(UnattachedSimplicesByDimension own, std::size_t ball_count,
+                      AlphaComplex& complex) {
   sort_own<4>(own.tetrahedra, ball_count);
   SimplexList<4>& tetrahedra = complex.tetrahedra;
   tetrahedra.simplices = std::move(own.tetrahedra.simplices);

@@ -13,21 +13,22 @@ namespace alphascope {
 // once, in any order, with ascending vertices. Values are the floats nearest to the ortho-radius;
 // there are none when only tetrahedra are requested.
 template <int N>
-struct OwnSimplices {
+struct UnattachedSimplices {
   Simplices<N> simplices;
   ResultArray<float> values;
 };
 
-struct OwnSimplicesByDimension {
-  OwnSimplices<1> vertices;
-  OwnSimplices<2> edges;
-  OwnSimplices<3> triangles;
-  OwnSimplices<4> tetrahedra;
+struct UnattachedSimplicesByDimension {
+  UnattachedSimplices<1> vertices;
+  UnattachedSimplices<2> edges;
+  UnattachedSimplices<3> triangles;
+  UnattachedSimplices<4> tetrahedra;
 };
 
 // Fills the lists of `complex`, whose tetrahedra_only is an input. K_alpha is the closure of these
 // simplices. A face that is not among them is attached, and has the least alpha value of its
 // cofaces.
-void complete_complex(OwnSimplicesByDimension own, std::size_t ball_count, AlphaComplex& complex);
+void complete_complex(UnattachedSimplicesByDimension own, std::size_t ball_count,
+                      AlphaComplex& complex);
 
 }  // namespace alphascope

@@ -126,7 +126,7 @@ class TupleEngine : public Engine {
         computer_(std::move(balls), tuples, executor_),
         threads_(options.work_threads()) {}
 
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls&,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults&,
                        const RunContext& context) override {
     AlphaComplex complex;
     executor_.set_cancel(context.cancel);

@@ -21,7 +21,7 @@
 
 #include "core/predicates/rounding.hpp"
 #include "core/predicates/simplex_decisions.hpp"
-#include "core/tuples/tuple_scene.hpp"
+#include "core/tuples/tuple_input.hpp"
 
 namespace alphascope {
 

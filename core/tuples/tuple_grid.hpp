@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/tuples/tuple_input.hpp"
 #include "core/tuples/tuple_options.hpp"
-#include "core/tuples/tuple_scene.hpp"
 
 namespace alphascope {
 

@@ -1,7 +1,7 @@
 // The order in which the kernels of the tuple engine run, in batches that bound its memory: balls
 // with their neighbours, pairs with their triples, triples with their 4-tuples. The items of each
 // batch are counted, summed up and then written. One template for both executors, which provide:
-//   Reader                          of balls (tuple_scene.hpp)
+//   Reader                          of balls (tuple_input.hpp)
 //   Buffer<T>                       reserve(count) (content is lost), get()
 //   capacity(), workers()           tuples in a batch; lanes 1 to workers() beside lane 0
 //   upload(grid) -> TupleUpload     once per run
@@ -36,9 +36,9 @@ struct TupleUpload {
 };
 
 template <class Reader>
-TupleScene<Reader> make_tuple_scene(const TupleUpload<Reader>& upload, const TupleGrid& grid,
+TupleInput<Reader> make_tuple_input(const TupleUpload<Reader>& upload, const TupleGrid& grid,
                                     const TupleOptions& options, const LatticeAlpha& alpha) {
-  TupleScene<Reader> scene{};
+  TupleInput<Reader> scene{};
   scene.read = upload.read;
   scene.grid = grid.view;
   scene.grid.cell_start = upload.cell_start;
@@ -67,7 +67,7 @@ struct TupleCounts {
 };
 
 struct TupleFindings {
-  OwnSimplicesByDimension own;
+  UnattachedSimplicesByDimension own;
   TupleCounts counts;
 };
 
@@ -86,7 +86,7 @@ class TuplePipeline {
     whole_ = whole;
     ball_count_ = grid.size();
     if (ball_count_ == 0) return {};
-    scene_ = make_tuple_scene(exec_.upload(grid), grid, options, alpha);
+    scene_ = make_tuple_input(exec_.upload(grid), grid, options, alpha);
 
     counts_.reserve(ball_count_);
     starts_.reserve(ball_count_ + 1);
@@ -263,7 +263,7 @@ class TuplePipeline {
   }
 
   template <int N>
-  void test_now(const BallTuple<N>* tuples, std::uint64_t count, OwnSimplices<N>& own) {
+  void test_now(const BallTuple<N>* tuples, std::uint64_t count, UnattachedSimplices<N>& own) {
     start<N>(0, lower_, tuples, count);
     finish<N>(0, lower_, tuples, count, own);
     exec_.wait(0);
@@ -295,7 +295,7 @@ class TuplePipeline {
   // Writes the valid simplices and starts fetching them.
   template <int N>
   void finish(int lane, Test& t, const BallTuple<N>* tuples, std::uint64_t count,
-              OwnSimplices<N>& own) {
+              UnattachedSimplices<N>& own) {
     const std::uint64_t band = exec_.read(lane, t.band_sums.get() + count);
     const std::uint64_t valid = exec_.read(lane, t.valid_sums.get() + count);
     (N == 4 ? found_.counts.band : found_.counts.lower_band) += band;
@@ -324,7 +324,7 @@ class TuplePipeline {
   std::uint64_t ball_count_ = 0;
   // Progress before and after the current batch of triples.
   double progress_ = 0, progress_end_ = 0;
-  TupleScene<Reader> scene_{};
+  TupleInput<Reader> scene_{};
   NeighbourLists lists_{};
   TupleFindings found_;
 

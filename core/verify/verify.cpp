@@ -38,7 +38,7 @@ class NearBalls {
 
   template <int N>
   bool conflict(const Orthosphere<N>& sphere, const std::array<BallIndex, N>& s) const {
-    around().look_around<N>(balls_, s);
+    around().find_near_balls<N>(balls_, s);
     return around().conflict<N>(sphere, s);
   }
   // Is the simplex in the triangulation? Call it right after conflict() was false.

@@ -76,7 +76,7 @@ Simplices<1> missing_vertices(const VerifyBalls& balls, const Simplices<1>& know
     const auto i = static_cast<BallIndex>(n);
     if (balls.hidden(i) || balls.empty(i)) return;
     thread_local Surroundings around;
-    around.look_around<1>(balls, {i});
+    around.find_near_balls<1>(balls, {i});
     if (!stands_alone<1>(balls, {i}, around, known)) return;
     const std::lock_guard lock(mutex);
     missing.push_back({i});
@@ -93,7 +93,7 @@ Simplices<N + 1> missing_cofaces(const VerifyBalls& balls, const Simplices<N>& f
   std::mutex mutex;
   verify_all(faces.size(), context, [&](std::size_t n) {
     thread_local Surroundings around;
-    around.look_around<N>(balls, faces[n]);
+    around.find_near_balls<N>(balls, faces[n]);
     for (const BallIndex m : around.near()) {
       const std::array<BallIndex, N + 1> coface = joined<N>(faces[n], m);
       if (!stands_alone<N + 1>(balls, coface, around, known)) continue;

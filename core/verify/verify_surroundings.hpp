@@ -18,7 +18,7 @@ class Surroundings {
  public:
   // Finds all other balls that may touch every ball of a simplex.
   template <int N>
-  void look_around(const VerifyBalls& balls, const std::array<BallIndex, N>& simplex) {
+  void find_near_balls(const VerifyBalls& balls, const std::array<BallIndex, N>& simplex) {
     if (balls_ != balls.number() || first_ != simplex[0]) {  // rarely true, since lists are sorted
       balls.around(simplex[0], around_first_);
       balls_ = balls.number();
@@ -35,7 +35,7 @@ class Surroundings {
   const std::vector<BallIndex>& ties() const { return ties_; }
 
   // Is a near ball in conflict with the orthosphere of `simplex`? The simplex may have more balls
-  // than the one given to look_around(). If there is no conflict, ties() are the near balls of
+  // than the one given to find_near_balls(). If there is no conflict, ties() are the near balls of
   // power rho at the orthocentre.
   template <int N>
   bool conflict(const Orthosphere<N>& sphere, const std::array<BallIndex, N>& simplex) {

@@ -101,7 +101,7 @@ MovieFile::MovieFile(const std::filesystem::path& path, const MovieOptions& opti
 MovieFile::~MovieFile() = default;
 
 void MovieFile::fail() const {
-  const std::string said = last_line(parts_->program.said());
+  const std::string said = last_line(parts_->program.error_output());
   throw WriteError("Cannot write " + parts_->name + ": ffmpeg could not make it with the codec " +
                    codec_of(parts_->options).name + (said.empty() ? "" : ": " + said) +
                    ". Check free space and the codecs of this ffmpeg (ffmpeg -encoders), or write "
@@ -117,7 +117,7 @@ void MovieFile::add(std::span<const std::uint8_t> rgba, const CancelToken& cance
 void MovieFile::commit(const CancelToken& cancel) {
   // ffmpeg 5.1 exits with 0 even if the disk was full. It is started so that it prints errors only.
   const bool refused = parts_->program.finish(cancel) != 0;
-  if (refused || !parts_->program.said().empty()) fail();
+  if (refused || !parts_->program.error_output().empty()) fail();
   cancel.throw_if_cancelled();
   parts_->file.commit();
 }

@@ -94,7 +94,8 @@ struct TriangleList {
   std::uint32_t room;
 };
 // Puts triangle t of ball b on a list. If that has no room, the ball goes to kernel III.
-__device__ inline void enlist(const TriangleList& list, BlockBalls& s, int place, int t, int b) {
+__device__ inline void add_to_list(const TriangleList& list, BlockBalls& s, int place, int t,
+                                   int b) {
   if (place < static_cast<int>(list.room)) {
     list.numbers[place] = static_cast<std::uint16_t>(t);
   } else {
@@ -122,7 +123,7 @@ __device__ inline int list_candidates(const Block& block, int triangles) {
     if (lane == 0) base = atomicAdd(&s.listed, __popc(votes));
     base = __shfl_sync(~0u, base, 0);
     const int place = base + __popc(votes & ((1u << lane) - 1));
-    if (keep) enlist({block.m.listed, room.listed}, s, place, t, ball);
+    if (keep) add_to_list({block.m.listed, room.listed}, s, place, t, ball);
   }
   __syncthreads();
   return min(s.listed, static_cast<int>(room.listed));
@@ -156,7 +157,7 @@ __device__ inline int sort_candidates(const Block& block, int triangles) {
   for (int t = threadIdx.x; t < triangles; t += kBlockThreads) {
     if (m.length[t] >= kLengths) continue;
     const int place = atomicAdd(&s.lengths[m.length[t]], 1);
-    enlist({m.listed, room.listed}, s, place, t, m.triangles[t] >> 25);
+    add_to_list({m.listed, room.listed}, s, place, t, m.triangles[t] >> 25);
   }
   __syncthreads();
   return min(s.listed, static_cast<int>(room.listed));
@@ -254,7 +255,8 @@ __device__ inline int probe_triangles(const Block& block, int listed) {
       if (edge.start(vector(triangle.j), vector(triangle.k), s.radius_square[triangle.ball]) &&
           !probed_away(
               edge, words, [&](int w) { return triangle.common(w) & near[w]; }, vector))
-        enlist({m.probed, block.p.capacity.probed}, s, atomicAdd(&s.probed, 1), t, triangle.ball);
+        add_to_list({m.probed, block.p.capacity.probed}, s, atomicAdd(&s.probed, 1), t,
+                    triangle.ball);
     }
     __syncwarp();
   }

@@ -309,7 +309,7 @@ __device__ inline void find_list(const Block& block, const SortedBalls& sorted, 
   const DualEdgeMemory& m = block.m;
   BlockBalls& s = block.s;
   const std::uint32_t index = block.first + b;
-  const BallHome home = sorted.home[index];
+  const BallCell home = sorted.home[index];
   const int4 centre = p.balls[index];
   const bool alive = home.reach >= 0;
   const int all = search_neighbours(p.common, sorted, home, active && alive,

@@ -35,9 +35,9 @@ __device__ inline void sum_before(int triangles, std::uint32_t* before, const Bi
 
 // Reserves room for the simplices of each lane's ball. Called by one warp. `lane` makes the request
 // for all; different lanes allow several requests to run at once.
-class Claim {
+class OutputRange {
  public:
-  __device__ Claim(int own, std::uint32_t* cursor, int lane)
+  __device__ OutputRange(int own, std::uint32_t* cursor, int lane)
       : before_(warp_scan(own)), lane_(lane), base_(0) {
     const int all = __shfl_sync(~0u, before_ + own, 31);
     if (static_cast<int>(threadIdx.x & 31) == lane && all != 0) base_ = atomicAdd(cursor, all);
@@ -52,7 +52,7 @@ class Claim {
 // Reserves places for the simplices of each ball. Balls for kernel III are listed instead. Called
 // by one warp.
 template <class Kind>
-__device__ inline void claim_places(const Block& block) {
+__device__ inline void reserve_output(const Block& block) {
   const DualEdgeOutput& out = block.out;
   const DualEdgeMemory& m = block.m;
   BlockBalls& s = block.s;
@@ -63,13 +63,13 @@ __device__ inline void claim_places(const Block& block) {
   const bool any = begin < end;
   const std::uint32_t tetrahedron0 = any ? tetrahedra_before(m, begin) : 0,
                       tetrahedra = any ? tetrahedra_before(m, end) - tetrahedron0 : 0;
-  const Claim tetrahedron(static_cast<int>(tetrahedra), out.tetrahedra.cursor, 0);
+  const OutputRange tetrahedron(static_cast<int>(tetrahedra), out.tetrahedra.cursor, 0);
   if constexpr (Kind::kWhole) {
     const std::uint32_t triangle0 = any ? triangles_before(m, begin) : 0,
                         triangles = any ? triangles_before(m, end) - triangle0 : 0;
     const int edges = mine ? s.later[b] : 0;
-    const Claim triangle(static_cast<int>(triangles), out.triangles.cursor, 1);
-    const Claim edge(edges, out.edges.cursor, 2);
+    const OutputRange triangle(static_cast<int>(triangles), out.triangles.cursor, 1);
+    const OutputRange edge(edges, out.edges.cursor, 2);
     const std::uint32_t triangle_start = triangle.start(), edge_start = edge.start();
     if (mine) {
       out.triangles.start[index] = triangle_start;
@@ -138,7 +138,7 @@ __device__ inline void write_simplices(const Block& block, int triangles) {
     sum_before(triangles, m.tetrahedra_before,
                [&](int w) { return __popc(m.one_bits[w]) + __popc(m.two_bits[w]); });
     __syncwarp();
-    claim_places<Kind>(block);
+    reserve_output<Kind>(block);
   }
   __syncthreads();
   if constexpr (Kind::kWhole) write_edges(out.edges, m, s);

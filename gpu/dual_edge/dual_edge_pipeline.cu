@@ -84,8 +84,8 @@ DualEdgePipeline::~DualEdgePipeline() {
   state_->results->close();
 }
 
-void DualEdgePipeline::rest() {
-  state_->results->rest();
+void DualEdgePipeline::release_memory() {
+  state_->results->release_memory();
   ResultMemory::free_unused();
 }
 
@@ -207,14 +207,14 @@ void DualEdgePipeline::State::receive_balls(const Problem& p, EventTimer& timer)
   for (int piece = 0; piece < last; ++piece) {
     send_piece(piece, all);
     queues.arrived[piece].record(queues.main);
-    queues.arrived[piece].hold_up(before_last);
+    queues.arrived[piece].make_wait(before_last);
     assign_piece(p, piece, all, before_last);
   }
   send_piece(last, all);
   timer.mark(stage::kHostToDevice, queues.main);
   if (all > 1) {
     queues.assigned.record(before_last);
-    queues.assigned.hold_up(queues.main);
+    queues.assigned.make_wait(queues.main);
   }
   assign_piece(p, last, all, queues.main);
 }

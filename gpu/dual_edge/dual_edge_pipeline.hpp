@@ -63,7 +63,7 @@ class DualEdgePipeline {
 
   // Frees the pinned memory that is kept for later results; the next run reserves it again. Waits
   // for the device.
-  void rest();
+  void release_memory();
 
   struct State;  // for the pipeline's own sources
 

@@ -42,7 +42,7 @@ class RowMaker {
     const std::uint32_t bit = 1u << (j_ & 31);
     const bool dead = Kind::kEdges && !(*possible & bit);
     if (!dead) meet();
-    const bool absent = Kind::kWhole && !dead && !look_at_edge();
+    const bool absent = Kind::kWhole && !dead && !decide_edge();
     if (absent) atomicAnd(possible, ~bit);
     if (dead || absent) {
       for (int w = 0; w < words_; ++w) row_[w] = 0;
@@ -74,7 +74,7 @@ class RowMaker {
 
   // Returns false if the edge is not in K_alpha. For a whole complex it also decides whether the
   // edge is attached.
-  __device__ bool look_at_edge() {
+  __device__ bool decide_edge() {
     const ScaledNeighbours vectors{m_.vectors + entry0_};
     const FacetDisc<float> disc(vectors(j_), s_.radius_square[b_]);
     if (disc.certainly_empty()) return false;

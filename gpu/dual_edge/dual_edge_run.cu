@@ -13,7 +13,7 @@ namespace {
 
 // An empty kernel. While it runs, a kernel of another queue that waits for the same event can
 // begin.
-__global__ void let_pass() {}
+__global__ void empty_kernel() {}
 
 // The computation of one request.
 class Run {
@@ -53,7 +53,7 @@ class Run {
       const bool sent = is_known(need) || send_counted(layout, cancel);
       if (sent) {
         timer_.mark(stage::kDeviceToHost, chunks_ > 1 ? q_.copying : q_.main);
-        result_.say_interior(layout);
+        result_.write_interior_classes(layout);
       }
       check(q_.wait(chunks_ > 1), "computing dual edges");
       const Need next = next_need(need);
@@ -68,7 +68,7 @@ class Run {
         make_room(found);
         result_.found(layout, found, q_.main);
         timer_.mark(stage::kDeviceToHost, q_.main);
-        result_.say_interior(found);
+        result_.write_interior_classes(found);
         check(cudaStreamSynchronize(q_.main), "copying the result");
       }
       busy_ = false;
@@ -225,8 +225,8 @@ class Run {
     const DualEdgeOutput out = output();
     if (chunks_ > 1) {
       q_.sorted.record(q_.main);
-      q_.sorted.hold_up(q_.other);
-      launch(let_pass, {1, 32, q_.other});
+      q_.sorted.make_wait(q_.other);
+      launch(empty_kernel, {1, 32, q_.other});
     }
     for (int c = 0; c < chunks_; ++c) {
       const cudaStream_t stream = q_.filtering(c);
@@ -251,14 +251,14 @@ class Run {
     const bool several = chunks_ > 1, last = number == chunks_ - 1;
     const cudaStream_t deciding = several ? q_.deciding : q_.main,
                        stream = several ? q_.ordering : q_.main;
-    if (several) q_.filtered[number].hold_up(deciding);
+    if (several) q_.filtered[number].make_wait(deciding);
     const auto blocks = static_cast<unsigned>(2 * s_.multiprocessors);
     const auto exact = whole_ ? dual_edges_exact<true> : dual_edges_exact<false>;
     start(exact, {blocks, deciding}, ball_problem(need), sorted, part.out);
     if (last) timer_.mark(stage::kExactValidity, deciding);
     if (several) {
       q_.decided[number].record(deciding);
-      q_.decided[number].hold_up(stream);
+      q_.decided[number].make_wait(stream);
     }
     Ordering ordering(s_, plan_, layout, stream);
     ordering.order_faces(part);
@@ -274,7 +274,7 @@ class Run {
   void fetch_counts(int number) {
     const bool several = chunks_ > 1;
     const cudaStream_t stream = several ? q_.counting : q_.main;
-    if (several) q_.ordered[number].hold_up(stream);
+    if (several) q_.ordered[number].make_wait(stream);
     const Counters* from = s_.counters();
     Counters* to = s_.host_counters.get();
     check(number == chunks_ - 1
@@ -301,22 +301,22 @@ class Run {
   bool send(const ResultLayout& layout, const Totals* after, int number) {
     const Totals none{}, &before = number == 0 ? none : after[number - 1];
     if (!ResultCopy::has_place(layout, before, after[number])) return false;
-    q_.faces_ordered[number].hold_up(q_.copying);
+    q_.faces_ordered[number].make_wait(q_.copying);
     result_.added_faces(layout, before, after[number], q_.copying);
     if (!whole_) return true;
-    q_.ordered[number].hold_up(q_.copying);
+    q_.ordered[number].make_wait(q_.copying);
     result_.added_edges_and_vertices(layout, before, after[number], q_.copying);
     return true;
   }
   // Sends the result of a single chunk. Its faces are sent while its edges are ordered.
   void send_all(const ResultLayout& layout) {
     const cudaStream_t stream = whole_ ? cudaStream_t{q_.copying} : q_.main;
-    if (whole_) q_.faces_ordered[0].hold_up(stream);
+    if (whole_) q_.faces_ordered[0].make_wait(stream);
     result_.all_faces(layout, stream);
     if (!whole_) return;
     q_.faces_sent.record(stream);
     result_.all_edges_and_vertices(layout, q_.main);
-    q_.faces_sent.hold_up(q_.main);
+    q_.faces_sent.make_wait(q_.main);
   }
   // Sends the simplices of all chunks, each when it is counted. Returns false for a single chunk:
   // nothing is sent then.

@@ -107,14 +107,14 @@ __device__ inline std::uint32_t find_edge(const EdgeCandidates& edges, std::uint
 
 // An edge of a triangle. Its flags are read as soon as it is found, not only when they change. So
 // the reads of several edges overlap.
-struct ToldEdge {
+struct EdgeOfTriangle {
   std::uint32_t edge, known;
 
-  __device__ ToldEdge(const EdgeCandidates& edges, std::uint32_t e)
+  __device__ EdgeOfTriangle(const EdgeCandidates& edges, std::uint32_t e)
       : edge(e), known(e != kNoEdge ? edges.flags[e] : 0) {}
   // Adds the value and class of the triangle.
-  __device__ void tell(const EdgeCandidates& edges, std::uint32_t value,
-                       std::uint32_t flags) const {
+  __device__ void add_coface(const EdgeCandidates& edges, std::uint32_t value,
+                             std::uint32_t flags) const {
     if (edge == kNoEdge) return;
     if (!(known & kUnattached)) atomicMin(&edges.least[edge], value);
     if ((known & flags) != flags) atomicOr(&edges.flags[edge], flags);
@@ -122,7 +122,7 @@ struct ToldEdge {
 };
 
 // Adds the values of all threads of a block to `sum`. Every thread must call it.
-__device__ inline void add_of_block(std::uint64_t own, std::uint64_t* sum) {
+__device__ inline void add_block_sum(std::uint64_t own, std::uint64_t* sum) {
   __shared__ std::uint64_t all;
   if (threadIdx.x == 0) all = 0;
   __syncthreads();
@@ -159,14 +159,15 @@ __device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, const
   const bool attached = l != kNoBall, pends = j >= chunk.end;
   const SimplexBalls balls = simplex_balls<4>(to.ball, make_uint4(i, j, k, attached ? l : j));
   const std::uint32_t own = from.edges.start[i];
-  const ToldEdge ij(from.edges, own + (info & 4095)), ik(from.edges, own + (info >> 12 & 4095)),
+  const EdgeOfTriangle ij(from.edges, own + (info & 4095)),
+      ik(from.edges, own + (info >> 12 & 4095)),
       jk(from.edges, pends ? kNoEdge : find_edge(from.edges, j, k));
   const float value = attached ? ortho_radius<4>(balls) : ortho_radius<3>(balls);
   const SimplexClass own_class = triangle_class(static_cast<int>(info >> 24));
   const std::uint32_t bits = ordered_bits(value), flags = coface_flags(own_class);
-  ij.tell(from.edges, bits, flags);
-  ik.tell(from.edges, bits, flags);
-  jk.tell(from.edges, bits, flags);
+  ij.add_coface(from.edges, bits, flags);
+  ik.add_coface(from.edges, bits, flags);
+  jk.add_coface(from.edges, bits, flags);
   if (pends) pending.places[atomicAdd(pending.count, 1u)] = at;
   std::uint32_t* place = out.vertices + 3 * static_cast<std::size_t>(at);
   place[0] = i;
@@ -235,8 +236,8 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
       tetrahedron_hash += hash_of(v);
     }
   });
-  add_of_block(triangle_hash, to.dimension[2].hash);
-  add_of_block(tetrahedron_hash, to.dimension[3].hash);
+  add_block_sum(triangle_hash, to.dimension[2].hash);
+  add_block_sum(tetrahedron_hash, to.dimension[3].hash);
   if (blockIdx.x != 0 || threadIdx.x != 0) return;
   chunk.before[1].of[2] = before.of[2] + high_of(places[chunk.end]);
   chunk.before[1].of[3] = before.of[3] + low_of(places[chunk.end]);
@@ -261,22 +262,22 @@ __global__ void place_tetrahedra(GroupedChunk chunk, FoundTetrahedra from,
       sum += hash_of(v);
     }
   });
-  add_of_block(sum, to.hash);
+  add_block_sum(sum, to.hash);
   if (blockIdx.x == 0 && threadIdx.x == 0) chunk.before[1].of[3] = before + places[chunk.end];
 }
 
 // Adds the triangles of earlier chunks to edges of this one.
-__global__ void tell_pending(Chunk chunk, DualEdgeOutput from, PendingTriangles pending,
-                             OrderedSimplices triangles) {
+__global__ void add_pending_cofaces(Chunk chunk, DualEdgeOutput from, PendingTriangles pending,
+                                    OrderedSimplices triangles) {
   if (is_overfull(from)) return;
   const std::uint32_t count = *pending.count, step = gridDim.x * blockDim.x;
   for (std::uint32_t a = blockIdx.x * blockDim.x + threadIdx.x; a < count; a += step) {
     const std::uint32_t at = pending.places[a];
     const std::uint32_t* v = triangles.vertices + 3 * static_cast<std::size_t>(at);
     if (v[1] < chunk.begin || v[1] >= chunk.end) continue;
-    ToldEdge(from.edges, find_edge(from.edges, v[1], v[2]))
-        .tell(from.edges, ordered_bits(triangles.value[at]),
-              coface_flags(static_cast<SimplexClass>(triangles.simplex_class[at])));
+    EdgeOfTriangle(from.edges, find_edge(from.edges, v[1], v[2]))
+        .add_coface(from.edges, ordered_bits(triangles.value[at]),
+                    coface_flags(static_cast<SimplexClass>(triangles.simplex_class[at])));
   }
 }
 
@@ -325,10 +326,10 @@ __device__ inline void for_balls(const Chunk& chunk, const Visit& visit) {
 }
 
 // The contribution of edges in K_alpha to a vertex, as in VertexStates.
-struct EdgeNews {
+struct CofaceSummary {
   std::uint32_t flags = 0, greatest = 0;
 
-  __device__ void add(const EdgeNews& more) {
+  __device__ void add(const CofaceSummary& more) {
     flags |= more.flags;
     greatest = max(greatest, more.greatest);
   }
@@ -339,17 +340,17 @@ struct EdgeNews {
   }
 };
 
-// A vertex. Its data is read as soon as it is met, as in ToldEdge.
-struct ToldVertex {
+// A vertex. Its data is read as soon as it is met, as in EdgeOfTriangle.
+struct VertexOfEdges {
   std::uint32_t vertex, known, state, greatest;
 
-  __device__ ToldVertex(const VertexStates& vertices, const Chunk& chunk, std::uint32_t v)
+  __device__ VertexOfEdges(const VertexStates& vertices, const Chunk& chunk, std::uint32_t v)
       : vertex(v),
         known(vertices.flags[v]),
         // In a later chunk the state is not known yet.
         state(v >= chunk.end ? 1 : vertices.state[v]),
         greatest(vertices.greatest[v]) {}
-  __device__ void tell(const VertexStates& vertices, const EdgeNews& news) const {
+  __device__ void add_cofaces(const VertexStates& vertices, const CofaceSummary& news) const {
     if ((known & news.flags) != news.flags) atomicOr(&vertices.flags[vertex], news.flags);
     if (state == 1 && greatest < news.greatest)
       atomicMax(&vertices.greatest[vertex], news.greatest);
@@ -362,19 +363,19 @@ struct OwnEdge {
 };
 // Computes the value of an unattached edge of K_alpha and adds the edge to its higher ball. Returns
 // the contribution to its lower ball.
-__device__ inline EdgeNews finish_edge(const int4* ball, const EdgeCandidates& edges,
-                                       const VertexStates& vertices, const Chunk& chunk,
-                                       const OwnEdge& edge) {
+__device__ inline CofaceSummary finish_edge(const int4* ball, const EdgeCandidates& edges,
+                                            const VertexStates& vertices, const Chunk& chunk,
+                                            const OwnEdge& edge) {
   const std::uint32_t begin = edge.begin, e = edge.candidate;
   const std::uint32_t flags = edges.flags[e], end = edges.end[e];
   std::uint32_t least = edges.least[e];
-  const ToldVertex told(vertices, chunk, end);
+  const VertexOfEdges told(vertices, chunk, end);
   if (flags & kUnattached) {
     least = ordered_bits(ortho_radius<2>(simplex_balls<2>(ball, make_uint4(begin, end, 0, 0))));
     edges.least[e] = least;
   }
-  const EdgeNews news{coface_flags(face_class(flags)), ~least};
-  told.tell(vertices, news);
+  const CofaceSummary news{coface_flags(face_class(flags)), ~least};
+  told.add_cofaces(vertices, news);
   return news;
 }
 
@@ -384,14 +385,14 @@ __global__ void __launch_bounds__(kValueThreads, kValueBlocks)
                  std::uint32_t* found) {
   if (is_overfull(from)) return;
   for_balls(chunk, [&](std::uint32_t i, bool active) {
-    EdgeNews news;
+    CofaceSummary news;
     const std::uint32_t count =
         for_edges(from.edges, i, active, [&](std::uint32_t e, std::uint32_t) {
           news.add(finish_edge(ball, from.edges, vertices, chunk, {i, e}));
         });
     news.add_lanes();
     if (!active || threadIdx.x % kEdgeLanes != 0) return;
-    if (count != 0) ToldVertex(vertices, chunk, i).tell(vertices, news);
+    if (count != 0) VertexOfEdges(vertices, chunk, i).add_cofaces(vertices, news);
     found[i] = count;
   });
 }
@@ -448,8 +449,8 @@ __global__ void place_edges_and_vertices(Chunk chunk, DualEdgeOutput from, Verte
       vertex_hash += place_vertex(i, vertices, before.of[0] + high_of(places[i]), to);
     __syncwarp();
   });
-  add_of_block(vertex_hash, to.dimension[0].hash);
-  add_of_block(edge_hash, to.dimension[1].hash);
+  add_block_sum(vertex_hash, to.dimension[0].hash);
+  add_block_sum(edge_hash, to.dimension[1].hash);
   if (blockIdx.x != 0 || threadIdx.x != 0) return;
   chunk.before[1].of[0] = before.of[0] + high_of(places[chunk.end]);
   chunk.before[1].of[1] = before.of[1] + low_of(places[chunk.end]);

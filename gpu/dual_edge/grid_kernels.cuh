@@ -6,8 +6,8 @@
 
 namespace alphascope::gpu {
 
-// The cell along one axis, and the part of its width as in BallHome::part. The part is computed
-// fast, with no more precision than BallHome promises.
+// The cell along one axis, and the part of its width as in BallCell::part. The part is computed
+// fast, with no more precision than BallCell promises.
 struct CellOfAxis {
   std::uint32_t cell, part;
 
@@ -26,7 +26,7 @@ struct CellOfAxis {
 struct CellBuffers {
   int4* balls;
   std::uint32_t* count;
-  BallHome* home;
+  BallCell* home;
 };
 
 // Assigns the balls [begin, end), which came packed or unpacked.
@@ -54,7 +54,7 @@ __global__ void assign_cells(Problem p, std::uint32_t begin, std::uint32_t end, 
 struct SortedBuffers {
   std::uint32_t* index;
   float4* near;
-  BallHome* home;  // from assign_cells()
+  BallCell* home;  // from assign_cells()
 };
 
 __global__ void sort_into_cells(Problem p, const int4* balls, const std::uint32_t* cell_start,
@@ -62,7 +62,7 @@ __global__ void sort_into_cells(Problem p, const int4* balls, const std::uint32_
   const int i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i >= p.ball_count) return;
   const int4 b = balls[i];
-  const BallHome home = to.home[i];
+  const BallCell home = to.home[i];
   const std::uint32_t slot = cell_start[home.cell] + home.slot;
   to.index[slot] = i;
   if (home.cell == static_cast<std::uint32_t>(p.cell_count - 1)) {

@@ -34,8 +34,8 @@ class Ordering {
     const VertexStates vertices{out.vertex_state, s_.zeroed_array(plan_, 3),
                                 s_.zeroed_array(plan_, 5)};
     if (chunk.begin > 0)
-      launch(tell_pending, {4u * s_.multiprocessors, kThreads, stream_}, chunk, out, pending(),
-             ordered_.dimension[2]);
+      launch(add_pending_cofaces, {4u * s_.multiprocessors, kThreads, stream_}, chunk, out,
+             pending(), ordered_.dimension[2]);
     launch(finish_edges, lanes(chunk, kValueThreads, kValueBlocks), chunk, out, s_.balls.get(),
            vertices, s_.edges_found.get());
     sum(chunk, EdgeAndVertexCounts{out, vertices, s_.edges_found.get(), chunk.end});

@@ -197,7 +197,7 @@ struct DualEdgePipeline::State {
   DeviceBuffer<std::uint32_t> zeroed;
   DeviceBuffer<std::uint32_t> index, cell_start, exact_list;
   DeviceBuffer<float4> near;
-  DeviceBuffer<BallHome> home;
+  DeviceBuffer<BallCell> home;
   DeviceBuffer<unsigned char> scratch;
   // Output of the blocks (dual_edge_block.cuh).
   struct {

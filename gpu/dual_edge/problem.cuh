@@ -81,7 +81,7 @@ struct BlockStatistics {
 // is in kCellParts-ths of the cell's width, 10 bits each for x, y and z. It is rounded down, with
 // an error of at most a hundredth part.
 inline constexpr int kCellParts = 1024;
-struct alignas(16) BallHome {
+struct alignas(16) BallCell {
   std::uint32_t slot, cell, part;  // for dead balls: any cell
   float reach;                     // as in SortedBalls::near; below 0: dead
   __host__ __device__ int part_of(int axis) const {
@@ -96,7 +96,7 @@ struct SortedBalls {
   // The reach is rounded up by more than grown_balls.hpp needs: see assign_cells().
   const float4* near;
   const std::uint32_t* cell_start;
-  const BallHome* home;  // in the order of the BallSet
+  const BallCell* home;  // in the order of the BallSet
 };
 
 // Number of lanes that search the neighbours of one ball.
@@ -109,7 +109,7 @@ struct Surroundings {
   std::uint32_t base[9];  // for each row slot minus number
 
   // All lanes of a warp must call it. `reach`: of the ball, lattice units.
-  __device__ void load(const Problem& p, const SortedBalls& balls, const BallHome& home,
+  __device__ void load(const Problem& p, const SortedBalls& balls, const BallCell& home,
                        float reach) {
     const int lane = threadIdx.x & (kSearchLanes - 1), r = lane < 9 ? lane : 8;
     const int to_x = r / 3 - 1, to_y = r % 3 - 1, z = home.part_of(2);
@@ -159,7 +159,7 @@ struct SearchMemory {
 // Kernel I for two balls of one warp, half a warp for each: lists the balls that theirs meets.
 // Returns the number of all, including those that do not fit; 0 if not `active`.
 __device__ inline int search_neighbours(const Problem& p, const SortedBalls& balls,
-                                        const BallHome& home, bool active, const SearchMemory& to) {
+                                        const BallCell& home, bool active, const SearchMemory& to) {
   const int lane = threadIdx.x & (kSearchLanes - 1), half = threadIdx.x & kSearchLanes;
   const std::uint32_t slot = home.slot;
   const float4 b = balls.near[slot];

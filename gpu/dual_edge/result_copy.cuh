@@ -23,7 +23,7 @@ class ResultCopy {
   }
   // Writes the classes of tetrahedra, which need no copy. Other arrays may be on their way
   // meanwhile.
-  void say_interior(const ResultLayout& layout) {
+  void write_interior_classes(const ResultLayout& layout) {
     const std::size_t tetrahedra = layout.host_bytes - layout.bytes;
     if (tetrahedra == 0) return;
     std::memset(memory_.get() + layout.dimension[3].simplex_class,
@@ -33,10 +33,10 @@ class ResultCopy {
   // Copy whole sections of the result's memory, for a run in a single chunk.
   void all_faces(const ResultLayout& layout, cudaStream_t stream) {
     const std::size_t begin = layout.dimension[2].vertices;
-    bring(begin, begin, layout.bytes - begin, stream);
+    copy_to_host(begin, begin, layout.bytes - begin, stream);
   }
   void all_edges_and_vertices(const ResultLayout& layout, cudaStream_t stream) {
-    bring(0, 0, layout.dimension[2].vertices, stream);
+    copy_to_host(0, 0, layout.dimension[2].vertices, stream);
   }
   // Copies only the simplices found, to a layout that fits exactly and has been reserved.
   void found(const ResultLayout& from, const ResultLayout& to, cudaStream_t stream) {
@@ -89,7 +89,7 @@ class ResultCopy {
     return totals;
   }
 
-  void bring(std::size_t begin, std::size_t place, std::size_t bytes, cudaStream_t stream) {
+  void copy_to_host(std::size_t begin, std::size_t place, std::size_t bytes, cudaStream_t stream) {
     if (bytes == 0) return;
     check(cudaMemcpyAsync(memory_.get() + place, s_.result.get() + begin, bytes,
                           cudaMemcpyDeviceToHost, stream),
@@ -101,7 +101,7 @@ class ResultCopy {
       const ResultLayout::Section &source = from.dimension[d], &target = to.dimension[d];
       const std::size_t begin = which.before.of[d], count = which.after.of[d] - begin;
       const auto array = [&](std::size_t at, std::size_t place, std::size_t size) {
-        bring(at + begin * size, place + begin * size, count * size, stream);
+        copy_to_host(at + begin * size, place + begin * size, count * size, stream);
       };
       array(source.vertices, target.vertices, 4 * static_cast<std::size_t>(d + 1));
       if (!whole_) continue;

@@ -86,7 +86,7 @@ struct UnionMeasurer::State {
     return {to.vertices.get(), to.classes.get(), count};
   }
 
-  MeasureScene scene(std::size_t balls) {
+  MeasureInput scene(std::size_t balls) {
     grown.reserve(balls);
     scales.reserve(balls);
     sums.reserve(balls);
@@ -102,7 +102,7 @@ struct UnionMeasurer::State {
   }
   void enqueue(const DeviceComplex& complex);
   HostMeasures result_of(const DeviceComplex& complex) const;
-  void tell(GpuMeasureTimes& times, bool with_upload) const;
+  void add_times_to(GpuMeasureTimes& times, bool with_upload) const;
 };
 
 UnionMeasurer::UnionMeasurer() : state_(std::make_unique<State>()) {
@@ -145,7 +145,7 @@ DeviceComplex UnionMeasurer::upload(const BallSet& balls, const AlphaComplex& co
 void UnionMeasurer::State::enqueue(const DeviceComplex& complex) {
   const std::size_t n = complex.ball_count;
   const std::size_t numbers = 2 * n + 2 * std::size_t{measure_blocks(n, kMeasureThreads)};
-  const MeasureScene by_ball = scene(n);
+  const MeasureInput by_ball = scene(n);
   result.reserve(numbers);
   host.reserve(numbers);
   int kernels = 0;
@@ -180,7 +180,7 @@ HostMeasures UnionMeasurer::State::result_of(const DeviceComplex& complex) const
   return {area.value(), volume.value(), {areas, n}, {volumes, n}};
 }
 
-void UnionMeasurer::State::tell(GpuMeasureTimes& times, bool with_upload) const {
+void UnionMeasurer::State::add_times_to(GpuMeasureTimes& times, bool with_upload) const {
   const auto between = [](const Event& from, const Event& to) {
     float milliseconds = 0;
     check(cudaEventElapsedTime(&milliseconds, from, to), "reading an event");
@@ -203,7 +203,7 @@ HostMeasures UnionMeasurer::measure(const DeviceComplex& complex, const CancelTo
   check(cudaStreamSynchronize(s.stream), "measuring");
   const HostMeasures measures = s.result_of(complex);
   if (times != nullptr) {
-    s.tell(*times, uploaded);
+    s.add_times_to(*times, uploaded);
     times->whole = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   }
   return measures;

@@ -31,7 +31,7 @@ struct alignas(8) EdgeRow {
 };
 
 // Arrays with one element per ball.
-struct MeasureScene {
+struct MeasureInput {
   GrownBall* balls;
   AreaAndVolume* scales;
   MeasureSums* sums;
@@ -42,7 +42,7 @@ struct MeasureScene {
 class DeviceSink {
  public:
   static constexpr bool kDerivatives = false;
-  __device__ explicit DeviceSink(const MeasureScene& scene) : scene_(scene) {}
+  __device__ explicit DeviceSink(const MeasureInput& scene) : scene_(scene) {}
 
   ALPHASCOPE_INLINE const GrownBall& ball(BallIndex i) const { return scene_.balls[i]; }
   // For host and device, as the terms are, but called only on the device.
@@ -59,11 +59,11 @@ class DeviceSink {
     atomicAdd(to, static_cast<unsigned long long>(term));
 #endif
   }
-  const MeasureScene& scene_;
+  const MeasureInput& scene_;
 };
 
 // Sets grown balls, and clears all sums.
-__global__ void prepare_balls(DeviceComplex complex, MeasureScene scene) {
+__global__ void prepare_balls(DeviceComplex complex, MeasureInput scene) {
   const std::size_t i = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
   if (i >= complex.ball_count) return;
   const int4 b = reinterpret_cast<const int4*>(complex.balls)[i];
@@ -74,7 +74,7 @@ __global__ void prepare_balls(DeviceComplex complex, MeasureScene scene) {
   scene.open[i] = 0;
 }
 
-__global__ void add_vertices(DeviceSimplices vertices, MeasureScene scene) {
+__global__ void add_vertices(DeviceSimplices vertices, MeasureInput scene) {
   const std::size_t v = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
   if (v >= vertices.count || !is_open(vertices.classes[v])) return;
   const BallIndex i = vertices.vertices[v];
@@ -84,7 +84,7 @@ __global__ void add_vertices(DeviceSimplices vertices, MeasureScene scene) {
 }
 
 // Must run after the vertices. Also sets where rows of edges begin and end.
-__global__ void add_edges(DeviceSimplices edges, MeasureScene scene) {
+__global__ void add_edges(DeviceSimplices edges, MeasureInput scene) {
   const std::size_t e = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
   if (e >= edges.count) return;
   const BallIndex* at = edges.vertices + 2 * e;
@@ -124,7 +124,7 @@ __device__ inline std::uint32_t* sort_part(std::size_t count, std::uint32_t (&fo
 
 // Adds triangles with an open side.
 __global__ void __launch_bounds__(kMeasureThreads)
-    add_triangles(DeviceSimplices triangles, MeasureScene scene) {
+    add_triangles(DeviceSimplices triangles, MeasureInput scene) {
   std::uint32_t found[2];
   const std::uint32_t* list = sort_part(triangles.count, found, [&](std::size_t f) {
     return open_sides(triangles.classes[f]) > 0 ? 0 : -1;
@@ -140,7 +140,7 @@ __global__ void __launch_bounds__(kMeasureThreads)
 
 // Must run after the edges. Begins with tetrahedra without an open edge, which need no angles.
 __global__ void __launch_bounds__(kMeasureThreads)
-    add_tetrahedra(DeviceSimplices tetrahedra, DeviceSimplices edges, MeasureScene scene) {
+    add_tetrahedra(DeviceSimplices tetrahedra, DeviceSimplices edges, MeasureInput scene) {
   const auto balls_of = [&](std::size_t t) {
     return reinterpret_cast<const uint4*>(tetrahedra.vertices)[t];
   };
@@ -179,7 +179,7 @@ struct MeasureOutput {
   AreaAndVolume* of_block;  // sums
   double unit;              // Å
 };
-__global__ void write_measures(std::size_t balls, MeasureScene scene, MeasureOutput out) {
+__global__ void write_measures(std::size_t balls, MeasureInput scene, MeasureOutput out) {
   const std::size_t i = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
   double area = 0, volume = 0;
   if (i < balls) {

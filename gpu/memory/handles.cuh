@@ -26,7 +26,7 @@ class Event {
   operator cudaEvent_t() const { return event_; }
   void record(cudaStream_t stream) { check(cudaEventRecord(event_, stream), "recording an event"); }
   // Makes later work in the stream wait for the event as last recorded.
-  void hold_up(cudaStream_t stream) const {
+  void make_wait(cudaStream_t stream) const {
     check(cudaStreamWaitEvent(stream, event_, 0), "waiting for an event");
   }
 

@@ -37,13 +37,13 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
   }
   // Must be called when no more memory will be taken.
   void close() {
-    rest();
+    release_memory();
     const std::lock_guard lock(mutex_);
     closed_ = true;
   }
   // Keeps no memory until the next take(): neither idle memory nor memory returned meanwhile. Waits
   // for the device.
-  void rest() {
+  void release_memory() {
     std::vector<std::unique_ptr<Buffer>> idle;  // freed after the lock is released
     const std::lock_guard lock(mutex_);
     resting_ = true;

@@ -15,7 +15,7 @@
 
 namespace alphascope::gpu {
 
-struct OutsideFinder::State {
+struct OuterFaceFinder::State {
   Stream stream;
   DeviceBuffer<TriangleRange> ranges;  // by ball
   DeviceBuffer<FaceCode> owner, outside;
@@ -56,17 +56,17 @@ struct OutsideFinder::State {
   }
 };
 
-OutsideFinder::OutsideFinder() : state_(std::make_unique<State>()) {
+OuterFaceFinder::OuterFaceFinder() : state_(std::make_unique<State>()) {
   state_->stream.create();
 }
 
 // Waits, because queued work uses memory that is about to be freed.
-OutsideFinder::~OutsideFinder() {
+OuterFaceFinder::~OuterFaceFinder() {
   cudaStreamSynchronize(state_->stream);
   state_->results->close();
 }
 
-std::optional<SharedFaces> OutsideFinder::find(const DeviceComplex& complex) {
+std::optional<SharedFaces> OuterFaceFinder::find(const DeviceComplex& complex) {
   constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() - 1;
   constexpr std::size_t kMostFaces = std::numeric_limits<FaceCode>::max();
   if (complex.triangles.count > kMostTriangles || complex.tetrahedra.count > kMostFaces / 4) {

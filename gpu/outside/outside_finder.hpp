@@ -9,10 +9,10 @@
 
 namespace alphascope::gpu {
 
-class OutsideFinder {
+class OuterFaceFinder {
  public:
-  OutsideFinder();  // throws DeviceError
-  ~OutsideFinder();
+  OuterFaceFinder();  // throws DeviceError
+  ~OuterFaceFinder();
 
   // The faces that belong to only one tetrahedron, in lexicographic order of their vertices, in
   // pinned memory. The complex must be whole, because its triangles and their classes are used.

@@ -1,4 +1,4 @@
-// The kernels of OutsideFinder. Each face of each tetrahedron finds itself among the triangles of
+// The kernels of OuterFaceFinder. Each face of each tetrahedron finds itself among the triangles of
 // its first vertex. If the triangle is regular, the face is stored as its owner.
 #pragma once
 

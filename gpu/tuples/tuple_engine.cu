@@ -14,7 +14,7 @@ class GpuTupleEngine : public Engine {
   GpuTupleEngine(std::shared_ptr<const BallSet> balls, TupleOptions tuples)
       : executor_(tuples), computer_(std::move(balls), tuples, executor_) {}
 
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls&,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults&,
                        const RunContext& context) override {
     AlphaComplex complex = computer_.compute(request, context);
     complex.engine.name = "tuple engine";

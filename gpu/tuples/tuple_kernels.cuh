@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "core/tuples/tuple_scene.hpp"
+#include "core/tuples/tuple_input.hpp"
 
 namespace alphascope::gpu {
 

@@ -96,7 +96,7 @@ Answer compute(const Balls& given, int threads, Steps& steps) {
   std::vector<std::uint32_t> all(measures.size());
   std::iota(all.begin(), all.end(), 0u);
   if (given.clip) {
-    steps.time("exact volumes", [&] { return clip_cavities(ground, cavities, all, 0); });
+    steps.time("exact volumes", [&] { return measure_cavities_exactly(ground, cavities, all, 0); });
   }
   return {std::move(ground), std::move(cavities), std::move(measures)};
 }

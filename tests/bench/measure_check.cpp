@@ -22,7 +22,7 @@
 
 #include "core/cavity/cavities.hpp"
 #include "core/engine/engine.hpp"
-#include "core/measure/clipped.hpp"
+#include "core/measure/exact_outside.hpp"
 #include "core/measure/union_measures.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/membership.hpp"
@@ -210,8 +210,7 @@ int compare_clipped(const std::string& folder, const std::string& only) {
     const InCavities in = in_cavities(balls);
     const auto begin = Clock::now();
     const std::clock_t ticks = std::clock();
-    const ClippedTetrahedra clipped =
-        clipped_outside(*in.triangulation, *balls, 0.0, in.tetrahedra);
+    const ExactTetrahedra clipped = exact_outside(*in.triangulation, *balls, 0.0, in.tetrahedra);
     std::printf("%s: %zu cavities, %zu tetrahedra, %.1f ms (all threads: %.1f)\n", name.c_str(),
                 in.count, in.tetrahedra.size(), since(begin),
                 milliseconds_of(std::clock() - ticks));

@@ -75,7 +75,7 @@ TEST(GpuEngineMeasures, AreOfTheComplexAskedFor) {
   expect_those(large, there);
   expect_those(small, sent);
   expect_those(large, there);
-  engine->rest();
+  engine->release_memory();
   expect_those(large, there);
   engine->compute({0.1, true}, {});
   expect_those(large, sent);

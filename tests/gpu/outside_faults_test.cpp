@@ -32,12 +32,12 @@ class GpuOutsideFaults : public ::testing::Test {
       AlphaComplex complex = engine->compute({0.02}, {});
       EXPECT_GT(complex.tetrahedra.size(), 10u);
       fault(n);
-      const auto found = engine->find_outside(complex);
+      const auto found = engine->find_outer_faces(complex);
       const bool met = emulated::faults_met() > 0;
       emulated::be_sound();
       EXPECT_EQ(found.has_value(), !met) << n;
       complex = engine->compute({0.03}, {});
-      complex.outside = engine->find_outside(complex);
+      complex.outside = engine->find_outer_faces(complex);
       EXPECT_TRUE(complex.outside) << "after " << n;
       EXPECT_EQ(outer_faces(complex), outer_faces(complex.tetrahedra.simplices)) << n;
       if (!met || HasFailure()) return n;

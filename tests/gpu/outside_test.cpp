@@ -36,7 +36,7 @@ class GpuOutside : public ::testing::Test {
     for (const double alpha : alphas) {
       AlphaComplex complex = engine->compute({alpha}, {});
       const auto expected = outer_faces(complex.tetrahedra.simplices);
-      complex.outside = engine->find_outside(complex);
+      complex.outside = engine->find_outer_faces(complex);
       const bool by_cpu = complex.engine.route.find("on the CPU") != std::string::npos;
       EXPECT_NE(complex.outside.has_value(), by_cpu) << alpha;
       if (!complex.outside) continue;
@@ -87,12 +87,12 @@ TEST_F(GpuOutside, IsOfTheLastWholeComplexOnly) {
   const auto engine = testing::make_gpu_engine(balls, {}, &why_not);
   ASSERT_TRUE(engine) << why_not;
   AlphaComplex none;
-  EXPECT_FALSE(engine->find_outside(none));
+  EXPECT_FALSE(engine->find_outer_faces(none));
   const AlphaComplex first = engine->compute({1.0}, {}), second = engine->compute({2.0}, {});
-  EXPECT_FALSE(engine->find_outside(first));
-  EXPECT_TRUE(engine->find_outside(second));
+  EXPECT_FALSE(engine->find_outer_faces(first));
+  EXPECT_TRUE(engine->find_outer_faces(second));
   const AlphaComplex tetrahedra = engine->compute({2.0, true}, {});
-  EXPECT_FALSE(engine->find_outside(tetrahedra));
+  EXPECT_FALSE(engine->find_outer_faces(tetrahedra));
 }
 
 // The faces may be drawn after the engine has gone.
@@ -102,7 +102,7 @@ TEST_F(GpuOutside, OutlivesTheEngine) {
   auto engine = testing::make_gpu_engine(balls, {}, &why_not);
   ASSERT_TRUE(engine) << why_not;
   AlphaComplex complex = engine->compute({2.0}, {});
-  complex.outside = engine->find_outside(complex);
+  complex.outside = engine->find_outer_faces(complex);
   const auto drawn = outer_faces(complex);
   engine->compute({1.0}, {});
   engine.reset();

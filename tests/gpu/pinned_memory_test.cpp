@@ -33,7 +33,7 @@ TEST(PinnedMemory, IsGivenBackWhenTheEngineRests) {
   const std::uint64_t hash = shown.hash;
   engine->compute(request, {});  // freed at once, so it is idle
   const std::size_t at_work = emulated::pinned_bytes();
-  engine->rest();
+  engine->release_memory();
   const std::size_t resting = emulated::pinned_bytes();
   EXPECT_LT(resting, at_work);
   EXPECT_FALSE(is_gpu_memory_unused());

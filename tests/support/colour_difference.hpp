@@ -54,22 +54,22 @@ inline double ciede2000(const LabColour& x, const LabColour& y) {
                    turned * (dc / sc) * (dh / sh));
 }
 
-enum class Sight { usual, protanopia, deuteranopia, tritanopia };
-inline constexpr std::array kSights{Sight::usual, Sight::protanopia, Sight::deuteranopia,
-                                    Sight::tritanopia};
+enum class ViewFrustum { usual, protanopia, deuteranopia, tritanopia };
+inline constexpr std::array kSights{ViewFrustum::usual, ViewFrustum::protanopia,
+                                    ViewFrustum::deuteranopia, ViewFrustum::tritanopia};
 
 // A matrix for linear sRGB at severity 1. Source: G. M. Machado, M. M. Oliveira, L. A. F.
 // Fernandes, "A physiologically-based model for simulation of color vision deficiency", IEEE
 // Transactions on Visualization and Computer Graphics 15, 2009.
-inline std::array<double, 9> simulation(Sight sight) {
+inline std::array<double, 9> simulation(ViewFrustum sight) {
   switch (sight) {
-    case Sight::protanopia:
+    case ViewFrustum::protanopia:
       return {0.152286, 1.052583,  -0.204868, 0.114503, 0.786281,
               0.099216, -0.003882, -0.048116, 1.051998};
-    case Sight::deuteranopia:
+    case ViewFrustum::deuteranopia:
       return {0.367322, 0.860646,  -0.227968, 0.280085, 0.672501,
               0.047413, -0.011820, 0.042940,  0.968881};
-    case Sight::tritanopia:
+    case ViewFrustum::tritanopia:
       return {1.255528, -0.076749, -0.178779, -0.078411, 0.930809,
               0.147602, 0.004733,  0.691367,  0.303900};
     default:
@@ -78,7 +78,7 @@ inline std::array<double, 9> simulation(Sight sight) {
 }
 
 // CIE L*a*b* of an sRGB colour as this sight sees it. White is D65.
-inline LabColour seen(const Rgb8& colour, Sight sight) {
+inline LabColour seen(const Rgb8& colour, ViewFrustum sight) {
   const auto linear = [](int byte) {
     const double c = byte / 255.0;
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -100,14 +100,14 @@ inline LabColour seen(const Rgb8& colour, Sight sight) {
   return {116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)};
 }
 
-inline double difference(const Rgb8& a, const Rgb8& b, Sight sight) {
+inline double difference(const Rgb8& a, const Rgb8& b, ViewFrustum sight) {
   return ciede2000(seen(a, sight), seen(b, sight));
 }
 
 // The least difference over usual sight and all kinds of colour blindness.
 inline double least_difference(const Rgb8& a, const Rgb8& b) {
-  double least = difference(a, b, Sight::usual);
-  for (const Sight sight : kSights) least = std::min(least, difference(a, b, sight));
+  double least = difference(a, b, ViewFrustum::usual);
+  for (const ViewFrustum sight : kSights) least = std::min(least, difference(a, b, sight));
   return least;
 }
 

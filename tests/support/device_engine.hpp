@@ -26,7 +26,7 @@ class DeviceEngine : public Engine {
  public:
   explicit DeviceEngine(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
 
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                        const RunContext& context) override {
     AlphaComplex complex = engine_->compute(request, known, context);
     const std::string& route = complex.engine.route;
@@ -44,7 +44,7 @@ class DeviceEngine : public Engine {
     }
     return by;
   }
-  void rest() override { engine_->rest(); }
+  void release_memory() override { engine_->release_memory(); }
 
  private:
   std::unique_ptr<Engine> engine_;

@@ -19,7 +19,7 @@ class DualEdgeOnlyEngine : public Engine {
       : balls_(std::move(balls)), arena_(threads) {}
 
   using Engine::compute;
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls&,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults&,
                        const RunContext& context) override {
     if (std::isnan(request.alpha_angstrom2)) throw std::invalid_argument("alpha is not a number");
     AlphaComplex complex;

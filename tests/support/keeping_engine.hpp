@@ -13,7 +13,7 @@ class KeepingEngine : public Engine {
   explicit KeepingEngine(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
 
   // Uses the caller's known results, or else its own.
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                        const RunContext& context) override {
     if (known) return engine_->compute(request, known, context);
     const auto complex =
@@ -25,14 +25,14 @@ class KeepingEngine : public Engine {
                           const RunContext& context) override {
     return engine_->measure(complex, to, context);
   }
-  std::optional<SharedFaces> find_outside(const AlphaComplex& complex) override {
-    return engine_->find_outside(complex);
+  std::optional<SharedFaces> find_outer_faces(const AlphaComplex& complex) override {
+    return engine_->find_outer_faces(complex);
   }
-  void rest() override { engine_->rest(); }
+  void release_memory() override { engine_->release_memory(); }
 
  private:
   std::unique_ptr<Engine> engine_;
-  KnownOfBalls known_;
+  KnownResults known_;
 };
 
 inline std::unique_ptr<Engine> keeping(std::unique_ptr<Engine> engine) {

@@ -5,7 +5,7 @@
 
 #include "core/document/export/complex_export.hpp"
 #include "ui/no_calls.hpp"
-#include "ui/panels/dialogs/picture_memory.hpp"
+#include "ui/panels/dialogs/picture_requests.hpp"
 
 namespace alphascope::testing {
 

@@ -12,12 +12,12 @@
 namespace alphascope {
 
 // The place of a panel: a section at the left, a page below the view, a column beside the view.
-enum class Place : std::uint8_t { left, bottom, right };
+enum class PanelPlace : std::uint8_t { left, bottom, right };
 
 struct PanelSpec {
   const char* id;
   const char* title;
-  Place place;
+  PanelPlace place;
   // A section draws its own heading. The title of a page stands before it in the first line
   // already.
   std::unique_ptr<Panel> (*make)();

@@ -6,7 +6,7 @@
 
 namespace alphascope {
 
-struct MoleculeMemory;  // molecule_memory.hpp
+struct MoleculeState;  // molecule_state.hpp
 
 void draw_menu_bar(PanelContext& ctx);
 // Runs a command as the menu does. A failure opens a dialog, and a refusal is a line in the status
@@ -24,10 +24,10 @@ void draw_context_menu(PanelContext& ctx);
 
 // Parts of the molecule panel: the origin of the atoms, their selection, and their radii.
 void draw_source_rows(PanelContext& ctx);  // assembly and models
-void draw_selection_rows(PanelContext& ctx, MoleculeMemory& memory);
-void draw_radii_rows(PanelContext& ctx, MoleculeMemory& memory);
+void draw_selection_rows(PanelContext& ctx, MoleculeState& memory);
+void draw_radii_rows(PanelContext& ctx, MoleculeState& memory);
 void draw_residue_rows(PanelContext& ctx,
-                       MoleculeMemory& memory);  // the kind of each residue
+                       MoleculeState& memory);  // the kind of each residue
 void draw_provenance(PanelContext& ctx);
 
 // Describes the view in one line: molecule, alpha, and why there is no complex.

@@ -24,24 +24,24 @@
 #include "core/geometry/real_point.hpp"
 #include "core/selection/selection_error.hpp"
 #include "ui/layer.hpp"
-#include "ui/panels/cavities/cavity_memory.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/dialogs/benchmark_info.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
-#include "ui/panels/dialogs/picture_memory.hpp"
-#include "ui/panels/dialogs/save_memory.hpp"
-#include "ui/panels/dialogs/table_memory.hpp"
-#include "ui/panels/explain/steps_memory.hpp"
-#include "ui/panels/frame/context_memory.hpp"
-#include "ui/panels/frame/palette_memory.hpp"
-#include "ui/panels/lessons/lesson_memory.hpp"
+#include "ui/panels/dialogs/picture_requests.hpp"
+#include "ui/panels/dialogs/save_state.hpp"
+#include "ui/panels/dialogs/table_state.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/frame/context_state.hpp"
+#include "ui/panels/frame/palette_state.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/playback.hpp"
-#include "ui/panels/sandbox/sandbox_memory.hpp"
+#include "ui/panels/sandbox/sandbox_state.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/running_job.hpp"
 #include "ui/theme.hpp"
-#include "ui/widgets/key_memory.hpp"
+#include "ui/widgets/key_state.hpp"
 
 namespace alphascope {
 
@@ -66,9 +66,9 @@ inline constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 
 enum class BrowserPurpose : std::uint8_t { molecule, radii_table, session, session_molecule, save };
 
-struct PanelMemory;
+struct SharedPanelState;
 // Returns the folder that the file dialog wants listed; nothing while the dialog is closed.
-std::optional<FolderQuery> wanted_listing(const PanelMemory& memory);
+std::optional<FolderQuery> wanted_listing(const SharedPanelState& memory);
 
 // Text that was typed into a field and that the field refused.
 struct RefusedNumber {
@@ -87,7 +87,7 @@ struct NumberTyping {
 };
 
 // The state between frames that no panel owns alone.
-struct PanelMemory {
+struct SharedPanelState {
   bool show_cheat_sheet = false, show_about = false, show_browser = false, show_save = false;
   bool show_benchmark = false, show_export = false, show_save_session = false;
   std::filesystem::path browser_folder;  // empty: the program chooses one
@@ -102,16 +102,16 @@ struct PanelMemory {
   double browser_jump_seconds = 0;  // time of the last such letter, by ImGui's clock
   bool browser_scroll = false;      // the list is to be scrolled to the chosen entry
   BrowserPurpose browser_purpose = BrowserPurpose::molecule;
-  SaveMemory saving;
+  SaveState saving;
   std::string save_path;
-  RecordMemory record;
+  RecordState record;
   std::string export_path;
   ExportColours export_colours = ExportColours::element;
   std::string session_path;  // path to save the session to
   NumberTyping number;
-  KeyMemory keys;
-  SandboxMemory sandbox;
-  TableMemory save_table;
+  KeyState keys;
+  SandboxState sandbox;
+  TableState save_table;
   // Open dialogs, as indices into the list of dialog_stack.cpp. The last is on top.
   std::vector<std::size_t> dialogs;
   bool dragging_view = false;
@@ -137,21 +137,21 @@ struct ViewState {
   bool selection_followed = false;
   WindowSettings window;
   Playback playback;
-  LessonMemory lessons;
-  StepsMemory steps;
-  CavityMemory cavities;
-  PaletteMemory palette;
-  ContextMemory context;
+  LessonState lessons;
+  StepsState steps;
+  CavityState cavities;
+  PaletteState palette;
+  ContextState context;
 
   MoleculeInfo molecule;
   std::shared_ptr<const Answer> result;  // on screen; null: none. Settings may be newer
   std::string pending;  // the complex that is computed and still being drawn; empty: none
   ColdAndWarm ours, cgal, cgal_parallel;             // cgal_parallel: with all threads
   std::shared_ptr<const BallReferences> references;  // to the balls on screen; null: none
-  std::string picked_text;                           // number of selected items; empty: none
-  std::size_t picked_missing = 0;  // number of selected items that are not in the picture
+  std::string selected_count_text;                   // number of selected items; empty: none
+  std::size_t selected_missing = 0;  // number of selected items that are not in the picture
   BadgeInfo badge;
-  BenchmarkControls benchmark_controls;
+  BenchmarkSettings benchmark_settings;
   BenchmarkInfo benchmark;
   // The folder in the file dialog. While a folder is being read, this is the one before. Null: none
   // yet.
@@ -184,11 +184,11 @@ struct ViewState {
   // The session opened or saved last for this molecule; may be empty.
   std::filesystem::path session_file;
 
-  PanelMemory memory;
+  SharedPanelState memory;
 
   // Shows an error in a dialog, after earlier ones that are not dismissed yet. To be used for
   // single requests of the user, since a slider must not open a dialog at each step.
-  void tell(const std::string& title, const std::string& text) {
+  void show_error(const std::string& title, const std::string& text) {
     const std::pair<std::string, std::string> news{title, text};
     if (error.empty()) {
       std::tie(error_title, error) = news;

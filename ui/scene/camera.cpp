@@ -21,7 +21,7 @@ double usual_tangent() {
 
 // Coordinates of a point in the viewer's directions: right, up, forward (Å from the camera).
 template <class Point>
-Vector seen_from(const Sight& sight, const Point& point) {
+Vector seen_from(const ViewFrustum& sight, const Point& point) {
   Vector seen{};
   for (int k = 0; k < 3; ++k) {
     const double offset = point[k] - sight.position[k];
@@ -34,7 +34,7 @@ Vector seen_from(const Sight& sight, const Point& point) {
 
 // Distances (Å) of a ball from the sides of the view: left, right, bottom, top, behind. A distance
 // is negative where the ball reaches inside that side.
-std::array<double, 5> outside_of(const Sight& sight, const Vector& seen, double radius) {
+std::array<double, 5> outside_of(const ViewFrustum& sight, const Vector& seen, double radius) {
   const double across = std::hypot(1.0, sight.tangent_right);
   const double upwards = std::hypot(1.0, sight.tangent_up);
   const double depth = sight.depth_of_width(seen[2]);
@@ -48,7 +48,7 @@ std::array<double, 5> outside_of(const Sight& sight, const Vector& seen, double 
 }
 
 // Whether the eye is in the box around the balls, with the radii that they are drawn with (Å).
-bool is_near(const BallGeometry& balls, const std::vector<float>& radii, const Sight& sight) {
+bool is_near(const BallGeometry& balls, const std::vector<float>& radii, const ViewFrustum& sight) {
   const double reach = *std::max_element(radii.begin(), radii.end());
   for (std::size_t k = 0; k < 3; ++k) {
     const double eye = sight.position[k];
@@ -59,7 +59,7 @@ bool is_near(const BallGeometry& balls, const std::vector<float>& radii, const S
 
 }  // namespace
 
-Ray ray_through(const Sight& sight, double across, double upwards) {
+Ray ray_through(const ViewFrustum& sight, double across, double upwards) {
   const double right = across * sight.tangent_right, up = upwards * sight.tangent_up;
   Ray ray;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -75,13 +75,13 @@ Ray ray_through(const Sight& sight, double across, double upwards) {
   return ray;
 }
 
-double pixel_spread(const Sight& sight, int height) {
+double pixel_spread(const ViewFrustum& sight, int height) {
   const double spread = 2 * sight.tangent_up / height;
   return sight.orthographic ? spread * sight.distance / kFarBehind : spread;
 }
 
-std::optional<std::array<double, 2>> seen_at(const Sight& sight, const Vector& point, int width,
-                                             int height) {
+std::optional<std::array<double, 2>> project_point(const ViewFrustum& sight, const Vector& point,
+                                                   int width, int height) {
   const Vector seen = seen_from(sight, point);
   const double depth = sight.depth_of_width(seen[2]);
   if (!(depth > 0)) return std::nullopt;
@@ -109,8 +109,8 @@ double fitting_distance(const BallGeometry& balls, std::span<const float> drawn,
   return kMargin * distance;
 }
 
-Viewpoint looking_at(const BallGeometry& balls, const std::vector<BallIndex>& some,
-                     const Sight& sight) {
+Viewpoint viewpoint_for_balls(const BallGeometry& balls, const std::vector<BallIndex>& some,
+                              const ViewFrustum& sight) {
   constexpr double kSurroundings = 4;  // Å around each ball, so that a single atom is seen with its
                                        // neighbours
   Viewpoint view;
@@ -139,7 +139,7 @@ Viewpoint looking_at(const BallGeometry& balls, const std::vector<BallIndex>& so
   return view;
 }
 
-double least_aspect(const BallGeometry& balls, const Sight& sight, double aspect) {
+double least_aspect(const BallGeometry& balls, const ViewFrustum& sight, double aspect) {
   double widest = 0;
   for (std::size_t i = 0; i < balls.centres.size(); ++i) {
     const Vector seen = seen_from(sight, balls.centres[i]);
@@ -151,7 +151,7 @@ double least_aspect(const BallGeometry& balls, const Sight& sight, double aspect
 }
 
 ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& radii,
-                         const Sight& sight, bool complex) {
+                         const ViewFrustum& sight, bool complex) {
   if (balls.centres.empty()) return ViewProblem::none;  // there is nothing that a view could show
   const bool drawn = radii.size() == balls.centres.size();
   // Outside this box the camera is in no ball, and the loop may end before the last ball.

@@ -24,7 +24,7 @@ struct Viewpoint {
 
 // The pyramid that a picture shows: its apex, unit vectors, and tangents of half its angles.
 // Without perspective it is a box, as wide as the pyramid is at the focal point.
-struct Sight {
+struct ViewFrustum {
   std::array<double, 3> position{}, forward{0, 0, -1}, right{1, 0, 0}, up{0, 1, 0};
   double tangent_right = 1, tangent_up = 1;
   double distance = 1;  // Å, to the focal point
@@ -36,15 +36,16 @@ struct Sight {
 };
 
 // The line of sight through a point of the picture. Coordinates run from -1 (left, bottom) to 1.
-Ray ray_through(const Sight& sight, double across, double upwards);
+Ray ray_through(const ViewFrustum& sight, double across, double upwards);
 // Width (Å) of a pixel at one length of such a ray's direction. `height`: that of the picture,
 // pixels.
-double pixel_spread(const Sight& sight, int height);
+double pixel_spread(const ViewFrustum& sight, int height);
 
 // Where a picture of this size shows a point: pixels from its top left. The point may lie outside
 // the picture. Empty if the point is not in front of the viewer.
-std::optional<std::array<double, 2>> seen_at(const Sight& sight, const std::array<double, 3>& point,
-                                             int width, int height);
+std::optional<std::array<double, 2>> project_point(const ViewFrustum& sight,
+                                                   const std::array<double, 3>& point, int width,
+                                                   int height);
 
 // Tangent of half the angle from the bottom to the top of a picture of this aspect.
 double tangent_up(double aspect, double least_aspect);
@@ -56,16 +57,16 @@ double fitting_distance(const BallGeometry& balls, std::span<const float> drawn,
 
 // Viewpoint from which these balls fill most of the picture, with the direction and angles of
 // `sight`.
-Viewpoint looking_at(const BallGeometry& balls, const std::vector<BallIndex>& some,
-                     const Sight& sight);
+Viewpoint viewpoint_for_balls(const BallGeometry& balls, const std::vector<BallIndex>& some,
+                              const ViewFrustum& sight);
 
 // Viewpoint::least_aspect for the part of the balls that a picture of `aspect` shows.
-double least_aspect(const BallGeometry& balls, const Sight& sight, double aspect);
+double least_aspect(const BallGeometry& balls, const ViewFrustum& sight, double aspect);
 
 // `radii` are those of the balls as drawn (Å); empty if they are not drawn. `complex` tells whether
 // simplices are drawn too, which may be in view without any ball. With a complex, a view counts as
 // empty only if it surely shows no simplex.
 ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& radii,
-                         const Sight& sight, bool complex);
+                         const ViewFrustum& sight, bool complex);
 
 }  // namespace alphascope

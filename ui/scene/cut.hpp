@@ -13,7 +13,7 @@
 namespace alphascope {
 
 // An interval of a ray, in lengths of its direction.
-struct Stretch {
+struct RayInterval {
   double from = 0, to = std::numeric_limits<double>::infinity();
   bool empty() const { return !(from <= to); }
   bool has(double depth) const { return depth >= from && depth <= to; }
@@ -24,7 +24,7 @@ struct Cut {
   std::vector<HalfSpace> kept;  // at most two; Å, relative to BallGeometry::origin
 
   Cut() = default;
-  Cut(const Clip& clip, const std::array<double, 3>& origin) : kept(kept_by(clip)) {
+  Cut(const Clip& clip, const std::array<double, 3>& origin) : kept(kept_half_spaces(clip)) {
     for (HalfSpace& space : kept) space.offset = space.depth(origin);
   }
 
@@ -35,8 +35,8 @@ struct Cut {
                        [&x](const HalfSpace& space) { return space.depth(x) >= 0; });
   }
   // The interval in which a ray is inside all half-spaces.
-  Stretch along(const Ray& ray) const {
-    Stretch stretch;
+  RayInterval along(const Ray& ray) const {
+    RayInterval stretch;
     for (const HalfSpace& space : kept) {
       const double at = space.depth(ray.start);
       const double by = space.depth(ray.direction) - space.offset;

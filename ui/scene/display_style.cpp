@@ -21,7 +21,7 @@ ComplexColouring colouring(ColourBy colour) {
 
 }  // namespace
 
-SceneStyle scene_style(const DisplayControls& display, Theme theme) {
+SceneStyle scene_style(const DisplaySettings& display, Theme theme) {
   SceneStyle style;
   style.balls = display.balls;
   style.ball_opacity = display.ball_opacity;
@@ -39,7 +39,7 @@ SceneStyle scene_style(const DisplayControls& display, Theme theme) {
   return style;
 }
 
-MeshOptions mesh_options(const DisplayControls& display, Theme theme) {
+MeshOptions mesh_options(const DisplaySettings& display, Theme theme) {
   MeshOptions options;
   options.tetrahedra = display.tetrahedra;
   options.boundary = display.boundary;
@@ -58,8 +58,9 @@ MeshOptions mesh_options(const DisplayControls& display, Theme theme) {
   return options;
 }
 
-std::optional<PaintKey> mesh_key(const ComplexMesh& mesh, const MeshOptions& options,
-                                 const std::optional<PaintKey>& of_balls) {
+std::optional<ColourMeaning> mesh_colour_meaning(const ComplexMesh& mesh,
+                                                 const MeshOptions& options,
+                                                 const std::optional<ColourMeaning>& of_balls) {
   if (mesh.empty()) return std::nullopt;
   switch (options.colouring) {
     case ComplexColouring::balls:
@@ -67,14 +68,14 @@ std::optional<PaintKey> mesh_key(const ComplexMesh& mesh, const MeshOptions& opt
     case ComplexColouring::alpha:
       return mesh.scale ? std::optional(mesh.scale->key()) : std::nullopt;
     case ComplexColouring::classes:
-      return class_key();
+      return class_colour_meaning();
     case ComplexColouring::single:
       break;
   }
   return std::nullopt;
 }
 
-BallStyle ball_style(const DisplayControls& display, const Request* shown) {
+BallStyle ball_style(const DisplaySettings& display, const Request* shown) {
   BallStyle style;
   style.scale = display.ball_scale;
   style.grown = display.grown_balls && shown != nullptr;

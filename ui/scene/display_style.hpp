@@ -9,13 +9,14 @@
 
 namespace alphascope {
 
-SceneStyle scene_style(const DisplayControls& display, Theme theme);
-MeshOptions mesh_options(const DisplayControls& display, Theme theme);
+SceneStyle scene_style(const DisplaySettings& display, Theme theme);
+MeshOptions mesh_options(const DisplaySettings& display, Theme theme);
 // Meaning of the colours of a mesh with these options. It is `of_balls` where the mesh has the
 // colours of its balls. Empty if nothing is drawn or the colours have no meaning.
-std::optional<PaintKey> mesh_key(const ComplexMesh& mesh, const MeshOptions& options,
-                                 const std::optional<PaintKey>& of_balls);
+std::optional<ColourMeaning> mesh_colour_meaning(const ComplexMesh& mesh,
+                                                 const MeshOptions& options,
+                                                 const std::optional<ColourMeaning>& of_balls);
 // `shown` is the request of the complex that grown balls belong to; null if there is no complex.
-BallStyle ball_style(const DisplayControls& display, const Request* shown);
+BallStyle ball_style(const DisplaySettings& display, const Request* shown);
 
 }  // namespace alphascope

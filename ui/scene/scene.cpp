@@ -129,7 +129,7 @@ void Scene::set_beside_body(std::shared_ptr<LayerData> atoms) {
 
 void Scene::set_selected(std::shared_ptr<BallData> balls, bool outlines) {
   Impl& scene = changed();
-  scene.selected.mapper->set_look(outlines ? BallLook::outline : BallLook::usual);
+  scene.selected.mapper->set_look(outlines ? BallRendering::outline : BallRendering::usual);
   scene.selected.show(std::move(balls), scene.window);
 }
 
@@ -157,8 +157,8 @@ bool Scene::view_is_set() const {
   return !impl_->reset_pending;
 }
 
-void Scene::settle_view(int width, int height) {
-  changed().settle_view(width, height);
+void Scene::apply_pending_reset(int width, int height) {
+  changed().apply_pending_reset(width, height);
 }
 
 Viewpoint Scene::viewpoint() const {
@@ -191,7 +191,7 @@ double Scene::render(int width, int height, RenderQuality quality) {
 }
 
 void Scene::start_render(int width, int height, RenderQuality quality) {
-  if (!impl_->draws_meanwhile || !impl_->timer.start()) {
+  if (!impl_->renders_asynchronously || !impl_->timer.start()) {
     impl_->milliseconds = render(width, height, quality);
     return;
   }
@@ -201,12 +201,12 @@ void Scene::start_render(int width, int height, RenderQuality quality) {
   glFlush();
 }
 
-bool Scene::draws_meanwhile() const {
-  return impl_->draws_meanwhile;
+bool Scene::renders_asynchronously() const {
+  return impl_->renders_asynchronously;
 }
 
-void Scene::set_draws_meanwhile(bool meanwhile) {
-  impl_->draws_meanwhile = meanwhile;
+void Scene::set_renders_asynchronously(bool meanwhile) {
+  impl_->renders_asynchronously = meanwhile;
 }
 
 std::optional<double> Scene::take_milliseconds(bool wait) {
@@ -258,7 +258,7 @@ double Scene::angstrom_per_pixel() const {
   return impl_->angstrom_per_pixel();
 }
 
-Sight Scene::sight() const {
+ViewFrustum Scene::sight() const {
   return impl_->sight();
 }
 

@@ -96,7 +96,7 @@ class Scene {
   void reset_view();
   bool view_is_set() const;  // false: the next picture resets the view
   // Carries out a pending reset_view() now, for a picture of this size (pixels).
-  void settle_view(int width, int height);
+  void apply_pending_reset(int width, int height);
   Viewpoint viewpoint() const;
   void set_viewpoint(const Viewpoint& viewpoint);
 
@@ -104,11 +104,12 @@ class Scene {
   // this took.
   double render(int width, int height, RenderQuality quality);
   // Like render(), but a GPU may still be drawing after the return (see take_milliseconds()).
-  // Software OpenGL finishes the picture first, unless set_draws_meanwhile(true) was called: it
-  // would take the cores from later work.
+  // Software OpenGL finishes the picture first, unless set_renders_asynchronously(true) was called:
+  // it would take the cores from later work.
   void start_render(int width, int height, RenderQuality quality);
-  bool draws_meanwhile() const;  // whether start_render() may return before the picture is drawn
-  void set_draws_meanwhile(bool meanwhile);
+  bool renders_asynchronously()
+      const;  // whether start_render() may return before the picture is drawn
+  void set_renders_asynchronously(bool meanwhile);
   // Milliseconds that the picture of the last start_render() took; each time is returned once.
   // Empty if there is none, or if the picture is unfinished and `wait` is false.
   std::optional<double> take_milliseconds(bool wait);
@@ -120,7 +121,7 @@ class Scene {
   // Width of a pixel at the camera's focal point (Å) in the last picture, rendered or grabbed.
   double angstrom_per_pixel() const;
 
-  Sight sight() const;  // of the last picture
+  ViewFrustum sight() const;  // of the last picture
   // The line of sight through a pixel of the last picture; pixels count from its top left.
   Ray ray(double x, double y) const;
 

@@ -65,7 +65,7 @@ LayerActors::LayerActors() {
   body_lines.before_its_faces();
   tubes.brighter();
   tubes.smooth();
-  atoms.mapper->set_look(BallLook::in_front);
+  atoms.mapper->set_look(BallRendering::in_front);
 }
 
 void LayerActors::add_to(vtkRenderer* renderer) {
@@ -248,7 +248,7 @@ void Scene::Impl::apply_cut() {
   for (BallActor* b : cut_balls()) cut_ball_actor(b->actor, style.cut.on());
 }
 
-void Scene::Impl::give_cut_planes(int width, int height) {
+void Scene::Impl::set_cut_plane_uniforms(int width, int height) {
   if (!style.cut.on()) return;
   const CutPlanes planes(style.cut, renderer, width, height);
   for (vtkActor* a : cut_meshes()) planes.give_to(a);
@@ -256,7 +256,7 @@ void Scene::Impl::give_cut_planes(int width, int height) {
 }
 
 // The radius of a rod is at least kLeastRod pixels, so that no rod is thinner than a line.
-void Scene::Impl::give_lines() {
+void Scene::Impl::set_line_widths() {
   constexpr double kLeastRod = 0.75;  // pixels, of its radius
   const double pixel =
       style.orthographic ? angstrom_per_pixel() : pixel_spread(sight(), picture_height);
@@ -271,8 +271,8 @@ void Scene::Impl::draw(int width, int height) {
   if (window->GetSize()[0] != width || window->GetSize()[1] != height) {
     window->SetSize(width, height);
   }
-  settle_view(width, height);
-  give_lines();
+  apply_pending_reset(width, height);
+  set_line_widths();
   const float width_scale = static_cast<float>(samples) * style.line_scale;
   differences.edges.actor->GetProperty()->SetLineWidth(3.5f * width_scale);
   layers.marks.edges.actor->GetProperty()->SetLineWidth(2.5f * width_scale);
@@ -286,7 +286,7 @@ void Scene::Impl::draw(int width, int height) {
   const double back = style.orthographic && box ? kStepBack * diagonal(*box) : 0;
   step_back(back);
   if (box) renderer->ResetCameraClippingRange(box->data());
-  give_cut_planes(width, height);
+  set_cut_plane_uniforms(width, height);
   window->Render();
   step_back(-back);
 }
@@ -348,7 +348,7 @@ void Scene::Impl::set_view_angle() {
   renderer->GetActiveCamera()->SetViewAngle(2 * half * 180 / M_PI);
 }
 
-void Scene::Impl::settle_view(int width, int height) {
+void Scene::Impl::apply_pending_reset(int width, int height) {
   follow_aspect(static_cast<double>(width) / height);
   if (balls && std::exchange(reset_pending, false)) reset_camera();
 }
@@ -368,9 +368,9 @@ void Scene::Impl::reset_camera() {
   set_view_angle();
 }
 
-Sight Scene::Impl::sight() const {
+ViewFrustum Scene::Impl::sight() const {
   vtkCamera* camera = renderer->GetActiveCamera();
-  Sight s;
+  ViewFrustum s;
   camera->GetPosition(s.position.data());
   camera->GetDirectionOfProjection(s.forward.data());
   camera->GetViewUp(s.up.data());

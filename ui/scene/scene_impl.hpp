@@ -100,12 +100,12 @@ struct Scene::Impl {
   int picture_width = 1, picture_height = 1;  // pixels; a sketch has fewer samples
   double samples = 1;  // along each side of a pixel in the last picture; below 1 in a sketch
   FinishPass finish_pass;
-  Finish finish;    // of the next picture
-  SampleMean mean;  // of fine pictures
+  FinishSettings finish;  // of the next picture
+  SampleMean mean;        // of fine pictures
   bool shows_mean = false;
   PictureTimer timer;
   std::optional<double> milliseconds;  // of a start_render() that waited for the picture
-  bool draws_meanwhile = !draws_in_software();
+  bool renders_asynchronously = !draws_in_software();
   int pointer_x = 0, pointer_y = 0;  // pixels of the view
   bool reset_pending = false;        // resetting needs the size of the next picture
 
@@ -125,7 +125,7 @@ struct Scene::Impl {
   void apply_quality(RenderQuality quality, bool transparent = false);
   void render(int width, int height, RenderQuality quality);
   void draw(int width, int height);
-  void settle_view(int width, int height);  // see Scene::settle_view()
+  void apply_pending_reset(int width, int height);  // see Scene::apply_pending_reset()
   unsigned texture();
   void add_sample(int width, int height);  // to the mean, after apply_quality()
   // Shifts the picture right and up, in shares of its width and height.
@@ -134,7 +134,7 @@ struct Scene::Impl {
   // Without perspective VTK zooms by its parallel scale. This turns the change of scale into a
   // change of distance.
   void follow_zoom();
-  Sight sight() const;
+  ViewFrustum sight() const;
   double angstrom_per_pixel() const;       // at the focal point
   double outline_jump(double size) const;  // least jump in depth with an outline, Å; `size`:
                                            // diagonal of the drawing, Å
@@ -155,8 +155,8 @@ struct Scene::Impl {
   std::vector<vtkActor*> cut_meshes();
   std::vector<BallActor*> cut_balls();
   void apply_cut();
-  void give_cut_planes(int width, int height);
-  void give_lines();
+  void set_cut_plane_uniforms(int width, int height);
+  void set_line_widths();
   // Moves the camera backwards. Without perspective it then stands behind everything, and moves
   // back after drawing.
   void step_back(double angstrom);

@@ -17,7 +17,7 @@ RealPoint point(const std::array<double, 3>& v) {
 
 }  // namespace
 
-Viewpoint view_from(Viewpoint view, const Sight& sight,
+Viewpoint view_from(Viewpoint view, const ViewFrustum& sight,
                     const std::array<double, 3>& towards_viewer) {
   const double along_up = dot(point(sight.up), point(towards_viewer));
   for (std::size_t k = 0; k < 3; ++k) {
@@ -30,7 +30,7 @@ Viewpoint view_from(Viewpoint view, const Sight& sight,
   return view;
 }
 
-Viewpoint view_of_side(const Viewpoint& view, const Sight& sight,
+Viewpoint view_of_side(const Viewpoint& view, const ViewFrustum& sight,
                        const std::array<double, 3>& towards_viewer) {
   Viewpoint of_side = view_from(view, sight, towards_viewer);
   if (axis_name(towards_viewer).empty()) return of_side;
@@ -39,7 +39,7 @@ Viewpoint view_of_side(const Viewpoint& view, const Sight& sight,
   return of_side;
 }
 
-std::array<double, 3> side_across(const Sight& sight, const RealPoint& line) {
+std::array<double, 3> side_across(const ViewFrustum& sight, const RealPoint& line) {
   const auto part_across = [&line](const RealPoint& v) { return v - dot(v, line) * line; };
   RealPoint forward = part_across(point(sight.forward));
   const double turned = length(forward);

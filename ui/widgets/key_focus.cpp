@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kF10 = key::kF1 + 9;
 
-KeyMemory& keys_of(PanelContext& ctx) {
+KeyState& keys_of(PanelContext& ctx) {
   return ctx.state.memory.keys;
 }
 
@@ -44,7 +44,7 @@ bool anything_but_alt() {
 }
 
 // Whether Alt was pressed and released alone; Alt+Tab and Alt with the mouse do not count.
-bool alt_tapped(KeyMemory& keys) {
+bool alt_tapped(KeyState& keys) {
   const bool down = went_down(key::kLeftAlt) || went_down(key::kRightAlt);
   if (down) keys.alt_alone = true;
   if (anything_but_alt()) keys.alt_alone = false;
@@ -53,7 +53,7 @@ bool alt_tapped(KeyMemory& keys) {
 }
 
 // Alt and F10 open the menu bar, or close its open menus.
-void menu_keys(KeyMemory& keys) {
+void menu_keys(KeyState& keys) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool tapped = alt_tapped(keys);
   const bool f10 = went_down(kF10) && !io.KeyCtrl && !io.KeyShift;
@@ -69,17 +69,17 @@ void menu_keys(KeyMemory& keys) {
 
 // Each dialog remembers its own stop. When the topmost dialog closes, the stop of the one below
 // counts again.
-void follow_dialogs(KeyMemory& keys, std::size_t dialogs) {
+void follow_dialogs(KeyState& keys, std::size_t dialogs) {
   if (dialogs + 1 > keys.at.size()) keys.fresh = true;
   if (dialogs + 1 < keys.at.size()) keys.fresh = false;
   keys.at.resize(dialogs + 1);
 }
 
-bool of_top(const KeyMemory& keys, const KeyMemory::Stop& stop) {
+bool of_top(const KeyState& keys, const KeyState::Stop& stop) {
   return stop.level + 1 == keys.at.size();
 }
 
-const KeyMemory::Stop* find_stop(const KeyMemory& keys, const std::string& name) {
+const KeyState::Stop* find_stop(const KeyState& keys, const std::string& name) {
   const auto found = std::find_if(keys.stops.begin(), keys.stops.end(), [&](const auto& stop) {
     return of_top(keys, stop) && stop.name == name;
   });
@@ -92,13 +92,13 @@ bool types(KeyStop kind) {
 
 // ImGui drops characters typed in the frame in which a field begins. So they are kept for the next
 // frame.
-void hold_characters(KeyMemory& keys) {
+void hold_characters(KeyState& keys) {
   ImGuiIO& io = ImGui::GetIO();
   keys.held.assign(io.InputQueueCharacters.begin(), io.InputQueueCharacters.end());
   io.ClearInputCharacters();
 }
 
-void give_held_characters(KeyMemory& keys) {
+void give_held_characters(KeyState& keys) {
   ImGuiIO& io = ImGui::GetIO();
   if (keys.held.empty()) return;
   std::vector<unsigned> all = std::exchange(keys.held, {});
@@ -107,20 +107,20 @@ void give_held_characters(KeyMemory& keys) {
   for (const unsigned character : all) io.AddInputCharacter(character);
 }
 
-void start_typing(KeyMemory& keys, const KeyMemory::Stop& stop) {
+void start_typing(KeyState& keys, const KeyState::Stop& stop) {
   hold_characters(keys);
   ImGuiContext& g = *GImGui;
   g.NavActivateInputId = stop.id;
   g.NavActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
-void press_stop(const KeyMemory::Stop& stop) {
+void press_stop(const KeyState::Stop& stop) {
   ImGuiContext& g = *GImGui;
   g.NavActivateId = g.NavActivateDownId = g.NavActivatePressedId = stop.id;
   g.NavActivateFlags = ImGuiActivateFlags_None;
 }
 
-void go_to_stop(PanelContext& ctx, const KeyMemory::Stop& stop) {
+void go_to_stop(PanelContext& ctx, const KeyState::Stop& stop) {
   keys_of(ctx).at.back() = {stop.name, true};
   if (!stop.visible) ctx.state.memory.reveal = stop.name;
   if (types(stop.kind)) start_typing(keys_of(ctx), stop);
@@ -129,7 +129,7 @@ void go_to_stop(PanelContext& ctx, const KeyMemory::Stop& stop) {
 // A dialog that has just opened begins with its first field for typing. So the user can type at
 // once.
 void enter_dialog(PanelContext& ctx) {
-  KeyMemory& keys = keys_of(ctx);
+  KeyState& keys = keys_of(ctx);
   const auto on_top = [&](const auto& stop) { return of_top(keys, stop); };
   if (!keys.fresh || std::none_of(keys.stops.begin(), keys.stops.end(), on_top)) return;
   keys.fresh = false;
@@ -158,8 +158,8 @@ bool any_key_but_escape() {
 void follow_tab(PanelContext& ctx) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsKeyPressed(key::kTab) || io.KeyCtrl || io.KeyAlt || ImGui::IsAnyMouseDown()) return;
-  KeyMemory& keys = keys_of(ctx);
-  std::vector<const KeyMemory::Stop*> stops;
+  KeyState& keys = keys_of(ctx);
+  std::vector<const KeyState::Stop*> stops;
   for (const auto& stop : keys.stops) {
     if (of_top(keys, stop)) stops.push_back(&stop);
   }
@@ -175,11 +175,11 @@ void follow_tab(PanelContext& ctx) {
 }
 
 void press_keys(PanelContext& ctx) {
-  KeyMemory& keys = keys_of(ctx);
+  KeyState& keys = keys_of(ctx);
   const ImGuiIO& io = ImGui::GetIO();
-  const KeyMemory::Place& at = keys.at.back();
+  const KeyState::Place& at = keys.at.back();
   if (!at.shown || io.WantTextInput || io.KeyCtrl || io.KeyAlt || GImGui->ActiveId != 0) return;
-  const KeyMemory::Stop* const stop = find_stop(keys, at.name);
+  const KeyState::Stop* const stop = find_stop(keys, at.name);
   if (stop == nullptr) return;
   const bool enter = went_down(key::kEnter) || went_down(key::kKeypadEnter);
   if (stop->kind == KeyStop::slide) {
@@ -222,7 +222,7 @@ void prepare_list_keys() {
 }
 
 void begin_key_focus(PanelContext& ctx) {
-  KeyMemory& keys = keys_of(ctx);
+  KeyState& keys = keys_of(ctx);
   keys.stops = std::exchange(keys.drawn, {});
   keys.list_open = list_on_top() || keys.list_at_end;
   keys.enter_used = false;
@@ -244,7 +244,7 @@ void begin_key_focus(PanelContext& ctx) {
 }
 
 void end_key_focus(PanelContext& ctx) {
-  KeyMemory& keys = keys_of(ctx);
+  KeyState& keys = keys_of(ctx);
   keys.list_at_end = list_on_top();
   // In a menu of the bar, Left and Right lead to the neighbouring menu (menu_bar.cpp).
   const bool of_bar = keys.bar_menu >= 0 && !keys.in_submenu;
@@ -254,20 +254,20 @@ void end_key_focus(PanelContext& ctx) {
 }
 
 void key_stop(PanelContext& ctx, const char* name, KeyStop kind) {
-  KeyMemory& keys = keys_of(ctx);
+  KeyState& keys = keys_of(ctx);
   const ImGuiLastItemData& item = GImGui->LastItemData;
   if (item.ID == 0 || (item.InFlags & ImGuiItemFlags_Disabled) != 0) return;
   const auto drawn = ctx.rects.find(name);
   const bool visible = drawn == ctx.rects.end() || drawn->second.visible;
   keys.drawn.push_back({name, item.ID, ctx.level, kind, visible});
   if (ctx.level + 1 != keys.at.size()) return;
-  KeyMemory::Place& at = keys.at.back();
+  KeyState::Place& at = keys.at.back();
   if (ImGui::IsItemActivated() && at.name != name) at = {name, false};
   if (at.shown && at.name == name) mark_stop(ctx);
 }
 
 bool wants_typing(PanelContext& ctx, const std::string& name) {
-  KeyMemory& keys = keys_of(ctx);
+  KeyState& keys = keys_of(ctx);
   if (keys.typed != name) return false;
   keys.typed.clear();
   return true;
@@ -278,9 +278,9 @@ int key_steps(PanelContext& ctx, const std::string& name) {
 }
 
 void type_into(PanelContext& ctx, const std::string& name) {
-  const KeyMemory::Stop* const stop = find_stop(keys_of(ctx), name);
+  const KeyState::Stop* const stop = find_stop(keys_of(ctx), name);
   if (stop == nullptr) return;
-  KeyMemory& keys = keys_of(ctx);
+  KeyState& keys = keys_of(ctx);
   keys.at.back() = {name, false};
   keys.caret = name;
   keys.caret_selects = false;
@@ -296,7 +296,7 @@ ImGuiInputTextFlags caret_flags(const PanelContext& ctx, const char* name) {
 // Places the caret; for a path it selects the file's name without ending and number: in
 // "/data/frame-%04d.png" "frame".
 int place_caret(ImGuiInputTextCallbackData* data) {
-  KeyMemory& keys = *static_cast<KeyMemory*>(data->UserData);
+  KeyState& keys = *static_cast<KeyState*>(data->UserData);
   keys.caret.clear();
   data->ClearSelection();
   data->CursorPos = data->BufTextLen;

@@ -4,7 +4,7 @@
 // only.
 #pragma once
 
-#include "ui/widgets/key_memory.hpp"
+#include "ui/widgets/key_state.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
@@ -25,9 +25,9 @@ int key_steps(PanelContext& ctx, const std::string& name);
 // Directs typing, from the next frame on, to the end of this field. It must have been drawn in the
 // last frame.
 void type_into(PanelContext& ctx, const std::string& name);
-// Flags and callback for ImGui::InputText(), which place the caret in the field KeyMemory::caret.
+// Flags and callback for ImGui::InputText(), which place the caret in the field KeyState::caret.
 ImGuiInputTextFlags caret_flags(const PanelContext& ctx, const char* name);
-int place_caret(ImGuiInputTextCallbackData* data);  // data->UserData must be the KeyMemory
+int place_caret(ImGuiInputTextCallbackData* data);  // data->UserData must be the KeyState
 // Ends any typing in a field.
 void stop_typing();
 

@@ -159,14 +159,14 @@ bool number_field(PanelContext& ctx, const char* name, int& value, const NumberR
   return true;
 }
 
-bool typed_instead(PanelContext& ctx, const char* name, double& value, const NumberRule& rule,
-                   bool& changed) {
+bool draw_typed_number(PanelContext& ctx, const char* name, double& value, const NumberRule& rule,
+                       bool& changed) {
   if (!is_field(ctx, name, value)) return false;
   changed = number_field(ctx, name, value, rule);
   return true;
 }
 
-bool typed_instead(PanelContext& ctx, const char* name, Alpha& value, bool& changed) {
+bool draw_typed_number(PanelContext& ctx, const char* name, Alpha& value, bool& changed) {
   if (!is_field(ctx, name, value)) return false;
   changed = number_field(ctx, name, value);
   return true;
@@ -175,7 +175,7 @@ bool typed_instead(PanelContext& ctx, const char* name, Alpha& value, bool& chan
 bool number_slider(PanelContext& ctx, const char* name, double& value, double low, double high,
                    const NumberRule& rule) {
   bool changed = false;
-  if (typed_instead(ctx, name, value, rule, changed)) return changed;
+  if (draw_typed_number(ctx, name, value, rule, changed)) return changed;
   ImGui::PushID(name);
   changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &low, &high, "",
                                 ImGuiSliderFlags_NoInput);

@@ -27,10 +27,10 @@ void forget_typing(PanelContext& ctx, const std::string& name);
 // For a slider or a drag that becomes a field after Ctrl+click or Enter; call this before drawing
 // it. While it is a field, this draws the field instead and returns true. `changed` tells whether
 // the value changed.
-bool typed_instead(PanelContext& ctx, const char* name, double& value, const NumberRule& rule,
-                   bool& changed);
+bool draw_typed_number(PanelContext& ctx, const char* name, double& value, const NumberRule& rule,
+                       bool& changed);
 
-bool typed_instead(PanelContext& ctx, const char* name, Alpha& value, bool& changed);
+bool draw_typed_number(PanelContext& ctx, const char* name, Alpha& value, bool& changed);
 
 // Like ImGui::SliderScalar, without text on it, and with typing as above. The typed value may lie
 // outside `low` and `high`, but not outside the rule.

@@ -17,11 +17,11 @@ ImU32 colour_of(const PanelContext& ctx, const ChartPaint& paint) {
     return IM_COL32(c.r, c.g, c.b, static_cast<int>(std::lround(255 * opacity)));
   }
   const Palette& p = ctx.palette;
-  const Colour& ink = paint.ink == ChartInk::text     ? p.text
-                      : paint.ink == ChartInk::grid   ? p.border
-                      : paint.ink == ChartInk::accent ? p.accent
-                      : paint.ink == ChartInk::ground ? p.panel
-                                                      : p.text_muted;
+  const Colour& ink = paint.ink == ChartColourRole::text     ? p.text
+                      : paint.ink == ChartColourRole::grid   ? p.border
+                      : paint.ink == ChartColourRole::accent ? p.accent
+                      : paint.ink == ChartColourRole::ground ? p.panel
+                                                             : p.text_muted;
   return to_u32(ink, opacity);
 }
 
@@ -66,7 +66,7 @@ class DrawingPainter {
     const ImVec2 middle = at(d.x, d.y);
     const ImU32 colour = colour_of(ctx_, d.paint);
     if (d.ring) {
-      draw_->AddCircleFilled(middle, d.radius, colour_of(ctx_, {ChartInk::ground, {}, 1}));
+      draw_->AddCircleFilled(middle, d.radius, colour_of(ctx_, {ChartColourRole::ground, {}, 1}));
       draw_->AddCircle(middle, d.radius, colour, 0, ctx_.px(1.5f));
     } else {
       draw_->AddCircleFilled(middle, d.radius, colour);
@@ -102,14 +102,14 @@ class DrawingPainter {
 }  // namespace
 
 ChartPaint plot_colour(const Rgb8& c, float opacity) {
-  return {ChartInk::text, ChartColour{c.r, c.g, c.b}, opacity};
+  return {ChartColourRole::text, ChartColour{c.r, c.g, c.b}, opacity};
 }
 
 ChartPaint plot_colour(const Colour& colour, float opacity) {
   return plot_colour(to_rgb8(colour), opacity * colour.a);
 }
 
-ChartType chart_type(const PanelContext& ctx) {
+ChartFont chart_type(const PanelContext& ctx) {
   return {ImGui::GetFontSize(),
           [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }, ctx.px(1)};
 }
@@ -162,7 +162,7 @@ PlotMouse plot_mouse(PanelContext& ctx, const PlotArea& area, const char* name) 
 void draw_cursor(PanelContext& ctx, const Plot& plot, const PlotArea& area, double x) {
   ChartDrawing drawing;
   drawing.lines.push_back(
-      {area.x_of(x), area.top, area.x_of(x), area.bottom, plot_ink(ChartInk::muted, 0.7f)});
+      {area.x_of(x), area.top, area.x_of(x), area.bottom, plot_ink(ChartColourRole::muted, 0.7f)});
   for (const PlotCurve& curve : plot.curves) {
     const auto n = nearest_point(curve, x);
     if (!n || !curve.points[*n].y) continue;

@@ -13,12 +13,12 @@ namespace alphascope {
 // A colour of our own on a plot.
 ChartPaint plot_colour(const Rgb8& colour, float opacity = 1);
 ChartPaint plot_colour(const Colour& colour, float opacity = 1);
-inline ChartPaint plot_ink(ChartInk ink, float opacity = 1) {
+inline ChartPaint plot_ink(ChartColourRole ink, float opacity = 1) {
   return {ink, {}, opacity};
 }
 
 // The present font and scale.
-ChartType chart_type(const PanelContext& ctx);
+ChartFont chart_type(const PanelContext& ctx);
 
 // Draws a drawing at `origin`. Returns the tooltip of the box or dot under the mouse; empty: none.
 std::string draw_drawing(PanelContext& ctx, const ChartDrawing& drawing, ImVec2 origin);

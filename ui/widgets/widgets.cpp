@@ -78,7 +78,7 @@ bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& valu
 
 bool text_field(PanelContext& ctx, const char* name, std::string& text, const char* hint,
                 KeyStop kind) {
-  KeyMemory& keys = ctx.state.memory.keys;
+  KeyState& keys = ctx.state.memory.keys;
   const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | caret_flags(ctx, name);
   ImGui::PushID(name);
   // If the program has changed the text meanwhile, ImGui would overwrite it with its own; so typing

@@ -30,7 +30,7 @@ struct PanelContext {
   const PanelFonts& fonts;
   const Palette& palette;
   float scale = 1;
-  std::size_t dialog = 0;  // the dialog being drawn, an index into PanelMemory::dialogs
+  std::size_t dialog = 0;  // the dialog being drawn, an index into SharedPanelState::dialogs
   std::size_t level = 0;   // 0: the window is being drawn; n: the nth dialog
 
   float px(float pixels_at_scale_1) const { return pixels_at_scale_1 * scale; }

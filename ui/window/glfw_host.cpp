@@ -14,7 +14,7 @@
 #include "ui/widgets/keys.hpp"
 #include "ui/window/egl_context.hpp"
 #include "ui/window/host.hpp"
-#include "ui/window/quiet_context.hpp"
+#include "ui/window/software_context.hpp"
 
 namespace alphascope {
 namespace {
@@ -92,7 +92,7 @@ class QuietContextBesideGlx final : public BackgroundContext {
   void release() override { context_->release(); }
 
  private:
-  std::unique_ptr<BackgroundContext> context_ = make_quiet_context();
+  std::unique_ptr<BackgroundContext> context_ = make_software_context();
 };
 
 class GlfwHost final : public Host {

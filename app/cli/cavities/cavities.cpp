@@ -130,7 +130,7 @@ OptionCommand table_of_cavities(CavitiesOptions& options) {
          {rule, ties, min_volume,
           flag_option("--no-clipped",
                       "Leave out the exact (clipped) volumes, which take the most time",
-                      options.no_clipped),
+                      options.no_exact_volumes),
           flag_option("--split-networks",
                       "List networks (20 mouths or more) as the parts that they fall into at their "
                       "bottlenecks",

@@ -23,7 +23,7 @@ struct CavitiesOptions {
   std::vector<double> solvents;
   OutsideRule rule = OutsideRule::castp;
   FlowTies ties = FlowTies::perturbed;
-  bool no_clipped = false;         // leave out exact volumes
+  bool no_exact_volumes = false;   // leave out exact volumes
   bool split_networks = false;     // list networks as their parts
   bool no_network_radius = false;  // do not compute where networks come apart
   int shown = 20;                  // number of printed rows

@@ -53,10 +53,10 @@ void fill(CavityAnswer& answer, const CavitiesOptions& options, int threads,
   timer.lap(stage::kFlow, true);
   answer.all = made(cavity_table());
   timer.lap(stage::kCavities);
-  if (!options.no_clipped) {
+  if (!options.no_exact_volumes) {
     answer.exact = made(cavity_volumes());
     timer.lap(stage::kExactVolumes);
-    answer.clipped_rank = ranks_by_clipped(answer.table(), *answer.exact);
+    answer.exact_rank = ranks_by_exact_volume(answer.table(), *answer.exact);
   }
   answer.depths = made(cavity_depths());
   answer.lives = answer.table().size() > 0 || !options.lives.empty()

@@ -23,7 +23,7 @@
 #include "core/document/channels/channel_json.hpp"
 #include "core/document/channels/channel_records.hpp"
 #include "core/document/channels/channel_results.hpp"
-#include "core/document/channels/channel_texts.hpp"
+#include "core/document/channels/channel_text.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/geometry/point_text.hpp"
 #include "core/run/work_threads.hpp"
@@ -159,7 +159,7 @@ Answer find(const Input& input, const ChannelOptions& options, const RunContext&
 // Prints one line for each way, so that the user can choose.
 void print_ways(const FoundWays& ways, const FoundChannel& chosen) {
   for (const auto& found : ways.ways) {
-    const WayNote& way = *found->way;
+    const WayFacts& way = *found->way;
     const Channel& channel = *found->channel;
     std::cout << (found->way->number == 1 ? "ways        " : "            ") << way.number
               << (found.get() == &chosen ? " * " : "   ") << way.through << ": radius "
@@ -177,9 +177,9 @@ void print_ways(const FoundWays& ways, const FoundChannel& chosen) {
 void print_cover(const FoundChannel& found) {
   if (found.way) std::cout << "through     " << found.way->through << "\n";
   std::cout << "covers      " << cover_text(*found.cover) << "\n"
-            << "passes      " << passing_text(found) << "\n";
-  if (!found.way || guests_text(*found.way).empty()) return;
-  std::cout << "not counted " << guests_text(*found.way) << " in it\n";
+            << "passes      " << passing_waters_text(found) << "\n";
+  if (!found.way || pore_contents_text(*found.way).empty()) return;
+  std::cout << "not counted " << pore_contents_text(*found.way) << " in it\n";
 }
 
 void print(const Input& input, const Answer& answer) {

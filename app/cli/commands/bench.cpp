@@ -50,7 +50,7 @@ constexpr double kSliderStep = 0.001;  // Å²
 void run_once(const std::shared_ptr<const BallSet>& balls, const Request& request,
               const RunContext& context, Series& series) {
   MadeEngine made;
-  KnownOfBalls known;
+  KnownResults known;
   const auto complex = std::make_shared<AlphaComplex>();
   const AlphaRequest at{request.alpha_angstrom2, request.tetrahedra_only};
   series.cold.push_back(timed([&] {

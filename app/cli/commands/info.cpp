@@ -65,7 +65,7 @@ Json radii_json(const BallSet& balls) {
 Json kinds_json(const MoleculeContents& contents) {
   Json json = Json::object();
   for (std::size_t k = 0; k < contents.kinds.size(); ++k) {
-    json[kind_name(static_cast<AtomKind>(k))] = contents.kinds[k];
+    json[kind_name(static_cast<ResidueKind>(k))] = contents.kinds[k];
   }
   return json;
 }
@@ -73,7 +73,7 @@ Json kinds_json(const MoleculeContents& contents) {
 void print_guesses(std::vector<GuessedRadius> guesses) {
   // Guesses from sources outside the set come first: they matter more than a ligand's usual carbon.
   std::stable_partition(guesses.begin(), guesses.end(), [](const GuessedRadius& guess) {
-    return guess.source != kTypicalOfTheSet;
+    return guess.source != kTypicalValueSource;
   });
   for (std::size_t i = 0; i < std::min(kShownGuesses, guesses.size()); ++i) {
     const GuessedRadius& guess = guesses[i];

@@ -24,7 +24,7 @@ struct MeasureCommandOptions {
   InputFiles files;
   InputOptions input;
   Request request;
-  MeasuredPer per = MeasuredPer::all;
+  MeasureGrouping per = MeasureGrouping::all;
   bool derivatives = false;
   std::string json, csv;
 };
@@ -55,9 +55,9 @@ Answer measure(const Input& input, const MeasureCommandOptions& options, EngineC
   return answer;
 }
 
-MeasureRows rows_per(MeasuredPer per, const Answer& answer) {
+MeasureRows rows_per(MeasureGrouping per, const Answer& answer) {
   return rows_of_measures(answer.facts, {.per = per},
-                          per == MeasuredPer::atom ? answer.derivatives : nullptr);
+                          per == MeasureGrouping::atom ? answer.derivatives : nullptr);
 }
 
 // --- output
@@ -66,7 +66,7 @@ std::string components_text(const Answer& answer) {
   const std::uint32_t count = answer.facts.measured->components.count;
   if (count < 2) return grouped(count);
   double largest = 0;
-  for (const MeasureRow& row : rows_per(MeasuredPer::component, answer).rows) {
+  for (const MeasureRow& row : rows_per(MeasureGrouping::component, answer).rows) {
     largest = std::max(largest, row.share_of_volume);
   }
   return grouped(count) + format_text("; the largest has %.2f %% of the volume", 100 * largest);
@@ -139,7 +139,7 @@ OptionCommand table_of_measure(MeasureCommandOptions& options) {
   per.set = [&options, choices = per.choices()](const std::string& id) {
     require_choice(id, choices);
     const auto at = std::find(choices.begin(), choices.end(), id) - choices.begin();
-    options.per = static_cast<MeasuredPer>(at + 1);
+    options.per = static_cast<MeasureGrouping>(at + 1);
   };
   append(command.options,
          {per,
@@ -152,7 +152,7 @@ OptionCommand table_of_measure(MeasureCommandOptions& options) {
   append(command.options, input(options.input));
   command.check = [&options] {
     require_files(options.files);
-    if (options.derivatives && options.per != MeasuredPer::atom) {
+    if (options.derivatives && options.per != MeasureGrouping::atom) {
       throw std::invalid_argument("--derivatives are those of atoms: add --per atom");
     }
     require_tuple_engine(options.request);

@@ -74,13 +74,14 @@ ExitCode run_steps(const StepsOptions& options) {
   const Input input = open_one_model(options.input, "A ball needs one model.", context);
   const Inputs inputs = derived_inputs(input, options.request.solvent_radius_angstrom,
                                        options.request.alpha_angstrom2);
-  const AskedSteps asked{ball_of(input, *inputs.atoms, options.ball),
-                         options.engine == "tuples" ? StepsEngine::tuples : StepsEngine::dual_edges,
-                         options.request.tuples};
-  std::shared_ptr<const ToldSteps> told;
+  const StepsRequest asked{
+      ball_of(input, *inputs.atoms, options.ball),
+      options.engine == "tuples" ? StepsEngine::tuples : StepsEngine::dual_edges,
+      options.request.tuples};
+  std::shared_ptr<const ExplainedSteps> told;
   WorkThreads threads(1);
   const double milliseconds = timed([&] {
-    threads.run([&] { told = make_evaluator().evaluate(told_steps(asked), inputs, context); });
+    threads.run([&] { told = make_evaluator().evaluate(explained_steps(asked), inputs, context); });
   });
   clear_progress();
   if (shown) {

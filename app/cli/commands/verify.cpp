@@ -150,10 +150,10 @@ ExitCode run_verify(const VerifyOptions& options, const EngineFactory& factory) 
     }
   });
   if (file) {
-    file->write(json_text(written({{"identical", all_good},
-                                   {"results", results},
-                                   {"input", first_input},
-                                   {"program", program_json()}})));
+    file->write(json_text(json_to_write({{"identical", all_good},
+                                         {"results", results},
+                                         {"input", first_input},
+                                         {"program", program_json()}})));
     outputs.commit();
   }
   return all_good ? ExitCode::ok : ExitCode::differs;

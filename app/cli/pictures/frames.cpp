@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "app/cli/outputs.hpp"
-#include "app/cli/pictures/pictured.hpp"
+#include "app/cli/pictures/cli_pictures.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "core/text/printable.hpp"
@@ -26,7 +26,7 @@ void refuse_clashes(const FramesCommandOptions& options, const Outputs& outputs)
   }
 }
 
-std::string frame_text(const FrameNews& news, const Recording& recording) {
+std::string frame_text(const FrameReport& news, const Recording& recording) {
   const bool sweep = recording.kind == RecordingKind::sweep;
   return "frame " + std::to_string(news.number) + " of " + std::to_string(news.of) + ", " +
          (sweep ? "alpha " + shortest_number(news.alpha_angstrom2) + " Å²"
@@ -64,22 +64,22 @@ ExitCode run_frames(const FramesCommandOptions& options) {
   const std::filesystem::path& out = options.picture.out;
   const Outputs outputs(files_of_picture(options.picture));
   refuse_clashes(options, outputs);
-  Pictured pictured(options.picture, context);
+  CommandLinePictures cli_pictures(options.picture, context);
   refuse_clashes(options, outputs);  // the session's molecule has been read by now
-  const PictureOptions& picture = pictured.options();
+  const PictureOptions& picture = cli_pictures.options();
   FrameSource source;
   source.picture = [&](std::optional<double> alpha, const RunContext& quiet) {
-    return pictured.picture(pictured.compute(alpha, quiet), quiet);
+    return cli_pictures.picture(cli_pictures.compute(alpha, quiet), quiet);
   };
   int finished = 0;
-  source.on_frame = [&](const FrameNews& news) {
+  source.on_frame = [&](const FrameReport& news) {
     finished = news.number;
     if (verbosity() != Verbosity::verbose) return;
     std::cerr << "alphascope-cli: " << frame_text(news, recording) << "\n";
   };
   const auto sink =
       make_frame_sink(out, {picture.width, picture.height, recording.frames_per_second,
-                            picture.transparent, pictured.texts(), frame_count(recording)});
+                            picture.transparent, cli_pictures.texts(), frame_count(recording)});
   const bool movie = recording_format(out) != RecordingFormat::frames;
   std::string lacks;
   try {
@@ -91,7 +91,8 @@ ExitCode run_frames(const FramesCommandOptions& options) {
   }
   clear_progress();
   if (!lacks.empty()) std::cerr << "alphascope-cli: " << lacks << "\n";
-  std::cout << input_text(pictured.input()) << "recording   " << recording_text(recording) << "\n"
+  std::cout << input_text(cli_pictures.input()) << "recording   " << recording_text(recording)
+            << "\n"
             << (movie ? "movie       " : "pictures    ") << printable(out.string()) << ", "
             << frame_count(recording) << (frame_count(recording) == 1 ? " frame, " : " frames, ")
             << picture.width << " x " << picture.height;

@@ -54,7 +54,7 @@ Option display_option(const DisplayField& field, DisplayChanges& changes) {
   }
   option.value = field.rule.whole ? "N" : "X";
   option.text += "; from " + range_text(field);
-  option.fallback = value_text(field, DisplayControls()) + ", or the preset's";
+  option.fallback = value_text(field, DisplaySettings()) + ", or the preset's";
   option.set = [&field, &changes](const std::string& value) {
     const NumberRange range{field.rule.least, field.rule.most};
     changes.emplace_back(
@@ -80,7 +80,7 @@ std::string kinds_beside_body() {
   return ids;
 }
 
-Paint paint_from(const std::string& text, Painted what) {
+Paint paint_from(const std::string& text, PaintTarget what) {
   const PaintWords words = read_paint(text, what);
   if (words.error.empty()) return words.paint;
   std::vector<std::string> schemes;
@@ -159,23 +159,23 @@ Options picture_options(ScreenshotCommandOptions& options) {
            "Draw the distance of two atoms, the angle of three or the dihedral angle of four: "
            "\"A:HIS 87:NE2; A:HEM 142:FE\"; commas between several"},
           options.annotations.measurements),
-      paint_option({display_field(&DisplayControls::ball_paint).option.name, "PAINT",
-                    "Colours of balls: " + scheme_ids(Painted::balls) +
+      paint_option({display_field(&DisplaySettings::ball_paint).option.name, "PAINT",
+                    "Colours of balls: " + scheme_ids(PaintTarget::balls) +
                         ", or a colour such as #5aa9e6; a quantity also with a colour map (" +
                         colour_map_ids() + ") and a range: b_factor,cividis,0:60"},
                    "element",
                    [&options](const std::string& text) {
-                     options.ball_paint = paint_from(text, Painted::balls);
+                     options.ball_paint = paint_from(text, PaintTarget::balls);
                    }),
-      paint_option({display_field(&DisplayControls::complex_paint).option.name, "PAINT",
+      paint_option({display_field(&DisplaySettings::complex_paint).option.name, "PAINT",
                     "Colours of simplices: balls (as the balls, or one colour where that is "
                     "impossible), " +
-                        scheme_ids(Painted::simplices) + ", or a colour"},
+                        scheme_ids(PaintTarget::simplices) + ", or a colour"},
                    "balls",
                    [&options](const std::string& text) {
                      options.simplex_paint.reset();
                      if (text != "balls") {
-                       options.simplex_paint = paint_from(text, Painted::simplices);
+                       options.simplex_paint = paint_from(text, PaintTarget::simplices);
                      }
                    }),
       flag_option("--no-legend", "Leave out the legend of the colours", options.no_legend),

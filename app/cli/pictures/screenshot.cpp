@@ -10,8 +10,8 @@
 
 #include "app/cli/failure.hpp"
 #include "app/cli/outputs.hpp"
+#include "app/cli/pictures/cli_pictures.hpp"
 #include "app/cli/pictures/picture_options.hpp"
-#include "app/cli/pictures/pictured.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "core/text/printable.hpp"
@@ -48,20 +48,20 @@ ExitCode run_screenshot(const ScreenshotCommandOptions& options) {
   Outputs outputs(files_of_picture(options));
   AtomicFile* const file = outputs.add("--output", options.out.string(), {".png"});
   if (file == nullptr) throw UsageError("--output needs the name of a file, or -.");
-  Pictured pictured(options, context);
+  CommandLinePictures cli_pictures(options, context);
   outputs.refuse_what_was_read();  // the session's molecule has been read by now
-  const auto answer = pictured.compute(std::nullopt, context);
+  const auto answer = cli_pictures.compute(std::nullopt, context);
   const EngineAnswer& result = *answer;
   const MemoryFile drawn;  // the renderer needs a path, which standard output lacks
   const std::string not_drawn =
-      render_picture(pictured.picture(answer, context), drawn.path(), context);
+      render_picture(cli_pictures.picture(answer, context), drawn.path(), context);
   file->write(drawn.bytes());
   outputs.commit();
   clear_progress();
   if (!not_drawn.empty()) std::cerr << "alphascope-cli: " << not_drawn << "\n";
-  std::cout << input_text(pictured.input()) << complex_text(result.complex) << "picture     "
-            << printable(options.out.string()) << ", " << pictured.options().width << " x "
-            << pictured.options().height << "\n";
+  std::cout << input_text(cli_pictures.input()) << complex_text(result.complex) << "picture     "
+            << printable(options.out.string()) << ", " << cli_pictures.options().width << " x "
+            << cli_pictures.options().height << "\n";
   return ExitCode::ok;
 }
 

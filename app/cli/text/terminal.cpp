@@ -19,7 +19,7 @@
 #include <string_view>
 
 #include "app/options/exit_code.hpp"
-#include "app/session/orderly_end.hpp"
+#include "app/session/clean_exit.hpp"
 #include "core/files/atomic_file.hpp"
 
 namespace alphascope::cli {
@@ -86,14 +86,14 @@ extern "C" void on_cancel(int signal) {
     interrupted->cancel();  // a lock-free atomic store
     ::alarm(kMostSeconds);
   } else {
-    die_of(signal);
+    kill_self_by(signal);
   }
 }
 
 // Ends the program when work ignores its token, such as drawing in OpenGL or opening a pipe without
 // a reader.
 extern "C" void on_deadline(int signal) {
-  if (cancelling_signal.load() == 0) return die_of(signal);
+  if (cancelling_signal.load() == 0) return kill_self_by(signal);
   end_all_writing();
   constexpr std::string_view kMessage = "alphascope-cli: cancelled.\n";
   static_cast<void>(!::write(STDERR_FILENO, kMessage.data(), kMessage.size()));
@@ -220,7 +220,7 @@ bool times_shown() {
 }
 
 void set_up_signals() {
-  prepare_orderly_end("alphascope-cli", static_cast<int>(ExitCode::computing_failed));
+  prepare_clean_exit("alphascope-cli", static_cast<int>(ExitCode::computing_failed));
   interrupted = new CancelToken;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle_signal(signal, on_cancel);
   end_on_signals({SIGPIPE, SIGQUIT, SIGXCPU});

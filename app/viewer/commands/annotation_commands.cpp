@@ -32,7 +32,7 @@ std::vector<Choice> label_texts() {
 }
 
 Outcome label_atoms(ViewState& s, const Arguments& arguments) {
-  const AskedAtoms asked = asked_atoms(s, arguments.text("atoms"));
+  const NamedOrSelectedAtoms asked = named_or_selected_atoms(s, arguments.text("atoms"));
   if (!asked.fault.empty()) return Outcome::refused(asked.fault);
   LabelText text = LabelText::address;
   for (const auto& [value, id] : setting_ids(text)) {
@@ -80,7 +80,8 @@ void add_label_commands(Commands& commands, ViewState& s) {
                     },
                 .run =
                     [&s](const Arguments& arguments) {
-                      const AskedAtoms asked = asked_atoms(s, arguments.text("atoms"));
+                      const NamedOrSelectedAtoms asked =
+                          named_or_selected_atoms(s, arguments.text("atoms"));
                       if (!asked.fault.empty()) return Outcome::refused(asked.fault);
                       set_labels(s.settings.annotations.labels, asked.atoms, std::nullopt);
                       return Outcome();
@@ -101,7 +102,7 @@ void add_label_commands(Commands& commands, ViewState& s) {
 Outcome measure_atoms(ViewState& s, const Arguments& arguments) {
   const std::string text = arguments.text("atoms");
   if (text.empty()) {
-    const AskedMeasurement asked = asked_measurement(s.settings.selection);
+    const SelectedMeasurement asked = selected_measurement(s.settings.selection);
     return asked.measurement ? add_measurement(s, *asked.measurement)
                              : Outcome::refused(asked.why_not);
   }

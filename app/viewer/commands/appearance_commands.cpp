@@ -3,13 +3,13 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
-#include "core/chart/colour_words.hpp"
+#include "core/chart/colour_text.hpp"
 #include "core/document/reference/reference.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
 
-AskedAtoms asked_atoms(const ViewState& s, const std::string& text) {
+NamedOrSelectedAtoms named_or_selected_atoms(const ViewState& s, const std::string& text) {
   const Molecule& molecule = s.references->molecule();
   const std::vector<bool> selected = atoms_of(molecule, s.settings.selection.items);
   if (text.empty()) {
@@ -49,7 +49,7 @@ CommandSpec on_atoms(ViewState& s, CommandSpec spec, std::function<void(const At
   spec.parameters.push_back(which_atoms());
   spec.why_not = without_picture(s);
   spec.run = [&s, act = std::move(act)](const Arguments& arguments) {
-    const AskedAtoms found = asked_atoms(s, arguments.text("atoms"));
+    const NamedOrSelectedAtoms found = named_or_selected_atoms(s, arguments.text("atoms"));
     if (!found.fault.empty()) return Outcome::refused(found.fault);
     act(found.atoms);
     return Outcome();
@@ -74,7 +74,7 @@ CommandSpec colour_command(ViewState& s) {
       return Outcome::refused("\"" + text +
                               "\" is not a colour. Write one such as #ff8800 or #f80.");
     }
-    const AskedAtoms found = asked_atoms(s, arguments.text("atoms"));
+    const NamedOrSelectedAtoms found = named_or_selected_atoms(s, arguments.text("atoms"));
     if (!found.fault.empty()) return Outcome::refused(found.fault);
     set_colour(s.settings.appearance, found.atoms, colour);
     return Outcome();

@@ -112,7 +112,7 @@ void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
                   ask.view.zoom(arguments.number("factor"));
                   return Outcome();
                 }});
-  commands.add(display_command(s, display_field(&DisplayControls::orthographic)));
+  commands.add(display_command(s, display_field(&DisplaySettings::orthographic)));
   add_saved_view_commands(commands, s, ask);
 }
 

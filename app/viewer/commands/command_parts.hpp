@@ -77,12 +77,12 @@ void add_annotation_commands(Commands& commands, ViewState& s, const Calls& ask)
 // The last parameter of commands on atoms, and its value: named atoms or, without a name, the
 // selection. ViewState::references must be set.
 Parameter which_atoms();
-struct AskedAtoms {
+struct NamedOrSelectedAtoms {
   AtomSet atoms;
   std::string fault;  // a sentence; empty if there are atoms
 };
 Outcome add_measurement(ViewState& s, const Measurement& m);
-AskedAtoms asked_atoms(const ViewState& s, const std::string& text);
+NamedOrSelectedAtoms named_or_selected_atoms(const ViewState& s, const std::string& text);
 std::function<std::string()> without_picture(const ViewState& s);
 inline constexpr const char* kNoComplexYet = "The complex of this molecule is not ready yet.";
 

@@ -11,7 +11,7 @@
 #include "core/read/file_format.hpp"
 #include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
-#include "ui/panels/dialogs/picture_path.hpp"
+#include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -82,7 +82,7 @@ Outcome open_sample(const Arguments& arguments, ViewState& s, const Calls& ask) 
 
 // Without a path the dialog asks for all parameters.
 Outcome save_picture(const Arguments& arguments, ViewState& s, const Calls& ask) {
-  PanelMemory& m = s.memory;
+  SharedPanelState& m = s.memory;
   if (!arguments.has("path")) {
     m.show_save = true;
     return {};
@@ -106,7 +106,7 @@ Outcome save_picture(const Arguments& arguments, ViewState& s, const Calls& ask)
 
 // Without a path the dialog asks for it.
 Outcome export_complex(const Arguments& arguments, ViewState& s, const Calls& ask) {
-  PanelMemory& m = s.memory;
+  SharedPanelState& m = s.memory;
   if (!arguments.has("path")) {
     m.show_export = true;
     return {};

@@ -3,7 +3,7 @@
 
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/session/setting_ids.hpp"
-#include "ui/widgets/controls.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
 namespace {

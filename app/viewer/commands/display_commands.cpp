@@ -30,16 +30,16 @@ CommandSpec switch_command(ViewState& s, const DisplayField& field) {
     };
   }
   return with_switch(std::move(spec),
-                     s.settings.display.*std::get<bool DisplayControls::*>(field.member));
+                     s.settings.display.*std::get<bool DisplaySettings::*>(field.member));
 }
 
 CommandSpec number_command(ViewState& s, const DisplayField& field) {
   CommandSpec spec = begun(field);
-  const double usual = number_of(field, DisplayControls());
+  const double usual = number_of(field, DisplaySettings());
   spec.parameters = {{.name = "value",
                       .kind = Parameter::Kind::number,
                       .help = "From " + range_text(field),
-                      .example = usual > 0 ? value_text(field, DisplayControls())
+                      .example = usual > 0 ? value_text(field, DisplaySettings())
                                            : shortest_number(field.rule.most / 2),
                       .rule = field.rule}};
   spec.run = [&s, &field](const Arguments& arguments) {
@@ -52,17 +52,17 @@ CommandSpec number_command(ViewState& s, const DisplayField& field) {
 CommandSpec paint_command(ViewState& s, const DisplayField& field) {
   CommandSpec spec = begun(field);
   spec.title += "…";
-  spec.parameters = {
-      {.name = "paint",
-       .help = scheme_ids(field.painted) +
-               ", or a colour such as #5aa9e6; a quantity also "
-               "with a colour map (" +
-               colour_map_ids() + ") and a range, with commas between",
-       .example = field.painted == Painted::balls ? "b_factor,cividis,0:60" : "alpha,viridis,0:3"}};
+  spec.parameters = {{.name = "paint",
+                      .help = scheme_ids(field.painted) +
+                              ", or a colour such as #5aa9e6; a quantity also "
+                              "with a colour map (" +
+                              colour_map_ids() + ") and a range, with commas between",
+                      .example = field.painted == PaintTarget::balls ? "b_factor,cividis,0:60"
+                                                                     : "alpha,viridis,0:3"}};
   spec.run = [&s, &field](const Arguments& arguments) {
     const PaintWords words = read_paint(arguments.text("paint"), field.painted);
     if (!words.error.empty()) return Outcome::refused(words.error);
-    s.settings.display.*std::get<Paint DisplayControls::*>(field.member) = words.paint;
+    s.settings.display.*std::get<Paint DisplaySettings::*>(field.member) = words.paint;
     return Outcome();
   };
   return spec;

@@ -42,7 +42,7 @@ CommandSpec page_command(ViewState& s) {
                            s.window.page = arguments.text("page");
                            return Outcome();
                          }},
-                    {.name = "page", .help = "Which page", .example = "why"}, Place::bottom,
+                    {.name = "page", .help = "Which page", .example = "why"}, PanelPlace::bottom,
                     [&s](const PanelSpec& p) { return s.window.page == p.id; });
 }
 
@@ -56,7 +56,7 @@ CommandSpec section_command(ViewState& s) {
                            return Outcome();
                          }},
                     {.name = "section", .help = "Which section", .example = "molecule"},
-                    Place::left,
+                    PanelPlace::left,
                     [&s](const PanelSpec& p) { return !s.window.closed_sections.contains(p.id); });
 }
 

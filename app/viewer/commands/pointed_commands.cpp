@@ -29,7 +29,7 @@ void select(ViewState& s, RefSet items) {
 }
 
 // The distance or angle from one to three selected atoms to the atom under the mouse.
-AskedMeasurement measurement_to_pointed(const ViewState& s) {
+SelectedMeasurement measurement_to_pointed(const ViewState& s) {
   const AtomRef* const end = pointed(s) ? std::get_if<AtomRef>(&*pointed(s)) : nullptr;
   if (end == nullptr) return {{}, "Distances and angles need atoms. Point at an atom."};
   std::vector<AtomRef> atoms = s.settings.selection.atoms_in_order();
@@ -77,8 +77,8 @@ void add_selecting(Commands& commands, ViewState& s) {
 }
 
 // A command that hands the atoms of its parameter, or the selection, to `call`.
-CommandSpec looking_at(ViewState& s, const Calls& ask, CommandSpec spec,
-                       void (ViewCalls::*call)(const RefSet&)) {
+CommandSpec viewpoint_for_balls(ViewState& s, const Calls& ask, CommandSpec spec,
+                                void (ViewCalls::*call)(const RefSet&)) {
   spec.menu = "View";
   spec.parameters = {which_atoms()};
   spec.why_not = without_picture(s);
@@ -88,7 +88,7 @@ CommandSpec looking_at(ViewState& s, const Calls& ask, CommandSpec spec,
       (ask.view.*call)(s.settings.selection.items);
       return Outcome();
     }
-    const AskedAtoms asked = asked_atoms(s, text);
+    const NamedOrSelectedAtoms asked = named_or_selected_atoms(s, text);
     if (!asked.fault.empty()) return Outcome::refused(asked.fault);
     std::vector<Ref> atoms;
     for (const AtomSet::Run& run : asked.atoms.runs()) {
@@ -107,12 +107,14 @@ CommandSpec looking_at(ViewState& s, const Calls& ask, CommandSpec spec,
 
 void add_pointed_commands(Commands& commands, ViewState& s, const Calls& ask) {
   add_selecting(commands, s);
-  commands.add(looking_at(s, ask,
+  commands.add(
+      viewpoint_for_balls(s, ask,
                           {.id = "view.zoom_to",
                            .title = "Zoom to atoms",
                            .help = "Moves atoms to the middle of the view, as large as they fit"},
                           &ViewCalls::zoom_to));
-  commands.add(looking_at(s, ask,
+  commands.add(
+      viewpoint_for_balls(s, ask,
                           {.id = "view.centre",
                            .title = "Centre rotation",
                            .help = "Moves atoms to the middle of the view, at the same size; "

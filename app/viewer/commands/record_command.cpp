@@ -12,7 +12,7 @@ using Kind = Parameter::Kind;
 
 // Without a path the dialog asks for all parameters.
 Outcome record(const Arguments& arguments, ViewState& s, const Calls& ask) {
-  RecordMemory& m = s.memory.record;
+  RecordState& m = s.memory.record;
   if (!arguments.has("path")) {
     m.show = true;
     return {};

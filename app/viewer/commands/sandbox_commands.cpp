@@ -101,7 +101,7 @@ void add_changes(Commands& commands, ViewState& s) {
                         s, [&s](const Arguments& a, Sandbox& sandbox) {
                           const double r =
                               a.number("radius", s.memory.sandbox.next_radius_angstrom);
-                          choose_ball(s, add_ball(sandbox, place_of(a), r));
+                          select_ball(s, add_ball(sandbox, place_of(a), r));
                         }));
   commands.add(changing({.id = "sandbox.move",
                          .title = "Move a ball",
@@ -124,7 +124,7 @@ void add_changes(Commands& commands, ViewState& s) {
                 .shortcuts = {{"Delete"}},
                 .parameters = {optional(ball)}},
                s, [&s](const Arguments& a, Sandbox& sandbox) {
-                 if (!a.has("ball")) return remove_chosen(s);
+                 if (!a.has("ball")) return remove_selected_balls(s);
                  remove_ball(sandbox, ball_of(a));
                  s.settings.selection.clear();
                });
@@ -158,7 +158,7 @@ void add_sandbox_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .help = "Lets you change the balls on screen; off: the balls of the file again",
                 .menu = "Tools",
                 .parameters = {on_or_off()},
-                .why_not = [&s] { return why_not_by_hand(s); },
+                .why_not = [&s] { return why_not_editable(s); },
                 .checked = [&s] { return s.settings.open.sandbox.has_value(); },
                 .run = [&s](const Arguments& arguments) { return by_hand(arguments, s); }});
   commands.add(
@@ -174,7 +174,7 @@ void add_sandbox_commands(Commands& commands, ViewState& s, const Calls& ask) {
            },
        .checked = [&s] { return s.settings.open.sandbox && s.settings.open.sandbox->flat; },
        .run = [&s](const Arguments& arguments) { return set_flat(arguments, s); }});
-  SandboxMemory& m = s.memory.sandbox;
+  SandboxState& m = s.memory.sandbox;
   commands.add(with_switch({.id = "sandbox.drawing",
                             .title = "Flat drawing",
                             .help = "Draws balls in a plane flat, in the place of the picture"},

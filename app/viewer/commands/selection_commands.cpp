@@ -63,7 +63,7 @@ CommandSpec by_name(ViewState& s, bool more) {
 }
 
 // Sets the row only: the page chooses the cavity when its table is ready.
-CommandSpec choose_cavity(ViewState& s) {
+CommandSpec select_cavity(ViewState& s) {
   static constexpr NumberRule kRowRule{"The number", 1, 1e6, "", true};
   return {.id = "cavities.choose",
           .title = "Select a cavity…",
@@ -90,7 +90,7 @@ CommandSpec castp_choices(ViewState& s) {
           .why_not = without_picture(s),
           .run = [&s](const Arguments&) {
             use_cavity_preset(s.settings.open, s.settings.request, s.molecule.has_file_radii);
-            s.settings.cavity_choices.split_networks = false;
+            s.settings.cavity_settings.split_networks = false;
             s.window.page = "cavities";
             return Outcome();
           }};
@@ -102,7 +102,7 @@ CommandSpec split_networks(ViewState& s) {
                    .title = "Split networks at their bottlenecks",
                    .help = "Lists cavities of twenty mouths or more as the parts that they fall "
                            "into while alpha grows"},
-                  s.settings.cavity_choices.split_networks);
+                  s.settings.cavity_settings.split_networks);
   command.menu = "Edit";
   command.why_not = without_picture(s);
   return command;
@@ -113,7 +113,7 @@ CommandSpec split_networks(ViewState& s) {
 void add_selection_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(by_name(s, false));
   commands.add(by_name(s, true));
-  commands.add(choose_cavity(s));
+  commands.add(select_cavity(s));
   commands.add(castp_choices(s));
   commands.add(split_networks(s));
   const auto nothing = [&s] { return s.settings.selection.empty() ? "Nothing is selected." : ""; };
@@ -135,7 +135,7 @@ void add_selection_commands(Commands& commands, ViewState& s, const Calls& ask) 
        .why_not =
            [&s] {
              if (s.settings.selection.items.empty()) return "Nothing is selected.";
-             const bool none = s.picked_missing == s.settings.selection.items.size();
+             const bool none = s.selected_missing == s.settings.selection.items.size();
              return none ? "Nothing of the selection is in the picture." : "";
            },
        .run =

@@ -7,7 +7,7 @@
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
-#include "ui/panels/dialogs/picture_path.hpp"
+#include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

@@ -35,17 +35,17 @@ CommandSpec open_command(ViewState& s) {
 // Until the steps are known, next and back count from the step that will be shown first.
 struct Move {
   const char *id, *title, *help, *key;
-  void (*go)(StepsMemory& memory);
+  void (*go)(StepsState& memory);
 };
 constexpr Move kMoves[] = {
     {"steps.next", "Next step of the algorithm", "Shows the next step of the ball", "N",
-     [](StepsMemory& m) { m.show(m.count() == 0 ? m.step + 1 : std::min(m.at() + 1, m.last())); }},
+     [](StepsState& m) { m.show(m.count() == 0 ? m.step + 1 : std::min(m.at() + 1, m.last())); }},
     {"steps.back", "Step back in the algorithm", "Shows the step before", "Shift+N",
-     [](StepsMemory& m) { m.show(std::max<std::size_t>(m.at(), 1) - 1); }},
+     [](StepsState& m) { m.show(std::max<std::size_t>(m.at(), 1) - 1); }},
     {"steps.first", "First step of the algorithm", "Shows the first step of the ball", "Home",
-     [](StepsMemory& m) { m.show(0); }},
+     [](StepsState& m) { m.show(0); }},
     {"steps.last", "Last step of the algorithm", "Shows the last step, the result", "End",
-     [](StepsMemory& m) { m.show(m.count() == 0 ? StepsMemory::kLast : m.last()); }}};
+     [](StepsState& m) { m.show(m.count() == 0 ? StepsState::kLast : m.last()); }}};
 
 void add_moves(Commands& commands, ViewState& s) {
   for (const Move& move : kMoves) {
@@ -71,7 +71,7 @@ Outcome show(const Arguments& arguments, ViewState& s) {
 
 // Playback at the last step starts again at the first.
 Outcome play(ViewState& s) {
-  StepsMemory& m = s.steps;
+  StepsState& m = s.steps;
   m.playing = !m.playing;
   if (m.playing && m.count() > 0 && m.at() == m.last()) m.show(0);
   return {};
@@ -111,7 +111,7 @@ void add_engine_command(Commands& commands, ViewState& s) {
 }
 
 void add_switches(Commands& commands, ViewState& s) {
-  StepsMemory& m = s.steps;
+  StepsState& m = s.steps;
   commands.add(with_switch({.id = "steps.edge_optimisation",
                             .title = "Edge optimisation of the steps",
                             .help = "Keeps only tuples whose balls all meet, in the steps "

@@ -68,7 +68,7 @@ std::vector<std::string> lines(const ThesisReport& report) {
   return text;
 }
 
-ThesisOptions to_options(const BenchmarkControls& c, double solvent) {
+ThesisOptions to_options(const BenchmarkSettings& c, double solvent) {
   ThesisOptions options;
   options.alphas = parse_alphas(c.alphas);
   for (const EngineChoice choice : thesis_engines(machine_info())) {
@@ -112,7 +112,7 @@ std::vector<Alpha> parse_alphas(const std::string& text) {
   return alphas;
 }
 
-void Benchmark::start(const SessionState& session, const BenchmarkControls& controls) {
+void Benchmark::start(const SessionState& session, const BenchmarkSettings& controls) {
   if (running_ || !session.opened || !session.prepared) return;
   info_ = {};
   info_.columns = columns();
@@ -196,7 +196,7 @@ void Benchmark::finish() {
   info_.lines = lines(*report_);
 }
 
-void Benchmark::save(const BenchmarkControls& controls) {
+void Benchmark::save(const BenchmarkSettings& controls) {
   if (!report_) return;
   info_.error.clear();
   info_.exported.clear();

@@ -26,9 +26,9 @@ class Benchmark : public ViewerJob {
 
   // Measures the open molecule at the present solvent radius. A fault of the controls goes to
   // info.error.
-  void start(const SessionState& session, const BenchmarkControls& controls);
+  void start(const SessionState& session, const BenchmarkSettings& controls);
   // Saves thesis.csv and the figures. A failure goes to info.error.
-  void save(const BenchmarkControls& controls);
+  void save(const BenchmarkSettings& controls);
   bool busy() const { return running_; }
 
   std::optional<RunningJob> running() const override;

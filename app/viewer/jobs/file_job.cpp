@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/run/background.hpp"
+#include "core/run/thread_priority.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/text/printable.hpp"
 
@@ -23,7 +23,7 @@ void FileJob::start(Task task) {
   const auto text = std::make_shared<std::string>();  // the job writes it until it has ended
   worker_.submit(
       [this, text, write = task_->write](const RunContext& context) -> Worker::Delivery {
-        give_way_to_others(Share::third);
+        lower_thread_priority(CpuShare::third);
         *text = write(context);
         return [this, text] { end(*text, nullptr); };
       },

@@ -10,7 +10,7 @@ bool JobList::poll() {
   for (ViewerJob* const job : jobs_) {
     const JobNews news = job->poll();
     if (!news.notice.empty()) state_.notice = news.notice;
-    if (!news.error.empty()) state_.tell(news.error_title, news.error);
+    if (!news.error.empty()) state_.show_error(news.error_title, news.error);
     const bool any =
         news.changed || news.frees_memory || !news.notice.empty() || !news.error.empty();
     if (any) due_.ask();

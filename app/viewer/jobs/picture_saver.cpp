@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/files/atomic_file.hpp"
-#include "core/run/background.hpp"
+#include "core/run/thread_priority.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope {
@@ -119,7 +119,7 @@ void PictureSaver::begin() {
   }
   worker_.submit(
       [this, job, studio = studio_.get()](const RunContext& c) -> Worker::Delivery {
-        give_way_to_others(Share::third);
+        lower_thread_priority(CpuShare::third);
         const std::string left_out = studio->draw(*job, c);
         return [this, job, left_out] {
           studio_.reset();

@@ -12,7 +12,7 @@
 
 #include "app/viewer/jobs/job_list.hpp"
 #include "core/run/worker.hpp"
-#include "ui/panels/dialogs/picture_memory.hpp"
+#include "ui/panels/dialogs/picture_requests.hpp"
 #include "ui/scene/picture/picture.hpp"
 #include "ui/scene/picture/record_frames.hpp"
 #include "ui/window/host.hpp"

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "core/document/export/complex_export.hpp"
-#include "ui/widgets/controls.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
 namespace {
@@ -64,7 +64,7 @@ bool SaveJobs::busy() const {
 }
 
 void SaveJobs::tell(const char* title, const std::exception& error) {
-  p_.state.tell(title, error.what());
+  p_.state.show_error(title, error.what());
 }
 
 void SaveJobs::save_picture(const ScreenshotRequest& request) {
@@ -111,9 +111,9 @@ void SaveJobs::record(const RecordRequest& request) {
 void SaveJobs::go_on_recording(bool quiet) {
   if (!lesson_.busy() && !sweep_.busy()) return;
   const std::string no_lesson = lesson_.step(quiet);
-  if (!no_lesson.empty()) p_.state.tell("The lesson was not recorded", no_lesson);
+  if (!no_lesson.empty()) p_.state.show_error("The lesson was not recorded", no_lesson);
   const std::string no_sweep = sweep_.step(quiet);
-  if (!no_sweep.empty()) p_.state.tell("The sweep was not recorded", no_sweep);
+  if (!no_sweep.empty()) p_.state.show_error("The sweep was not recorded", no_sweep);
   p_.due.ask();
 }
 
@@ -137,7 +137,7 @@ void SaveJobs::export_complex(const ExportRequest& request) {
          [answer, header = p_.scene.drawn().header(), request](const RunContext& context) {
            return write_complex(*answer, header, request, context);
          }});
-    p_.session.let_engines_rest();
+    p_.session.release_engine_memory();
     p_.state.notice.clear();
   } catch (const std::exception& error) {
     tell(kNoExport, error);

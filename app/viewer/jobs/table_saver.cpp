@@ -82,7 +82,7 @@ void TableSaver::want() {
                 "Save the table again.");
   }
   // Needed after cancel() of an earlier request.
-  if (!std::exchange(begun_, true)) store_.begin_again(definition().id);
+  if (!std::exchange(begun_, true)) store_.retry(definition().id);
   const Inputs& of = table.of_the_picture ? inputs_ : table.inputs;
   if (const FormatToSave* other_one = other_format()) return want_as(other_one->writer, of);
   want_as(wanted_->format == kJsonFormat ? *table.json : table.csv, of);

@@ -11,7 +11,7 @@
 #include "app/viewer/jobs/file_job.hpp"
 #include "core/document/export/file_writer.hpp"
 #include "core/document/store/store.hpp"
-#include "ui/panels/dialogs/table_memory.hpp"
+#include "ui/panels/dialogs/table_state.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 
 namespace alphascope {

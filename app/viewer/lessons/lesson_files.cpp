@@ -37,8 +37,8 @@ std::vector<fs::path> lessons_in(const fs::path& folder) {
   return files;
 }
 
-ShelvedLesson read(const fs::path& file) {
-  ShelvedLesson shelved{.name = name_of(file)};
+ListedLesson read(const fs::path& file) {
+  ListedLesson shelved{.name = name_of(file)};
   try {
     shelved.lesson = std::make_shared<const Lesson>(load_lesson(file));
   } catch (const ReadError& error) {
@@ -47,9 +47,9 @@ ShelvedLesson read(const fs::path& file) {
   return shelved;
 }
 
-std::vector<ShelvedLesson> read_all(const std::vector<fs::path>& folders,
-                                    const RunContext& context) {
-  std::vector<ShelvedLesson> all;
+std::vector<ListedLesson> read_all(const std::vector<fs::path>& folders,
+                                   const RunContext& context) {
+  std::vector<ListedLesson> all;
   for (const fs::path& folder : folders) {
     for (const fs::path& file : lessons_in(folder)) {
       context.cancel.throw_if_cancelled();
@@ -66,9 +66,9 @@ bool is_path(const std::string& text) {
 }
 
 // Throws std::runtime_error that lists the existing lessons.
-ShelvedLesson find(const std::vector<ShelvedLesson>& shelf, const std::string& name) {
+ListedLesson find(const std::vector<ListedLesson>& shelf, const std::string& name) {
   std::vector<std::string> names;
-  for (const ShelvedLesson& shelved : shelf) {
+  for (const ListedLesson& shelved : shelf) {
     if (shelved.name == name) return shelved;
     names.push_back(shelved.name);
   }
@@ -81,7 +81,7 @@ ShelvedLesson find(const std::vector<ShelvedLesson>& shelf, const std::string& n
 
 }  // namespace
 
-void LessonFiles::read_shelf() {
+void LessonFiles::read_list() {
   submit("");
 }
 
@@ -92,9 +92,8 @@ void LessonFiles::open(const std::string& name_or_path) {
 void LessonFiles::submit(const std::string& wanted) {
   worker_.submit(
       [this, wanted](const RunContext& context) -> Worker::Delivery {
-        auto shelf =
-            std::make_shared<const std::vector<ShelvedLesson>>(read_all(folders_, context));
-        ShelvedLesson opened;
+        auto shelf = std::make_shared<const std::vector<ListedLesson>>(read_all(folders_, context));
+        ListedLesson opened;
         if (!wanted.empty()) {
           std::error_code ignored;
           opened = is_path(wanted) ? read(fs::absolute(wanted, ignored)) : find(*shelf, wanted);

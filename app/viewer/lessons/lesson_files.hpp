@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/run/worker.hpp"
-#include "ui/panels/lessons/lesson_memory.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 
 namespace alphascope {
 
@@ -19,13 +19,13 @@ class LessonFiles {
   LessonFiles(std::function<void()> wake, std::vector<std::filesystem::path> folders)
       : folders_(std::move(folders)), worker_(std::move(wake)) {}
 
-  void read_shelf();
+  void read_list();
   // Opens a lesson by name or path, and reads the shelf, too.
   void open(const std::string& name_or_path);
   bool busy() const { return worker_.activity().busy; }
 
   struct News {
-    std::shared_ptr<const std::vector<ShelvedLesson>> shelf;
+    std::shared_ptr<const std::vector<ListedLesson>> shelf;
     std::shared_ptr<const Lesson> opened;
     std::string error;  // why the lesson cannot be opened
   };

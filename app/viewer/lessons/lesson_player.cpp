@@ -22,7 +22,7 @@ void LessonPlayer::back() {
   if (memory_.open && memory_.step > 0) go_to(memory_.step - 1);
 }
 
-void LessonPlayer::again() {
+void LessonPlayer::restart_step() {
   if (memory_.open) go_to(memory_.step);
 }
 
@@ -42,7 +42,7 @@ void LessonPlayer::reveal() {
 
 void LessonPlayer::close() {
   if (!memory_.open) return;
-  if (kept_) stage_.bring_back();
+  if (kept_) stage_.restore_kept();
   const auto shelf = memory_.shelf;
   memory_ = {};
   memory_.shelf = shelf;

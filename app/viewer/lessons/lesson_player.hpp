@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/document/commands/commands.hpp"
-#include "ui/panels/lessons/lesson_memory.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 
 namespace alphascope {
 
@@ -27,22 +27,22 @@ class LessonStage {
   virtual void open(const std::filesystem::path& molecule) = 0;  // with a lesson's settings
   virtual void reset() = 0;  // gives the open file a lesson's settings
   virtual Outcome run(const std::string& command) = 0;
-  virtual void settle() = 0;      // undo goes back to the settings of the step
-  virtual void bring_back() = 0;  // restores the kept molecule
-  virtual void forget() = 0;      // as bring_back(), but a file that the user has opened stays open
+  virtual void settle() = 0;        // undo goes back to the settings of the step
+  virtual void restore_kept() = 0;  // restores the kept molecule
+  virtual void forget() = 0;  // as restore_kept(), but a file that the user has opened stays open
 };
 
 class LessonPlayer {
  public:
   // Both arguments must outlive the player.
-  LessonPlayer(LessonStage& stage, LessonMemory& memory) : stage_(stage), memory_(memory) {}
+  LessonPlayer(LessonStage& stage, LessonState& memory) : stage_(stage), memory_(memory) {}
 
   void begin(std::shared_ptr<const Lesson> lesson);
   void next();  // shows the answer of a question, otherwise the next step; no effect after the last
   void back();
-  void again();    // starts the step again
-  void restart();  // goes to the first step
-  void reveal();   // shows the answer
+  void restart_step();  // starts the step again
+  void restart();       // goes to the first step
+  void reveal();        // shows the answer
   void close();
 
   // Call once a frame.
@@ -65,7 +65,7 @@ class LessonPlayer {
   void leave();
 
   LessonStage& stage_;
-  LessonMemory& memory_;
+  LessonState& memory_;
   Phase phase_ = Phase::shown;
   std::vector<LessonCommand> commands_;  // the commands left to run, from next_command_
   std::size_t next_command_ = 0;

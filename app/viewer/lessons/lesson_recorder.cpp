@@ -67,7 +67,7 @@ class LessonRecorder::Pages {
   std::size_t taken_ = 0;
 };
 
-LessonRecorder::LessonRecorder(LessonPlayer& player, LessonMemory& memory, PictureSaver& saver,
+LessonRecorder::LessonRecorder(LessonPlayer& player, LessonState& memory, PictureSaver& saver,
                                TakePicture take_picture)
     : player_(player), memory_(memory), saver_(saver), take_picture_(std::move(take_picture)) {}
 

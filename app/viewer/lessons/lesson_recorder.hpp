@@ -20,7 +20,7 @@ class LessonRecorder {
   using TakePicture = std::function<Picture(const ScreenshotRequest& request)>;
 
   // All arguments must outlive the recorder.
-  LessonRecorder(LessonPlayer& player, LessonMemory& memory, PictureSaver& saver,
+  LessonRecorder(LessonPlayer& player, LessonState& memory, PictureSaver& saver,
                  TakePicture take_picture);
 
   // Records from the first step on. Throws std::runtime_error (a sentence) if no lesson is open or
@@ -40,7 +40,7 @@ class LessonRecorder {
   void go_on();
 
   LessonPlayer& player_;
-  LessonMemory& memory_;
+  LessonState& memory_;
   PictureSaver& saver_;
   TakePicture take_picture_;
 

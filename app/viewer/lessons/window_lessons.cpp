@@ -115,11 +115,11 @@ class WindowLessons::Stage : public LessonStage {
   void settle() override {
     settled_ = p_.history.settings();
     p_.history.restart();
-    p_.preferences.take_as_seen();  // the changes are the lesson's, not the user's
+    p_.preferences.ignore_changes_so_far();  // the changes are the lesson's, not the user's
     p_.due.ask();
   }
 
-  void bring_back() override {
+  void restore_kept() override {
     if (!kept_) return;
     Kept kept = *std::exchange(kept_, std::nullopt);
     if (!kept.document || kept.file == file()) {
@@ -130,7 +130,7 @@ class WindowLessons::Stage : public LessonStage {
     kept.document->view.light_theme = p_.state.window.theme == Theme::light;
     const std::filesystem::path molecule = kept.document->molecule.absolute;
     start(kept.session_file, *std::move(kept.document), molecule);
-    p_.history.set_to_come_back(std::move(kept.history));
+    p_.history.set_to_restore(std::move(kept.history));
   }
 
   void forget() override {
@@ -165,7 +165,7 @@ class WindowLessons::Stage : public LessonStage {
       s.settings.display = kept.settings.display;
       p_.history.restart();
     }
-    p_.preferences.take_as_seen();
+    p_.preferences.ignore_changes_so_far();
   }
 
   void start(const std::filesystem::path& file, SessionDocument document,
@@ -202,10 +202,10 @@ std::vector<std::filesystem::path> WindowLessons::folders(const std::filesystem:
 }
 
 void WindowLessons::poll() {
-  LessonMemory& memory = p_.state.lessons;
+  LessonState& memory = p_.state.lessons;
   LessonFiles::News news = files_.poll();
   if (news.shelf) memory.shelf = news.shelf;
-  if (memory.shown && !memory.shelf && !files_.busy()) files_.read_shelf();
+  if (memory.shown && !memory.shelf && !files_.busy()) files_.read_list();
   if (news.opened) {
     try {
       check_commands(*news.opened, p_.commands);
@@ -214,7 +214,7 @@ void WindowLessons::poll() {
       news.error = error.what();
     }
   }
-  if (!news.error.empty()) p_.state.tell("The lesson cannot be opened", news.error);
+  if (!news.error.empty()) p_.state.show_error("The lesson cannot be opened", news.error);
   if (news.shelf || news.opened || !news.error.empty()) p_.due.ask();
 }
 

@@ -91,7 +91,7 @@ void Pointing::describe_under_mouse() {
 void Pointing::open_context_menu() {
   const ViewportInfo& v = state_.viewport;
   const auto found = under(v.mouse_x, v.mouse_y);
-  ContextMemory& menu = state_.context;
+  ContextState& menu = state_.context;
   menu.opens = true;
   menu.what = found ? found->what : std::nullopt;
   menu.title = menu.what ? name_of(state_.references->molecule(), *menu.what) : "";

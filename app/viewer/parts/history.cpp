@@ -18,10 +18,10 @@ void History::note_changes(bool by_itself) {
   if (std::exchange(state_.selection_followed, false)) {
     Settings followed = editor_.now();
     followed.selection = state_.settings.selection;
-    editor_.follow(followed);
+    editor_.set_consequence(followed);
   }
   if (by_itself) {
-    editor_.amend(settings());
+    editor_.set_without_entry(settings());
   } else {
     editor_.set(settings(), gesture_);
   }
@@ -98,7 +98,7 @@ void History::restart(const Settings& settings) {
 }
 
 void History::amend() {
-  editor_.amend(settings());
+  editor_.set_without_entry(settings());
 }
 
 void History::put(const Editor& editor) {
@@ -107,11 +107,11 @@ void History::put(const Editor& editor) {
 }
 
 // Restores the undo history of the molecule that was open before a lesson.
-void History::take_back() {
-  const auto history = std::exchange(to_come_back_, std::nullopt);
+void History::restore() {
+  const auto history = std::exchange(to_restore_, std::nullopt);
   if (!history) return;
   editor_ = *history;
-  editor_.amend(settings());
+  editor_.set_without_entry(settings());
 }
 
 void History::move_view(const std::function<void()>& how) {

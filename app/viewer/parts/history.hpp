@@ -43,8 +43,8 @@ class History {
   // The history that a kept session takes along and gets back.
   const Editor& editor() const { return editor_; }
   void put(const Editor& editor);
-  void set_to_come_back(std::optional<Editor> editor) { to_come_back_ = std::move(editor); }
-  void take_back();  // the session has come back
+  void set_to_restore(std::optional<Editor> editor) { to_restore_ = std::move(editor); }
+  void restore();  // the session has come back
 
  private:
   void show_settings();
@@ -67,8 +67,8 @@ class History {
   Gesture entry_gesture_ = 0;     // the gesture that made the last entry
   std::uint64_t view_moves_ = 0;  // moves of the view on request, by hand or by a command
   Gestures gestures_;
-  Gesture gesture_ = 0;                 // the gesture of this frame
-  std::optional<Editor> to_come_back_;  // the history of the session that is being opened
+  Gesture gesture_ = 0;               // the gesture of this frame
+  std::optional<Editor> to_restore_;  // the history of the session that is being opened
 };
 
 }  // namespace alphascope

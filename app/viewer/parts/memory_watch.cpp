@@ -3,8 +3,8 @@
 
 #include "app/session/system_memory.hpp"
 #include "app/viewer/mouse/gestures.hpp"
-#include "core/run/freed_elsewhere.hpp"
 #include "core/run/freed_memory.hpp"
+#include "core/run/freed_on_other_thread.hpp"
 
 namespace alphascope {
 
@@ -17,7 +17,7 @@ void MemoryWatch::give_back_when_due(bool busy) {
   if (!to_give_back_ || busy || interacting(state_)) return;
   to_give_back_ = false;
   wait_until_freed();
-  give_back_freed_memory();
+  return_freed_memory();
   read();
   due_.ask();
 }

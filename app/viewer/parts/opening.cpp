@@ -6,16 +6,17 @@
 #include "app/session/result_header.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
-#include "app/viewer/state_bridge.hpp"
+#include "app/viewer/session_text.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope {
 
 bool Opening::may_open(const std::filesystem::path& path) {
   if (benchmark_busy_()) {  // it uses the open molecule, and its times would include the reading
-    state_.tell("A benchmark is running",
-                path.filename().string() +
-                    " was not opened. Cancel the benchmark or wait for its end, then open it.");
+    state_.show_error(
+        "A benchmark is running",
+        path.filename().string() +
+            " was not opened. Cancel the benchmark or wait for its end, then open it.");
     return false;
   }
   scene_.cameras().set_when_drawn(std::nullopt);
@@ -66,13 +67,13 @@ void Opening::forget_waiting_session() {
   files_.cancel();
   waiting_ = starting_ = nullptr;
   awaits_gpu_ = false;
-  history_.set_to_come_back(std::nullopt);
+  history_.set_to_restore(std::nullopt);
   state_.session_problem.reset();
 }
 
 void Opening::poll() {
   const SessionFiles::Outcome outcome = files_.poll();
-  if (!outcome.error.empty()) state_.tell(outcome.error_title, outcome.error);
+  if (!outcome.error.empty()) state_.show_error(outcome.error_title, outcome.error);
   if (awaits_gpu_ && state_.gpu && waiting_) start_session();
   if (outcome.read) {
     waiting_ = outcome.read;
@@ -125,21 +126,21 @@ void Opening::show_session() {
   state_.window.closed_sections = {closed.begin(), closed.end()};
   state_.window.alpha_slider = s.view.panels.alpha_slider;
   state_.window.picture = s.view.picture;
-  static_cast<RecordChoices&>(state_.memory.record) = s.view.recording;
+  static_cast<RecordSettings&>(state_.memory.record) = s.view.recording;
   state_.molecule.radii = grown_radii(*session_.state().prepared, state_.settings.request);
   if (s.view.camera.any()) scene_.cameras().set_when_drawn(s.view.camera);
   state_.session_file = found->file;
-  preferences_.take_as_seen();  // the changes are the session's, not the user's
+  preferences_.ignore_changes_so_far();  // the changes are the session's, not the user's
   if (!found->complete()) {
     state_.drop_note = "These files differ from those of the saved session:\n" + found->problem();
   }
   std::string notes;
   for (const std::string& note : found->read.notes) notes += (notes.empty() ? "" : "\n") + note;
   if (!notes.empty()) {
-    state_.tell("The session has unknown settings",
-                printable(found->file.string()) + "\n\n" + notes +
-                    "\n\nAll other settings are restored. A newer version of the program may "
-                    "know these.");
+    state_.show_error("The session has unknown settings",
+                      printable(found->file.string()) + "\n\n" + notes +
+                          "\n\nAll other settings are restored. A newer version of the program may "
+                          "know these.");
   }
 }
 
@@ -183,7 +184,7 @@ void Opening::save(const std::filesystem::path& file) {
       preferences_.note_recent_file(file);
     });
   } catch (const std::exception& error) {
-    state_.tell("The session cannot be saved", error.what());
+    state_.show_error("The session cannot be saved", error.what());
   }
 }
 
@@ -195,7 +196,7 @@ void Opening::start(FoundSession session) {
 
 void Opening::forget_failed() {
   starting_ = nullptr;
-  history_.set_to_come_back(std::nullopt);
+  history_.set_to_restore(std::nullopt);
 }
 
 std::string Opening::take_drop_note() {

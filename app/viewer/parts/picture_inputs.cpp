@@ -45,14 +45,14 @@ void PictureInputs::follow_picture() {
     take(shown);
   }
   if (inputs_.balls) {
-    inputs_.split_networks = state_.settings.cavity_choices.split_networks;
+    inputs_.split_networks = state_.settings.cavity_settings.split_networks;
     inputs_.complex = nullptr;
     inputs_.measures = nullptr;
     if (shown->balls == inputs_.balls) {
       inputs_.alpha_angstrom2 = shown->request.alpha_angstrom2;
       inputs_.complex = {shown, &shown->complex};
       inputs_.measures = shown->measures ? shown->measures : scene_.drawn().measures();
-      give_of_all_balls(store_, inputs_, std::exchange(*shown->made, {}));
+      give_results_for_all_alphas(store_, inputs_, std::exchange(*shown->made, {}));
     }
   }
   note_large_objects();
@@ -68,7 +68,7 @@ bool PictureInputs::needs_filtration() const {
   return !on_gpu || inputs_.balls->size() <= kSmall;
 }
 
-void PictureInputs::want_of_all_balls() {
+void PictureInputs::want_results_for_all_alphas() {
   if (inputs_.balls) {
     if (needs_filtration()) store_.want(whole_filtration(), inputs_, Priority::background);
     store_.want(whole_triangulation(), inputs_, Priority::background);
@@ -91,8 +91,8 @@ void PictureInputs::note_large_objects() {
   std::uint64_t complexes = session_.held_bytes();
   const bool older = shown && shown != s.ours && !(s.agreement && s.agreement->ours == shown);
   if (older) complexes += bytes_of(shown->complex);
-  store_.note_held("complexes", complexes);
-  store_.note_held("meshes", scene_.held_bytes());
+  store_.set_held_bytes("complexes", complexes);
+  store_.set_held_bytes("meshes", scene_.held_bytes());
 }
 
 }  // namespace alphascope

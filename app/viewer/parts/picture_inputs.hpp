@@ -25,7 +25,7 @@ class PictureInputs {
   void follow_picture();
   // Call after the panels, so that the store knows their wishes before it starts background work.
   // Wants the whole filtration, so that on the CPU each later alpha is a threshold of it.
-  void want_of_all_balls();
+  void want_results_for_all_alphas();
 
   const Inputs& now() const { return inputs_; }  // without balls if there is no picture
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ui/widgets/controls.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
 
@@ -54,7 +54,7 @@ void Playing::play_models(bool models_settled) {
 
 // Like play_models(), but ends at the last step. No frame is drawn before the next step is due.
 void Playing::play_steps() {
-  StepsMemory& memory = state_.steps;
+  StepsState& memory = state_.steps;
   const bool over = memory.current && memory.at() == memory.last();
   if (over || state_.window.page != kStepsPage) memory.playing = false;
   if (!memory.playing) {

@@ -3,7 +3,7 @@
 
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/mouse/gestures.hpp"
-#include "app/viewer/state_bridge.hpp"
+#include "app/viewer/session_text.hpp"
 #include "core/document/store/derived.hpp"
 
 namespace alphascope {
@@ -44,7 +44,7 @@ bool SettingsSender::awaits_panels() const {
 void SettingsSender::send_request() {
   if (request_is_sent() || awaits_panels()) return;
   const Request& request = state_.settings.request;
-  session_.set_request(canonical(request), of_all_balls(store_, inputs_.now()));
+  session_.set_request(canonical(request), results_for_all_alphas(store_, inputs_.now()));
   state_.compute_error.clear();  // the message was about another alpha
   const SessionState& s = session_.state();
   if (s.prepared) state_.molecule.radii = grown_radii(*s.prepared, request);

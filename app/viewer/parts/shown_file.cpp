@@ -55,12 +55,12 @@ void ShownFile::take_file() {
   if (of_session) p_.opening.show_session();
   start_preset();
   p_.history.restart();
-  if (of_session) p_.history.take_back();
+  if (of_session) p_.history.restore();
 }
 
 // Closes dialogs about the previous file.
 void ShownFile::close_dialogs() {
-  PanelMemory& m = p_.state.memory;
+  SharedPanelState& m = p_.state.memory;
   m.saving.names.clear();
   const bool any = m.show_save || m.show_export || m.show_save_session || m.record.show ||
                    m.save_table.table || !m.confirm_assembly.empty();
@@ -77,7 +77,7 @@ void ShownFile::close_dialogs() {
 
 // Colours by element where there is only one chain. A colour that the user has chosen stays.
 void ShownFile::colour_by_what_differs(const Molecule& molecule) {
-  DisplayControls& d = p_.state.settings.display;
+  DisplaySettings& d = p_.state.settings.display;
   const Paint automatic{automatic_colour_, {}, {}, {}};
   if (d.ball_paint != automatic || d.complex_paint != automatic) return;
   const bool one_chain =
@@ -89,7 +89,7 @@ void ShownFile::colour_by_what_differs(const Molecule& molecule) {
 
 // Starts editing the preset of the sandbox that was opened for it.
 void ShownFile::start_preset() {
-  SandboxMemory& m = p_.state.memory.sandbox;
+  SandboxState& m = p_.state.memory.sandbox;
   m.pixels_per_angstrom = 0;
   const std::filesystem::path wanted = std::exchange(m.edit_when_open, {});
   if (wanted.empty() || wanted != file_->source) return;

@@ -87,8 +87,8 @@ void ShownMarks::find_marks() {
   }
   std::sort(marked_.drawn.balls.begin(), marked_.drawn.balls.end());
   std::sort(marked_.drawn.beside.begin(), marked_.drawn.beside.end());
-  state_.picked_missing = missing;
-  state_.picked_text = selected_text(marked_.items.size(), missing);
+  state_.selected_missing = missing;
+  state_.selected_count_text = selected_text(marked_.items.size(), missing);
   if (layer->edges.empty()) return;
   layer->id = "selection";
   layer->in_pictures = false;

@@ -102,11 +102,11 @@ float WindowPreferences::line_scale(float scale) const {
 bool WindowPreferences::poll() {
   const std::string problem = keeper_.poll();
   if (problem.empty()) return false;
-  state_.tell("Preferences", problem);
+  state_.show_error("Preferences", problem);
   return true;
 }
 
-void WindowPreferences::take_as_seen() {
+void WindowPreferences::ignore_changes_so_far() {
   noted_ = preferred();
 }
 

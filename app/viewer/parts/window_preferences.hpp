@@ -18,8 +18,8 @@ class WindowPreferences {
 
   void begin_with(const ViewerOptions& options);  // options of the command line take precedence
   void note();                                    // call once a frame; notes changes by the user
-  void take_as_seen();  // changes by a session or a lesson are not preferences
-  void take_gpu();      // call when a GPU is found: the preferred engine may need it
+  void ignore_changes_so_far();  // changes by a session or a lesson are not preferences
+  void take_gpu();               // call when a GPU is found: the preferred engine may need it
   void note_recent_file(const std::filesystem::path& file);
   void forget_recent();
   bool follow_scale();  // returns whether the scale of the window has changed

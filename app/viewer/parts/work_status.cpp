@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/viewer/state_bridge.hpp"
+#include "app/viewer/session_text.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/text/printable.hpp"
 

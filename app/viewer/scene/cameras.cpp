@@ -13,7 +13,7 @@ void Cameras::settle(const ViewportInfo& viewport) {
   if (canvas_.scene().view_is_set() || !Canvas::is_large_enough(viewport.width, viewport.height)) {
     return;
   }
-  canvas_.drawing().settle_view(viewport.width, viewport.height);
+  canvas_.drawing().apply_pending_reset(viewport.width, viewport.height);
 }
 
 std::optional<CameraPlace> Cameras::place() const {
@@ -31,7 +31,7 @@ void Cameras::look_from(const std::array<double, 3>& towards_viewer) {
 }
 
 void Cameras::look_across(const RealPoint& line) {
-  const Sight sight = canvas_.scene().sight();
+  const ViewFrustum sight = canvas_.scene().sight();
   canvas_.change().set_viewpoint(
       view_from(canvas_.scene().viewpoint(), sight, side_across(sight, line)));
 }
@@ -48,7 +48,7 @@ void Cameras::zoom_to(const BallGeometry& balls) {
   std::vector<BallIndex> all(balls.centres.size());
   if (all.empty()) return;
   std::iota(all.begin(), all.end(), BallIndex{0});
-  Viewpoint view = looking_at(balls, all, canvas_.scene().sight());
+  Viewpoint view = viewpoint_for_balls(balls, all, canvas_.scene().sight());
   view.least_aspect = canvas_.scene().viewpoint().least_aspect;
   canvas_.change().set_viewpoint(view);
 }
@@ -97,13 +97,13 @@ std::optional<Ray> Cameras::ray(int x, int y) const {
 ClipHandle Cameras::clip_handle(const Clip& clip, const std::array<double, 3>& pivot,
                                 double size) const {
   if (!clip.on() || !picture_.any() || canvas_.width() == 0) return {};
-  const Sight sight = canvas_.scene().sight();
+  const ViewFrustum sight = canvas_.scene().sight();
   HandleView view{sight.right, sight.up, {}, {}};
   for (std::size_t k = 0; k < 3; ++k) view.towards_viewer[k] = -sight.forward[k];
   view.seen = [sight, origin = picture_.molecule->geometry->origin, width = canvas_.width(),
                height = canvas_.height()](const std::array<double, 3>& place) {
-    return seen_at(sight, {place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]}, width,
-                   height);
+    return project_point(sight, {place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]},
+                         width, height);
   };
   return make_clip_handle(clip, pivot, view, size);
 }

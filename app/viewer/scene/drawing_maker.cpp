@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/run/freed_elsewhere.hpp"
+#include "core/run/freed_on_other_thread.hpp"
 #include "ui/scene/display_style.hpp"
 
 namespace alphascope {
@@ -92,7 +92,7 @@ Drawing DrawingMaker::draw(const WantedDrawing& wanted, const DrawingPlan& plan,
                      : known     ? wanted.drawn
                                  : make_drawn(wanted.opened, context);
   const DrawnMolecule& m = *drawing.molecule;
-  const auto looks = make_looks(m, controls.appearance);
+  const auto looks = make_ball_appearance(m, controls.appearance);
   if (plan.balls) {
     drawing.parts = make_parts(
         {drawing.molecule, wanted.answer, controls.display, looks, plan.mesh, controls.clip},

@@ -20,9 +20,10 @@ std::string DrawnPicture::lacks(bool with_balls) const {
 
 void DrawnPicture::describe(bool with_balls, ViewportInfo& viewport) const {
   const auto& painting = parts.paintings.balls;
-  const std::optional<PaintKey> balls = with_balls && painting ? painting->balls.key : std::nullopt;
-  const std::optional<PaintKey> simplices = parts.simplex_key();
-  const auto range = [](const std::optional<PaintKey>& key) {
+  const std::optional<ColourMeaning> balls =
+      with_balls && painting ? painting->balls.key : std::nullopt;
+  const std::optional<ColourMeaning> simplices = parts.simplex_key();
+  const auto range = [](const std::optional<ColourMeaning>& key) {
     return key && key->scale ? std::optional(key->scale->range) : std::nullopt;
   };
   viewport.legends = legends_of(balls, simplices);

@@ -64,7 +64,7 @@ void SceneController::show_without_answer() {
   submit();
 }
 
-void SceneController::set_display(const DisplayControls& display, Theme theme, float line_scale) {
+void SceneController::set_display(const DisplaySettings& display, Theme theme, float line_scale) {
   const bool same = controls_.display == display && controls_.theme == theme &&
                     controls_.line_scale == line_scale;
   if (same) return;
@@ -150,7 +150,7 @@ bool SceneController::poll() {
   return before != drawn().answer;
 }
 
-bool SceneController::draws_outside() const {
+bool SceneController::draws_outer_faces() const {
   return mesh_options(controls_.display, controls_.theme).outside();
 }
 
@@ -200,7 +200,7 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
 void SceneController::begin_picture(ViewportInfo& viewport, bool interacting) {
   const bool new_one = shown_.pacing().has_new_picture() && !covered_;
   const bool layers = shown_.layers().wants_any();
-  if (!new_one || layers || !shown_.canvas().scene().draws_meanwhile()) return;
+  if (!new_one || layers || !shown_.canvas().scene().renders_asynchronously()) return;
   render(viewport, interacting, false);
 }
 

@@ -36,7 +36,7 @@ class SceneController {
   // Draws the differences from the reference, if there are any.
   void set_agreement(std::shared_ptr<const Agreement> agreement);
   // `line_scale` as in SceneStyle.
-  void set_display(const DisplayControls& display, Theme theme, float line_scale = 1);
+  void set_display(const DisplaySettings& display, Theme theme, float line_scale = 1);
   // The picture follows when the caps that close the tetrahedra at the cut are ready.
   void set_clip(const Clip& clip);
   // Sets hidden atoms and colours chosen by the user. The picture follows when its simplices are
@@ -61,7 +61,7 @@ class SceneController {
   // render() is needed in any case, and draws again after a change.
   void begin_picture(ViewportInfo& viewport, bool interacting);
   // With software OpenGL too.
-  void draw_meanwhile() { shown_.canvas().drawing().set_draws_meanwhile(true); }
+  void render_asynchronously() { shown_.canvas().drawing().set_renders_asynchronously(true); }
   // Call when OpenGL has finished: the time of the picture is then known.
   void note_finished() { shown_.pacing().take_time(true); }
   // Call before the panels. Fills in the data about the picture that panels draw.
@@ -70,7 +70,7 @@ class SceneController {
   bool busy() const { return maker_.busy() || shown_.busy(); }
   bool wants_frame() const { return !covered_ && shown_.pacing().wants_frame(); }
   // Whether the next mesh will need the outer faces, which belong to one tetrahedron only.
-  bool draws_outside() const;
+  bool draws_outer_faces() const;
   // Upper bound of the bytes of the picture on screen and of the one being made, without
   // differences.
   std::uint64_t held_bytes() const { return (busy() ? maker_.bytes() : 0) + shown_.bytes(); }

@@ -9,7 +9,7 @@
 namespace alphascope {
 
 struct SceneControls {
-  DisplayControls display;
+  DisplaySettings display;
   Theme theme = Theme::dark;
   float line_scale = 1;  // as in SceneStyle
   Clip clip;

@@ -45,7 +45,7 @@ void ShownPicture::restyle() {
 }
 
 void ShownPicture::follow_display(const SceneControls& before) {
-  const DisplayControls &was = before.display, &is = controls_.display;
+  const DisplaySettings &was = before.display, &is = controls_.display;
   canvas_.change();
   restyle();
   if (was.ball_paint != is.ball_paint) colours_.make(is.ball_paint);
@@ -67,7 +67,7 @@ void ShownPicture::show(Drawing drawing) {
   // The second mesh of an answer reuses the faces that the device found.
   const bool first_of_answer = picture_.answer != drawing.answer && drawing.answer;
   pacing_.begin_picture(drawing.parts.mesh_milliseconds +
-                        (first_of_answer ? drawing.answer->outside_milliseconds : 0));
+                        (first_of_answer ? drawing.answer->outer_faces_milliseconds : 0));
   exchange_parts(drawing, new_balls);
   picking_.follow_mesh();
   Scene& scene = canvas_.change();

@@ -18,7 +18,7 @@
 #include "app/viewer/script/timed_moves.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/files/output_ending.hpp"
-#include "core/run/freed_elsewhere.hpp"
+#include "core/run/freed_on_other_thread.hpp"
 #include "core/text/text_parts.hpp"
 #include "ui/no_calls.hpp"
 #include "ui/panels/whole_state.hpp"

@@ -11,7 +11,7 @@
 #include "app/viewer/viewer.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "core/run/picture_stages.hpp"
-#include "ui/widgets/controls.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
 namespace {
@@ -67,7 +67,7 @@ class Mover {
     return milliseconds_since(start);
   }
 
-  void rest() {
+  void wait_until_idle() {
     const Clock::time_point start = Clock::now();
     for (int quiet = 0; quiet < 4; quiet = viewer_.busy() ? 0 : quiet + 1) {
       if (viewer_.busy()) viewer_.host().wait_events(0.005);
@@ -115,12 +115,12 @@ std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstr
   std::uint64_t hash = 0;
   const auto move = [&](int i) {
     mover.move_to(angstrom2 + (i % 2 == 0 ? kBeside : -kBeside));
-    mover.rest();
+    mover.wait_until_idle();
     return mover.move_to(angstrom2);
   };
   for (int i = 0; i < kWarmUp; ++i) {
     move(i);
-    mover.rest();
+    mover.wait_until_idle();
   }
   for (int i = 0; i < moves; ++i) {
     whole.push_back(move(i));
@@ -131,7 +131,7 @@ std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstr
     }
     if (i > 0 && complex.hash != hash) throw std::runtime_error("two complexes for one alpha");
     hash = complex.hash;
-    mover.rest();
+    mover.wait_until_idle();
   }
   char alpha[32];
   std::snprintf(alpha, sizeof alpha, "%g", angstrom2);
@@ -149,12 +149,12 @@ std::string time_ball_moves(Viewer& viewer, ScriptedInput& input, int moves) {
   const std::size_t balls = sandbox->balls.size();
   Mover mover(viewer, input);
   std::vector<double> whole, engine, frame;
-  mover.rest();
+  mover.wait_until_idle();
   for (int i = 0; i < moves; ++i) {
     const double step = i / static_cast<int>(balls) % 2 == 0 ? kStep : -kStep;
     whole.push_back(mover.move_ball_by(static_cast<std::size_t>(i) % balls, step));
     engine.push_back(viewer.state().result->complex.timings.wall_milliseconds);
-    mover.rest();
+    mover.wait_until_idle();
     frame.push_back(mover.frame());
   }
   return "moves of " + std::to_string(balls) + " balls: " + summary(whole) +

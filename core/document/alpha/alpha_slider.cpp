@@ -48,12 +48,12 @@ double exact_alpha(const AlphaSlider& s, double place) {
 
 }  // namespace
 
-double place_of_alpha(const AlphaSlider& s, double alpha) {
+double slider_position_of_alpha(const AlphaSlider& s, double alpha) {
   const double low = scaled(s.scaling, s.low), high = scaled(s.scaling, s.high);
   return std::clamp((scaled(s.scaling, alpha) - low) / (high - low), 0.0, 1.0);
 }
 
-double alpha_at_place(const AlphaSlider& s, double place, double step) {
+double alpha_at_slider_position(const AlphaSlider& s, double place, double step) {
   if (place <= 0) return s.low;
   if (place >= 1) return s.high;
   const double alpha = exact_alpha(s, place);
@@ -71,8 +71,8 @@ NextAlpha next_alpha(const AlphaSlider& s, double alpha, bool backwards) {
   // An alpha outside the slider goes to the nearer end.
   if (backwards ? alpha > start : alpha < start) return {start, false};
   const double step = s.speed / kPictures;
-  const double place = place_of_alpha(s, alpha) + (backwards ? -step : step);
-  double next = std::clamp(alpha_at_place(s, place, step / 10), s.low, s.high);
+  const double place = slider_position_of_alpha(s, alpha) + (backwards ? -step : step);
+  double next = std::clamp(alpha_at_slider_position(s, place, step / 10), s.low, s.high);
   // Near 0 of the root scale, rounding must not stop the playback.
   if (next == alpha) next = exact_alpha(s, place);
   return {next, false};

@@ -22,10 +22,10 @@ struct AlphaSlider {
 };
 
 // Position of alpha (Å²) on the slider, from 0 to 1; beyond the ends 0 or 1.
-double place_of_alpha(const AlphaSlider& slider, double alpha);
+double slider_position_of_alpha(const AlphaSlider& slider, double alpha);
 // Alpha (Å²) at a position. It is rounded to a multiple of a power of ten. That power is at most
 // the change of alpha over `step`.
-double alpha_at_place(const AlphaSlider& slider, double place, double step);
+double alpha_at_slider_position(const AlphaSlider& slider, double place, double step);
 
 // The next alpha of playback. `ended`: alpha was at the end and the slider does not loop.
 struct NextAlpha {

@@ -22,7 +22,7 @@ CellValue count(std::size_t number) {
   return static_cast<std::uint64_t>(number);
 }
 
-CellValue clipped(const Row& r, double ClippedMeasures::*value) {
+CellValue clipped(const Row& r, double ExactCavityMeasures::*value) {
   return r.of.exact ? CellValue(r.of.clipped(r.row).*value) : CellValue();
 }
 
@@ -31,7 +31,7 @@ CellValue clipped(const Row& r, double ClippedMeasures::*value) {
 std::string clipped_text(const Row& r) {
   if (!r.of.exact) return "…";
   return measure_text(r.of.clipped(r.row).volume_sa_angstrom3) +
-         (r.of.is_doubtful(r.row) ? " *" : "  ");
+         (r.of.differs_from_exact(r.row) ? " *" : "  ");
 }
 
 CellValue network_end(const Row& r, std::string (*text)(const NetworkEnd&)) {
@@ -142,27 +142,25 @@ const Column<Row> kColumns[] = {
      .unit = "Å³",
      .help = "The volume of the cavity's tetrahedra outside all grown balls. A star marks cavities "
              "below 1 Å³ and those whose SA volume differs by more than a tenth.",
-     .value = [](const Row& r) { return clipped(r, &ClippedMeasures::volume_sa_angstrom3); },
+     .value = [](const Row& r) { return clipped(r, &ExactCavityMeasures::volume_sa_angstrom3); },
      .text = clipped_text},
     {.id = "area_sa_clipped_angstrom2",
      .title = "exact area",
      .unit = "Å²",
      .help = "The area of the grown balls' surfaces in the cavity's tetrahedra, outside all other "
              "balls.",
-     .value = [](const Row& r) { return clipped(r, &ClippedMeasures::area_sa_angstrom2); }},
+     .value = [](const Row& r) { return clipped(r, &ExactCavityMeasures::area_sa_angstrom2); }},
     {.id = "rank_by_clipped_volume",
      .title = "rank",
      .help = "The rank by exact volume: 1 is the largest.",
      .value =
-         [](const Row& r) {
-           return r.of.exact ? count(r.facts->clipped_rank[r.row]) : CellValue();
-         }},
+         [](const Row& r) { return r.of.exact ? count(r.facts->exact_rank[r.row]) : CellValue(); }},
     {.id = "doubtful",
      .help = "The exact volume is below 1 Å³, or the SA volume differs from it by more than a "
              "tenth.",
      .value =
          [](const Row& r) {
-           return r.of.exact ? CellValue(r.of.is_doubtful(r.row)) : CellValue();
+           return r.of.exact ? CellValue(r.of.differs_from_exact(r.row)) : CellValue();
          }},
     {.id = "volume_ms_angstrom3",
      .title = "MS vol.",

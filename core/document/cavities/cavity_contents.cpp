@@ -44,10 +44,11 @@ void for_residues(const BallReferences& atoms, const Use& use) {
   }
 }
 
-HeldResidue held_residue(const LeftOutAtom* begin, const LeftOutAtom* end,
-                         const std::uint32_t* cavities, const std::vector<std::size_t>& row_of) {
-  HeldResidue residue{begin->atom, begin->reason, Cavities::kNone,
-                      static_cast<std::uint32_t>(end - begin), 0};
+ContainedResidue held_residue(const LeftOutAtom* begin, const LeftOutAtom* end,
+                              const std::uint32_t* cavities,
+                              const std::vector<std::size_t>& row_of) {
+  ContainedResidue residue{begin->atom, begin->reason, Cavities::kNone,
+                           static_cast<std::uint32_t>(end - begin), 0};
   std::map<std::size_t, std::uint32_t> count;  // keys are rows, which begin with the largest volume
   for (std::size_t n = 0; n < residue.atoms; ++n) {
     if (cavities[n] == Cavities::kNone) continue;
@@ -103,7 +104,7 @@ std::string contents_text(const Molecule& molecule, const CavityContents& conten
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   std::size_t named = 0, others = 0, waters = 0;
   for (const std::uint32_t n : contents.of[cavity]) {
-    const HeldResidue& residue = contents.residues[n];
+    const ContainedResidue& residue = contents.residues[n];
     if (residue.kind == DropReason::water) {
       ++waters;
     } else if (named == most) {

@@ -12,16 +12,16 @@ namespace alphascope {
 
 // A ligand, an ion or a water. It belongs to the cavity whose tetrahedra contain the centres of
 // most of its atoms. On a tie it belongs to the cavity with the larger SA volume.
-struct HeldResidue {
+struct ContainedResidue {
   std::uint32_t atom = 0;                  // its first left-out atom, index in Molecule::atoms
   DropReason kind = DropReason::ligand;    // or ion, water
   std::uint32_t cavity = Cavities::kNone;  // index in found.cavities; kNone: no atom is in a cavity
   std::uint32_t atoms = 0, inside = 0;     // number of left-out atoms; number of those in `cavity`
-  friend bool operator==(const HeldResidue&, const HeldResidue&) = default;
+  friend bool operator==(const ContainedResidue&, const ContainedResidue&) = default;
 };
 
 struct CavityContents {
-  std::vector<HeldResidue> residues;  // in the order of the molecule
+  std::vector<ContainedResidue> residues;  // in the order of the molecule
   // For each of found.cavities, indices of the residues in it: ligands, then ions, then waters.
   std::vector<std::vector<std::uint32_t>> of;
 };

@@ -108,14 +108,15 @@ Definition<FileWriter> cavity_export(const ShapeExportInfo& format, const Cavity
            .title = "Cavities for another program",
            .made_of = {&cavity_table()},
            .key = [rows, prepared = source.prepared](
-                      const Inputs& in) { return key_of_written(in, rows, *prepared); },
+                      const Inputs& in) { return key_of_cavity_file(in, rows, *prepared); },
            .memory =
                [](const Inputs&) {
                  return MemoryNeed{0, 0};  // uses the table, which exists already
                },
            .keep_stale = false},
           [rows, source, format = format.format](const Inputs& in, const RunContext&) {
-            const auto facts = std::make_shared<const CavityFacts>(few_facts_of(in, rows, source));
+            const auto facts =
+                std::make_shared<const CavityFacts>(facts_without_volumes(in, rows, source));
             auto header = cavity_header(*facts);
             for (const std::string& note : source.molecule->notes) {
               header.emplace_back("note", note);

@@ -26,7 +26,7 @@ Json holds_json(const CavityFacts& facts, std::size_t row) {
   Json list = Json::array();
   if (facts.contents->of.empty()) return list;
   for (const std::uint32_t k : facts.contents->of[facts.table().order[row]]) {
-    const HeldResidue& held = facts.contents->residues[k];
+    const ContainedResidue& held = facts.contents->residues[k];
     list.push_back({{"residue", residue_address(*facts.source.molecule, held.atom)},
                     {"kind", held_kind(held.kind)},
                     {"atoms", held.atoms},

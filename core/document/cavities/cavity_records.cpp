@@ -8,7 +8,8 @@
 #include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {
-std::vector<std::size_t> ranks_by_clipped(const CavityTable& table, const ExactVolumes& exact) {
+std::vector<std::size_t> ranks_by_exact_volume(const CavityTable& table,
+                                               const ExactVolumes& exact) {
   const auto volume = [&](std::size_t row) {
     return exact.of[table.order[row]].volume_sa_angstrom3;
   };

@@ -21,9 +21,9 @@ namespace alphascope {
 struct CavityFacts : KnownCavities {
   RecordSource source;
   Request request;
-  std::vector<std::string> differences;   // from CASTp's choices
-  std::vector<std::size_t> clipped_rank;  // 1: the largest clipped volume; empty without `exact`
-  std::vector<std::size_t> rows;          // rows to report
+  std::vector<std::string> differences;  // from CASTp's choices
+  std::vector<std::size_t> exact_rank;   // 1: the largest clipped volume; empty without `exact`
+  std::vector<std::size_t> rows;         // rows to report
   std::map<std::size_t, NetworkEnd> network_ends;  // of rows that are networks, if known
 
   // The source with the lattice of the computation.
@@ -36,7 +36,7 @@ struct CavityFacts : KnownCavities {
 };
 
 // Ranks by row; 1 is the largest. Equal volumes rank in the order of rows.
-std::vector<std::size_t> ranks_by_clipped(const CavityTable& table, const ExactVolumes& exact);
+std::vector<std::size_t> ranks_by_exact_volume(const CavityTable& table, const ExactVolumes& exact);
 
 // Å² and Å; empty if there is no such value.
 std::string alpha_text(const NetworkEnd& end);

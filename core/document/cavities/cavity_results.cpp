@@ -141,11 +141,11 @@ const Definition<ExactVolumes>& cavity_volumes() {
        .key = key_of_balls_and_alpha,
        .memory =
            [](const Inputs& in) {
-             return row_memory(in.of(cavity_table()), sizeof(ClippedMeasures));
+             return row_memory(in.of(cavity_table()), sizeof(ExactCavityMeasures));
            }},
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const ExactVolumes>(
-            ExactVolumes{clip_all(in.of(cavity_table()), context)});
+            ExactVolumes{measure_all_exactly(in.of(cavity_table()), context)});
       }};
   return definition;
 }

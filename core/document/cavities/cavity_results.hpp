@@ -23,7 +23,7 @@ Key key_of_cavity(const Inputs& in, const std::array<BallIndex, 4>& sink);
 
 // Exact volumes of the table's cavities, computed in the background.
 struct ExactVolumes {
-  std::vector<ClippedMeasures> of;  // of CavityTable::found.cavities
+  std::vector<ExactCavityMeasures> of;  // of CavityTable::found.cavities
 };
 const Definition<ExactVolumes>& cavity_volumes();
 

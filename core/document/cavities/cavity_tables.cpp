@@ -8,12 +8,12 @@ namespace alphascope {
 namespace {
 
 CavityFacts facts_of(const Inputs& in, const CavityRowsWanted& wanted, const RecordSource& source) {
-  CavityFacts facts = few_facts_of(in, wanted, source);
+  CavityFacts facts = facts_without_volumes(in, wanted, source);
   facts.exact = in.share(cavity_volumes());
   facts.depths = in.share(cavity_depths());
   facts.lives = in.share(whole_cavity_lives());
   facts.contents = in.share(cavity_contents());
-  facts.clipped_rank = ranks_by_clipped(facts.table(), *facts.exact);
+  facts.exact_rank = ranks_by_exact_volume(facts.table(), *facts.exact);
   return facts;
 }
 
@@ -30,7 +30,7 @@ Definition<std::string> written(const CavityRowsWanted& rows, const RecordSource
            .made_of = {&cavity_table(), &cavity_volumes(), &cavity_depths(), &whole_cavity_lives(),
                        &cavity_contents()},
            .key = [rows, prepared = source.prepared](
-                      const Inputs& in) { return key_of_written(in, rows, *prepared); },
+                      const Inputs& in) { return key_of_cavity_file(in, rows, *prepared); },
            .memory =
                [](const Inputs& in) {
                  constexpr std::uint64_t kRow = 4000;  // bytes; JSON lists atoms
@@ -45,8 +45,8 @@ Definition<std::string> written(const CavityRowsWanted& rows, const RecordSource
 
 }  // namespace
 
-CavityFacts few_facts_of(const Inputs& in, const CavityRowsWanted& rows,
-                         const RecordSource& source) {
+CavityFacts facts_without_volumes(const Inputs& in, const CavityRowsWanted& rows,
+                                  const RecordSource& source) {
   CavityFacts facts;
   facts.source = source;
   facts.request.alpha_angstrom2 = in.alpha_angstrom2;
@@ -65,7 +65,8 @@ CavityFacts few_facts_of(const Inputs& in, const CavityRowsWanted& rows,
   return facts;
 }
 
-Key key_of_written(const Inputs& in, const CavityRowsWanted& rows, const PreparedBalls& prepared) {
+Key key_of_cavity_file(const Inputs& in, const CavityRowsWanted& rows,
+                       const PreparedBalls& prepared) {
   if (!in.atoms || &in.atoms->prepared() != &prepared) return Key{};
   Key key = key_of_balls_and_alpha(in);
   key.more = number_of(rows);

@@ -14,10 +14,11 @@ struct CavityRowsWanted {
 
 // Facts that other files need too: the table, `source` and the selected rows, without volumes and
 // depths.
-CavityFacts few_facts_of(const Inputs& in, const CavityRowsWanted& rows,
-                         const RecordSource& source);
+CavityFacts facts_without_volumes(const Inputs& in, const CavityRowsWanted& rows,
+                                  const RecordSource& source);
 // Key of the written text. Empty if the inputs belong to other balls than `prepared`.
-Key key_of_written(const Inputs& in, const CavityRowsWanted& rows, const PreparedBalls& prepared);
+Key key_of_cavity_file(const Inputs& in, const CavityRowsWanted& rows,
+                       const PreparedBalls& prepared);
 
 // Both require Inputs::atoms, which must be those of `source`.
 Definition<std::string> cavities_as_csv(const CavityRowsWanted& rows, const RecordSource& source);

@@ -3,9 +3,9 @@
 
 namespace alphascope {
 
-bool KnownCavities::is_doubtful(std::size_t row) const {
-  return alphascope::is_doubtful(table().measure(row).volume_sa_angstrom3,
-                                 clipped(row).volume_sa_angstrom3);
+bool KnownCavities::differs_from_exact(std::size_t row) const {
+  return alphascope::differs_from_exact(table().measure(row).volume_sa_angstrom3,
+                                        exact_measures(row).volume_sa_angstrom3);
 }
 
 const char* KnownCavities::kind(std::size_t row) const {

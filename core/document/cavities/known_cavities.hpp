@@ -33,8 +33,10 @@ struct KnownCavities {
 
   const CavityTable& table() const { return *all; }
   std::size_t size() const { return all ? all->size() : 0; }
-  const ClippedMeasures& clipped(std::size_t row) const { return exact->of[table().order[row]]; }
-  bool is_doubtful(std::size_t row) const;
+  const ExactCavityMeasures& exact_measures(std::size_t row) const {
+    return exact->of[table().order[row]];
+  }
+  bool differs_from_exact(std::size_t row) const;
   const char* kind(std::size_t row) const;  // "void", "pocket", or "part" of a network
   std::string name(std::size_t row) const { return cavity_name(*atoms, table(), row); }
   std::size_t lining_residues(std::size_t row) const;  // their number

@@ -7,7 +7,7 @@
 
 #include "core/channel/channel_tube.hpp"
 #include "core/document/channels/channel_records.hpp"
-#include "core/document/channels/channel_texts.hpp"
+#include "core/document/channels/channel_text.hpp"
 #include "core/write/viewer_script.hpp"
 #include "core/write/write_mesh.hpp"
 #include "core/write/write_spheres.hpp"

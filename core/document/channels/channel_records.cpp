@@ -3,7 +3,7 @@
 
 #include "core/document/channels/channel_columns.hpp"
 #include "core/document/channels/channel_json.hpp"
-#include "core/document/channels/channel_texts.hpp"
+#include "core/document/channels/channel_text.hpp"
 #include "core/document/tables/column_json.hpp"
 
 namespace alphascope {
@@ -110,7 +110,7 @@ Json channel_request_json(const FoundChannel& found) {
 void add_cover_json(const FoundChannel& found, Json& json) {
   json["way"] = nullptr;
   if (found.way) {
-    const WayNote& way = *found.way;
+    const WayFacts& way = *found.way;
     json["way"] = {{"number", way.number},
                    {"through", way.through},
                    {"axis", point_json(way.axis)},

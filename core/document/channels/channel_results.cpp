@@ -74,8 +74,8 @@ MemoryNeed search_memory(const Inputs& in) {
 }
 
 CavityEnds make_cavity_ends(const CavityGround& ground, const Cavity& cavity,
-                            const BallSet& balls_as_they_are) {
-  const Clearance clearance(balls_as_they_are);
+                            const BallSet& balls_without_solvent) {
+  const Clearance clearance(balls_without_solvent);
   CavityEnds ends;
   ends.widest = widest_place(ground, cavity, clearance);
   for (const Mouth& mouth : cavity.mouths) {
@@ -91,7 +91,7 @@ std::shared_ptr<const FoundCavityEnds> make_found_ends(const Inputs& in,
   ends->sink = sink;
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (table.sink(row) != sink) continue;
-    ends->found = make_cavity_ends(*table.ground, table.cavity(row), balls_as_they_are(in));
+    ends->found = make_cavity_ends(*table.ground, table.cavity(row), balls_without_solvent(in));
     break;
   }
   return ends;
@@ -100,7 +100,7 @@ std::shared_ptr<const FoundCavityEnds> make_found_ends(const Inputs& in,
 std::shared_ptr<const CavityBottlenecks> make_bottlenecks(const Inputs& in,
                                                           const RunContext& context) {
   const CavityTable& table = in.of(cavity_table());
-  const BallSet balls = balls_as_they_are(in);
+  const BallSet balls = balls_without_solvent(in);
   auto result = std::make_shared<CavityBottlenecks>();
   const std::size_t rows = std::min(table.size(), CavityBottlenecks::kMostRows);
   if (rows == 0) return result;
@@ -124,7 +124,7 @@ BallSet without_solvent(const BallSet& grown, double solvent_radius_angstrom) {
   return balls;
 }
 
-BallSet balls_as_they_are(const Inputs& in) {
+BallSet balls_without_solvent(const Inputs& in) {
   return in.atoms ? *in.atoms->prepared().balls
                   : without_solvent(*in.balls, in.solvent_radius_angstrom);
 }

@@ -29,7 +29,7 @@ struct FoundCavityEnds {
 Definition<FoundCavityEnds> cavity_ends(const std::array<BallIndex, 4>& sink);
 
 // Facts on a channel that was found as a way through the molecule.
-struct WayNote {
+struct WayFacts {
   std::size_t number = 1;    // in the list; 1 is the best
   std::string through;       // "the whole molecule", "chains C, C-2", "chain A"
   double part_angstrom = 0;  // extent of `through` along the axis
@@ -48,7 +48,7 @@ struct FoundChannel {
   std::optional<BallIndex> covering;
   double depth_angstrom = 0;
   std::string why;                // reason why there is no channel; start of a sentence
-  std::optional<WayNote> way;     // if set, `ends` is the bottleneck and the axis, and was not
+  std::optional<WayFacts> way;    // if set, `ends` is the bottleneck and the axis, and was not
                                   // requested
   std::optional<WayCover> cover;  // only with a channel
   // Whether the channel tells what can pass through the whole molecule.
@@ -74,6 +74,6 @@ const Definition<CavityBottlenecks>& cavity_bottlenecks();
 // Balls without solvent: the inverse of with_solvent().
 BallSet without_solvent(const BallSet& grown, double solvent_radius_angstrom);
 // The balls of Inputs::atoms; if these are not known, Inputs::balls without the solvent radius.
-BallSet balls_as_they_are(const Inputs& in);
+BallSet balls_without_solvent(const Inputs& in);
 
 }  // namespace alphascope

@@ -15,7 +15,7 @@ std::shared_ptr<const FoundNetworkEnd> make_end(const Inputs& in,
                                                 const std::array<BallIndex, 4>& sink,
                                                 const RunContext& context) {
   const CavityTable& table = in.of(cavity_table());
-  const BallSet balls = balls_as_they_are(in);
+  const BallSet balls = balls_without_solvent(in);
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (table.sink(row) != sink) continue;
     return std::make_shared<const FoundNetworkEnd>(

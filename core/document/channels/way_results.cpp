@@ -27,7 +27,7 @@ Walls walls_of(const Molecule& molecule, const PreparedBalls& prepared) {
   Walls walls;
   walls.is_wall.assign(all.size(), false);
   const auto is_polymer = [&](BallIndex ball) {
-    return molecule.atoms[prepared.atom_of_ball[ball]].kind == AtomKind::polymer;
+    return molecule.atoms[prepared.atom_of_ball[ball]].kind == ResidueKind::polymer;
   };
   bool any = false;
   for (BallIndex ball = 0; ball < all.size() && !any; ++ball) any = is_polymer(ball);
@@ -119,7 +119,7 @@ std::vector<std::string> lining_chains(const std::vector<Chain>& chains,
 // Counts balls that are not walls and that overlap the channel's spheres. An ion on the axis of an
 // assembly occurs in every copy but is counted once.
 void count_guests(const Molecule& molecule, const PreparedBalls& prepared, const Walls& walls,
-                  const Channel& channel, WayNote& note) {
+                  const Channel& channel, WayFacts& note) {
   const BallSet& all = *prepared.balls;
   constexpr double kOnePlace = 0.5;  // Å; less than the distance of two atoms, more than the
                                      // rounding of copies
@@ -138,10 +138,10 @@ void count_guests(const Molecule& molecule, const PreparedBalls& prepared, const
     });
     if (again) continue;
     counted.push_back(centre);
-    const AtomKind kind = molecule.atoms[prepared.atom_of_ball[ball]].kind;
-    ++(kind == AtomKind::ion      ? note.ions
-       : kind == AtomKind::ligand ? note.ligand_atoms
-                                  : note.other_atoms);
+    const ResidueKind kind = molecule.atoms[prepared.atom_of_ball[ball]].kind;
+    ++(kind == ResidueKind::ion      ? note.ions
+       : kind == ResidueKind::ligand ? note.ligand_atoms
+                                     : note.other_atoms);
   }
 }
 
@@ -158,7 +158,7 @@ FoundWays find_ways(const Molecule& molecule, const PreparedBalls& prepared,
   for (WayThrough& way : through.ways) {
     auto found = std::make_shared<FoundChannel>();
     found->balls = prepared.balls;
-    WayNote& note = found->way.emplace();
+    WayFacts& note = found->way.emplace();
     note.number = result.ways.size() + 1;
     note.through = parts[way.part].name;
     note.part_angstrom = way.part_angstrom;

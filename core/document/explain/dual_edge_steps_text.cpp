@@ -49,7 +49,7 @@ class Writer {
   std::string here(std::string_view what) const { return made_here(step_.count(what)); }
   std::string who(const std::string& does) const {
     if (step_.removers.empty()) return "";
-    const StepRemover& most = step_.removers.front();
+    const StepConflict& most = step_.removers.front();
     return " Ball " + std::to_string(most.ball) + " (" + name_(most.ball) + ") " + does + ", " +
            grouped(most.simplices) + ".";
   }

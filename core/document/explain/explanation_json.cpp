@@ -38,17 +38,17 @@ Json level_json(const std::optional<AlphaLevel>& level) {
   if (!level) return nullptr;
   return {{"alpha_angstrom2", level->angstrom2}, {"from", level->from}};
 }
-const char* absence_id(Absence absence) {
+const char* absence_id(AbsenceReason absence) {
   switch (absence) {
-    case Absence::none:
+    case AbsenceReason::none:
       break;
-    case Absence::hidden:
+    case AbsenceReason::hidden:
       return "hidden";
-    case Absence::dependent:
+    case AbsenceReason::dependent:
       return "dependent";
-    case Absence::face:
+    case AbsenceReason::face:
       return "face";
-    case Absence::cut_away:
+    case AbsenceReason::cut_away:
       return "cut_away";
   }
   return nullptr;
@@ -59,7 +59,7 @@ const char* absence_id(Absence absence) {
 Json explanation_json(const Explanation& e, const BallName& name) {
   Json atoms = Json::array();
   for (const BallIndex v : e.simplex) atoms.push_back(name(v));
-  const bool there = e.absence == Absence::none;
+  const bool there = e.absence == AbsenceReason::none;
   Json json{{"simplex", e.simplex},
             {"atoms", atoms},
             {"dimension", e.dimension},

@@ -17,7 +17,7 @@ MemoryNeed explanation_memory(const Inputs&) {
 
 }  // namespace
 
-AskedSimplex asked_simplex(const RefSet& selection, const BallReferences& atoms) {
+SelectedSimplex selected_simplex(const RefSet& selection, const BallReferences& atoms) {
   const auto& items = selection.items();
   if (items.empty()) {
     return {{},
@@ -30,7 +30,7 @@ AskedSimplex asked_simplex(const RefSet& selection, const BallReferences& atoms)
   if (items.size() > 4 || (items.size() > 1 && !all_atoms)) {
     return {{}, "Too much is selected. Select one simplex, or one to four atoms."};
   }
-  AskedSimplex asked;
+  SelectedSimplex asked;
   for (const Ref& item : items) {
     const auto balls = atoms.balls(item);
     if (!balls) {

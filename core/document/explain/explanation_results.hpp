@@ -10,13 +10,13 @@
 namespace alphascope {
 
 // One to four balls, or a sentence with the reason why there are none.
-struct AskedSimplex {
+struct SelectedSimplex {
   std::vector<BallIndex> balls;  // ascending
   std::string why_not;
 };
 // The simplex that a selection stands for: its only atom or simplex, or the simplex of two to four
 // atoms. The simplex need not be in the complex.
-AskedSimplex asked_simplex(const RefSet& selection, const BallReferences& atoms);
+SelectedSimplex selected_simplex(const RefSet& selection, const BallReferences& atoms);
 
 struct ExplainedSimplex {
   Explanation explanation;

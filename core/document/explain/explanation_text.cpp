@@ -81,10 +81,10 @@ class Sentences {
 
   std::vector<ExplanationLine> all() {
     add("Simplex", "This is the " + simplex_text(e_.simplex, name_) + "." + dimension());
-    e_.absence == Absence::none ? answer() : absence();
+    e_.absence == AbsenceReason::none ? answer() : absence();
     orthosphere();
     margin();
-    if (e_.absence == Absence::none) {
+    if (e_.absence == AbsenceReason::none) {
       value();
       classes();
     }
@@ -148,21 +148,21 @@ class Sentences {
             " is not in that. ";
     Balls about = e_.culprits;
     switch (e_.absence) {
-      case Absence::hidden:
+      case AbsenceReason::hidden:
         text += hidden();
         break;
-      case Absence::dependent:
+      case AbsenceReason::dependent:
         text += dependent();
         break;
-      case Absence::face:
+      case AbsenceReason::face:
         text += "The " + simplex_text(e_.absent_face, name_) +
                 " is not in it, so nothing that contains it is.";
         about = e_.absent_face;
         break;
-      case Absence::cut_away:
+      case AbsenceReason::cut_away:
         text += cut_away();
         break;
-      case Absence::none:
+      case AbsenceReason::none:
         break;
     }
     add("Answer", text, about);

@@ -68,7 +68,7 @@ Json step_json(const BallSteps& steps, const Step& step, const BallName& name) {
   for (const StepDualEdge& edge : step.dual_edges) {
     json["dual_edges"].push_back(dual_edge_json(edge));
   }
-  for (const StepRemover& remover : step.removers) {
+  for (const StepConflict& remover : step.removers) {
     json["in_conflict"].push_back({{"ball", remover.ball},
                                    {"atom", name(remover.ball)},
                                    {"simplices", remover.simplices},

@@ -28,7 +28,7 @@ MemoryNeed steps_memory(const Inputs& in) {
   return {4'000'000, 60'000'000 + 120 * in.balls->size()};
 }
 
-std::uint64_t with_bits(std::uint64_t number, const AskedSteps& asked) {
+std::uint64_t with_bits(std::uint64_t number, const StepsRequest& asked) {
   const TupleOptions& o = asked.options;
   return number * 64 + static_cast<std::uint64_t>(asked.engine) * 8 +
          (o.grid == TupleGridKind::thesis ? 4u : 0u) + (o.edge_optimisation ? 2u : 0u) +
@@ -78,7 +78,7 @@ const StepsEngineSpec& spec_of(StepsEngine engine) {
   throw InternalError("There are no steps of this engine.");
 }
 
-AskedBall asked_ball(const Selection& selection, const BallReferences& atoms) {
+SelectedBall selected_ball(const Selection& selection, const BallReferences& atoms) {
   if (selection.items.empty()) {
     return {{},
             "Click an atom in the picture to see, step by step, how the engine finds its "
@@ -117,7 +117,7 @@ std::optional<BallIndex> middle_ball(const BallSet& balls) {
   return nearest;
 }
 
-const StepCount* ToldSteps::optimised_count(const Step& step, std::string_view id) const {
+const StepCount* ExplainedSteps::optimised_count(const Step& step, std::string_view id) const {
   const Step* same = optimised ? optimised->find(step.kind) : nullptr;
   if (same == nullptr) return nullptr;
   const auto at = std::find_if(same->counts.begin(), same->counts.end(),
@@ -125,7 +125,7 @@ const StepCount* ToldSteps::optimised_count(const Step& step, std::string_view i
   return at == same->counts.end() ? nullptr : &*at;
 }
 
-Definition<ToldSteps> told_steps(const AskedSteps& asked) {
+Definition<ExplainedSteps> explained_steps(const StepsRequest& asked) {
   return {{.id = kStepsId,
            .title = "Steps of a ball",
            .key =
@@ -138,7 +138,7 @@ Definition<ToldSteps> told_steps(const AskedSteps& asked) {
            .memory = steps_memory,
            .lane = Lane::interactive},
           [asked](const Inputs& in, const RunContext& context) {
-            auto told = std::make_shared<ToldSteps>();
+            auto told = std::make_shared<ExplainedSteps>();
             const StepsEngineSpec& spec = spec_of(asked.engine);
             const LatticeAlpha alpha = in.balls->lattice.alpha_on_lattice(in.alpha_angstrom2);
             const auto make = [&](const TupleOptions& options) {
@@ -155,7 +155,7 @@ Definition<ToldSteps> told_steps(const AskedSteps& asked) {
             for (const Step& step : told->steps.steps) {
               told->texts.push_back(step_text(told->steps, step, name));
             }
-            return std::shared_ptr<const ToldSteps>(std::move(told));
+            return std::shared_ptr<const ExplainedSteps>(std::move(told));
           }};
 }
 

@@ -23,25 +23,25 @@ struct StepsEngineSpec {
 std::span<const StepsEngineSpec> steps_engines();
 const StepsEngineSpec& spec_of(StepsEngine engine);
 
-struct AskedSteps {
+struct StepsRequest {
   BallIndex ball = 0;
   StepsEngine engine = StepsEngine::tuples;
   TupleOptions options = {};
 
-  friend bool operator==(const AskedSteps&, const AskedSteps&) = default;
+  friend bool operator==(const StepsRequest&, const StepsRequest&) = default;
 };
 
 // The ball that a selection stands for: its first atom, or the first vertex of its first simplex.
-struct AskedBall {
+struct SelectedBall {
   std::optional<BallIndex> ball;
   std::string why_not;  // a sentence; empty if there is a ball
 };
-AskedBall asked_ball(const Selection& selection, const BallReferences& atoms);
+SelectedBall selected_ball(const Selection& selection, const BallReferences& atoms);
 
 // The ball whose centre is nearest to the mean of all centres; none if there are no balls.
 std::optional<BallIndex> middle_ball(const BallSet& balls);
 
-struct ToldSteps {
+struct ExplainedSteps {
   BallSteps steps;
   std::vector<StepText> texts;  // one for each step
   // If an optimisation is switched off: the same steps with all of them on.
@@ -56,6 +56,6 @@ struct ToldSteps {
 
 inline constexpr std::string_view kStepsId = "steps";  // id of the definition
 // Makes the steps at the alpha of the inputs. Requires Inputs::atoms.
-Definition<ToldSteps> told_steps(const AskedSteps& asked);
+Definition<ExplainedSteps> explained_steps(const StepsRequest& asked);
 
 }  // namespace alphascope

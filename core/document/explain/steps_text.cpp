@@ -66,7 +66,7 @@ class Writer {
   std::string left_out() const {
     const std::string others =
         " The grid holds " + things(all(id::kBalls), "ball") + " without it.";
-    if (steps_.left_out == LeftOut::hidden) {
+    if (steps_.left_out == LeftOutReason::hidden) {
       return "Another ball has the same centre as " + the_ball() +
              ", and is larger or comes first. So this one has no place of its own in space and is "
              "left out." +
@@ -177,7 +177,7 @@ class Writer {
   }
   std::string who_removes() const {
     if (step_.removers.empty()) return "";
-    const StepRemover& most = step_.removers.front();
+    const StepConflict& most = step_.removers.front();
     return " Ball " + std::to_string(most.ball) + " (" + name_(most.ball) + ") ends most, " +
            grouped(most.simplices) + ".";
   }

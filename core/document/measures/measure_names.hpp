@@ -9,7 +9,7 @@
 namespace alphascope {
 
 // Groups for which areas and volumes are listed. The order is that of the command line's --per.
-enum class MeasuredPer : std::uint8_t { all, atom, residue, chain, component };
+enum class MeasureGrouping : std::uint8_t { all, atom, residue, chain, component };
 
 // Name of the surface of all balls at this alpha and solvent radius: "van der Waals surface",
 // "solvent-accessible surface, probe of 1.4 Å", "surface of balls with radii sqrt((r + 1.4)² + 5)".

@@ -18,11 +18,11 @@ Json rows_json(const MeasureRows& table) {
   return groups;
 }
 
-const char* list_name(MeasuredPer per) {
-  return per == MeasuredPer::atom      ? "atoms"
-         : per == MeasuredPer::residue ? "residues"
-         : per == MeasuredPer::chain   ? "chains"
-                                       : nullptr;
+const char* list_name(MeasureGrouping per) {
+  return per == MeasureGrouping::atom      ? "atoms"
+         : per == MeasureGrouping::residue ? "residues"
+         : per == MeasureGrouping::chain   ? "chains"
+                                           : nullptr;
 }
 
 // Makes a text from the rows of measure_rows().
@@ -70,10 +70,11 @@ CsvRow measure_csv_row(const MeasureFacts& facts, const MeasureRows& rows, const
 Json measures_json(const MeasureFacts& facts, const MeasureRows& rows) {
   const MeasuredUnion& by = *facts.measured->by;
   const EngineAnswer& answer = *facts.answer;
-  Json json{{"surface", surface_name(answer.request)},
-            {"area_angstrom2", facts.measures().area_angstrom2},
-            {"volume_angstrom3", facts.measures().volume_angstrom3},
-            {"components", rows_json(rows_of_measures(facts, {.per = MeasuredPer::component}))}};
+  Json json{
+      {"surface", surface_name(answer.request)},
+      {"area_angstrom2", facts.measures().area_angstrom2},
+      {"volume_angstrom3", facts.measures().volume_angstrom3},
+      {"components", rows_json(rows_of_measures(facts, {.per = MeasureGrouping::component}))}};
   if (const char* list = list_name(rows.query.per)) json[list] = rows_json(rows);
   json["measured"] = {
       {"device", by.device}, {"route", by.route}, {"note", by.note}, {"ms", by.milliseconds}};

@@ -28,7 +28,8 @@ MeasuredComplex measure_complex(const BallSet& balls, const AlphaComplex& comple
                                 const RunContext& context) {
   MeasuredComplex measured;
   measured.by = by ? std::move(by)
-                   : std::make_shared<const MeasuredUnion>(measure_here(balls, complex, context));
+                   : std::make_shared<const MeasuredUnion>(
+                         measure_on_calling_threads(balls, complex, context));
   context.cancel.throw_if_cancelled();
   measured.components = components(balls.size(), complex);
   measured.free_area_angstrom2 = free_areas_angstrom2(balls, complex.alpha_on_lattice);

@@ -12,29 +12,29 @@
 namespace alphascope {
 namespace {
 
-AtomGrouping grouping(MeasuredPer per) {
-  if (per == MeasuredPer::atom) return AtomGrouping::atom;
-  return per == MeasuredPer::residue ? AtomGrouping::residue : AtomGrouping::chain;
+AtomGrouping grouping(MeasureGrouping per) {
+  if (per == MeasureGrouping::atom) return AtomGrouping::atom;
+  return per == MeasureGrouping::residue ? AtomGrouping::residue : AtomGrouping::chain;
 }
 
 struct Groups {
   std::vector<std::uint32_t> of_ball;
   std::size_t count = 0;
 };
-Groups groups_of(MeasuredPer per, const Molecule& molecule,
+Groups groups_of(MeasureGrouping per, const Molecule& molecule,
                  const std::vector<std::uint32_t>& atom_of_ball, const Components& components) {
-  if (per == MeasuredPer::all) {
+  if (per == MeasureGrouping::all) {
     return {std::vector<std::uint32_t>(atom_of_ball.size(), 0), 1};
   }
-  if (per == MeasuredPer::component) return {components.of_ball, components.count};
+  if (per == MeasureGrouping::component) return {components.of_ball, components.count};
   AtomGroups groups = atom_groups(molecule, atom_of_ball, grouping(per));
   const std::size_t count = groups.size();
   return {std::move(groups.of_ball), count};
 }
 
-std::string row_name(MeasuredPer per, const Molecule& molecule, std::size_t atom) {
-  if (per == MeasuredPer::all) return "";
-  if (per == MeasuredPer::component) return atom_address(molecule, atom);
+std::string row_name(MeasureGrouping per, const Molecule& molecule, std::size_t atom) {
+  if (per == MeasureGrouping::all) return "";
+  if (per == MeasureGrouping::component) return atom_address(molecule, atom);
   return group_name(molecule, atom, grouping(per));
 }
 
@@ -145,7 +145,7 @@ Definition<MeasureRows> measure_rows(const MeasureQuery& query,
                             return MemoryNeed{bytes, bytes};
                           },
                       .lane = Lane::interactive};
-  const bool changes = query.derivatives && query.per == MeasuredPer::atom;
+  const bool changes = query.derivatives && query.per == MeasureGrouping::atom;
   if (changes) about.made_of.push_back(&union_derivatives());
   return {about, [query, changes, molecule = answer->molecule, prepared = answer->prepared](
                      const Inputs& in, const RunContext& context) {

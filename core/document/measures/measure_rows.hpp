@@ -15,11 +15,11 @@ namespace alphascope {
 
 // A filter for rows, and their order.
 struct MeasureQuery {
-  MeasuredPer per = MeasuredPer::residue;
+  MeasureGrouping per = MeasureGrouping::residue;
   std::string filter = {};        // part of the name, in upper or lower case; empty: all rows
   std::string column = "number";  // to sort by: an id of measure_columns()
   bool descending = false;
-  bool derivatives = false;  // with MeasuredPer::atom only
+  bool derivatives = false;  // with MeasureGrouping::atom only
   friend bool operator==(const MeasureQuery&, const MeasureQuery&) = default;
 };
 

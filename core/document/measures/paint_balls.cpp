@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/document/measures/measure_results.hpp"
-#include "core/molecule/residue_kind.hpp"
+#include "core/molecule/residue_class.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/text/grouped_number.hpp"
 
@@ -70,9 +70,9 @@ BallValues by_residue_kind(const PaintedMolecule& of) {
     values.lacks = "The file names no residues, so all balls are grey.";
     return values;
   }
-  for (std::size_t k = 0; k < kResidueKinds; ++k) {
-    const auto kind = static_cast<ResidueKind>(k);
-    values.categories.push_back({residue_kind_name(kind), residue_kind_colour(kind)});
+  for (std::size_t k = 0; k < kResidueClasses; ++k) {
+    const auto kind = static_cast<ResidueClass>(k);
+    values.categories.push_back({residue_class_name(kind), residue_class_colour(kind)});
   }
   // The kind depends on few names, so it is computed once for each name.
   constexpr std::size_t kAtomKinds = 5;
@@ -96,7 +96,7 @@ void place_along_chains(const Molecule& molecule, const ModelRange& model,
   std::vector<std::uint32_t> rank(model.size(), kUnseen);
   for (std::size_t i = model.begin; i < model.end; ++i) {
     const Atom& atom = molecule.atoms[i];
-    if (atom.kind != AtomKind::polymer) continue;
+    if (atom.kind != ResidueKind::polymer) continue;
     const bool begins = !last[atom.chain] || !same_residue(*last[atom.chain], atom);
     if (begins) ++residues[atom.chain];
     last[atom.chain] = &atom;
@@ -302,7 +302,7 @@ Rgb8 class_colour(SimplexClass of) {
   return kColours[static_cast<std::size_t>(of)];
 }
 
-PaintKey class_key() {
+ColourMeaning class_colour_meaning() {
   return {"class",
           {},
           {{"singular", class_colour(SimplexClass::singular)},

@@ -22,12 +22,12 @@ struct PaintCategory {
 };
 
 // Meaning of colours: a quantity along a scale, or categories.
-struct PaintKey {
+struct ColourMeaning {
   std::string title;                      // "B factor (Å²)"
   std::optional<ColourScale> scale;       // in the unit of the title
   std::vector<PaintCategory> categories;  // those that some ball has; or one for balls without a
                                           // value
-  friend bool operator==(const PaintKey&, const PaintKey&) = default;
+  friend bool operator==(const ColourMeaning&, const ColourMeaning&) = default;
 };
 
 struct PaintedMolecule {
@@ -51,9 +51,9 @@ struct BallValues {
 BallValues ball_values(const PaintedMolecule& of, ColourBy by);
 
 struct PaintedBalls {
-  std::vector<Rgb8> colours;    // one a ball
-  std::optional<PaintKey> key;  // none: the colours have no meaning
-  std::string lacks;            // as in BallValues
+  std::vector<Rgb8> colours;         // one a ball
+  std::optional<ColourMeaning> key;  // none: the colours have no meaning
+  std::string lacks;                 // as in BallValues
 };
 PaintedBalls paint_balls(const PaintedMolecule& of, const Paint& paint);
 
@@ -62,7 +62,7 @@ std::string quantity_title(const SchemeInfo& scheme);
 
 // Colours of simplices by their classes.
 Rgb8 class_colour(SimplexClass of);
-PaintKey class_key();
+ColourMeaning class_colour_meaning();
 
 inline constexpr Rgb8 kNoValueColour{128, 128, 128};
 

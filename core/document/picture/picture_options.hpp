@@ -14,12 +14,12 @@ struct PictureOptions {
   friend bool operator==(const PictureOptions&, const PictureOptions&) = default;
 };
 
-struct RecordChoices {
+struct RecordSettings {
   Recording recording;
   bool of_lesson = false;      // record a lesson instead
   double lesson_seconds = 10;  // duration of each step in a movie
   PictureOptions options{.width = 1280, .height = 720, .caption = usual_caption()};
-  friend bool operator==(const RecordChoices&, const RecordChoices&) = default;
+  friend bool operator==(const RecordSettings&, const RecordSettings&) = default;
 };
 
 }  // namespace alphascope

@@ -101,7 +101,7 @@ int frame_count(const Recording& r) {
 double alpha_of_frame(const Recording& r, int frame) {
   const AlphaSlider slider{.scaling = r.scaling, .low = r.low, .high = r.high};
   const double tenth_of_a_step = r.frames > 1 ? 0.1 / (r.frames - 1) : 0.1;
-  return alpha_at_place(slider, place_of_frame(r, frame, false), tenth_of_a_step);
+  return alpha_at_slider_position(slider, place_of_frame(r, frame, false), tenth_of_a_step);
 }
 
 double degrees_of_frame(const Recording& r, int frame) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/chart/colour_words.hpp"
+#include "core/chart/colour_text.hpp"
 #include "core/document/reference/atom_words.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/selection/prepare_balls.hpp"

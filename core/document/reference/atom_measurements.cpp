@@ -78,7 +78,7 @@ Measurement read_measurement(const BallReferences& atoms, std::string_view text)
   return m;
 }
 
-AskedMeasurement asked_measurement(const Selection& selection) {
+SelectedMeasurement selected_measurement(const Selection& selection) {
   const std::vector<Ref>& items = selection.items.items();
   const SimplexRef* const simplex =
       items.size() == 1 ? std::get_if<SimplexRef>(&items.front()) : nullptr;

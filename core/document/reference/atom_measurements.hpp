@@ -40,11 +40,11 @@ std::optional<Measured> measured(const Molecule& molecule, const Measurement& m)
 Measurement read_measurement(const BallReferences& atoms, std::string_view text);
 
 // Two to four atoms, or a sentence with the reason why there are none.
-struct AskedMeasurement {
+struct SelectedMeasurement {
   std::optional<Measurement> measurement;
   std::string why_not;
 };
 // The measurement for a selection: an edge, or atoms in the order of their selection.
-AskedMeasurement asked_measurement(const Selection& selection);
+SelectedMeasurement selected_measurement(const Selection& selection);
 
 }  // namespace alphascope

@@ -18,14 +18,14 @@ void Editor::set(const Settings& settings, Gesture gesture) {
   gesture_ = 0;
 }
 
-void Editor::amend(const Settings& settings) {
+void Editor::set_without_entry(const Settings& settings) {
   if (settings == now_) return;
   now_ = settings;
   gesture_ = 0;
   if (!before_.empty() && before_.back() == now_) before_.pop_back();
 }
 
-void Editor::follow(const Settings& settings) {
+void Editor::set_consequence(const Settings& settings) {
   now_ = settings;
   if (before_.empty() || before_.back() != now_) return;
   before_.pop_back();

@@ -26,10 +26,10 @@ class Editor {
   void set(const Settings& settings, Gesture gesture);
   // A change without an entry: by playback, or by the program if it cannot carry out a request. In
   // the latter case the entry of the request is removed too.
-  void amend(const Settings& settings);
+  void set_without_entry(const Settings& settings);
   // A consequence of an earlier change that takes time to compute, such as the lining atoms of a
   // selected cavity. It makes no entry and does not end the gesture.
-  void follow(const Settings& settings);
+  void set_consequence(const Settings& settings);
   // Starts a new history, for another file.
   void restart(const Settings& settings);
 

@@ -289,7 +289,7 @@ void FieldReader::operator()(const char* name, Clip& value) {
   value = words.clip;
 }
 
-void FieldReader::operator()(const char* name, Paint& value, Painted what) {
+void FieldReader::operator()(const char* name, Paint& value, PaintTarget what) {
   const ReadJson* const json = take(name);
   std::string written;
   if (json == nullptr || !text(below(name), *json, written)) return;

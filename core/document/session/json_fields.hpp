@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/chart/colour_words.hpp"
+#include "core/chart/colour_text.hpp"
 #include "core/document/commands/number_input.hpp"
 #include "core/document/reference/appearance.hpp"
 #include "core/document/reference/reference.hpp"
@@ -53,7 +53,7 @@ class FieldWriter {
   void operator()(const char* name, const FileReference& value);
   void operator()(const char* name, const Clip& value);
   void operator()(const char* name, const std::optional<Sandbox>& value);
-  void operator()(const char* name, const Paint& value, Painted what);
+  void operator()(const char* name, const Paint& value, PaintTarget what);
   void model(const char* name, int index);
   void formerly(const char*, const char*) {}
   template <class Choice>
@@ -121,7 +121,7 @@ class FieldReader {
   void operator()(const char* name, FileReference& value);
   void operator()(const char* name, Clip& value);
   void operator()(const char* name, std::optional<Sandbox>& value);
-  void operator()(const char* name, Paint& value, Painted what);
+  void operator()(const char* name, Paint& value, PaintTarget what);
   void model(const char* name, int& index);
   // Lets the next calls read the member `now` under its older name, if it is there under no other.
   void formerly(const char* old, const char* now);

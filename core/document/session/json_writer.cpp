@@ -106,7 +106,7 @@ void FieldWriter::operator()(const char* name, const Clip& value) {
   to_[name] = clip_text(value);
 }
 
-void FieldWriter::operator()(const char* name, const Paint& value, Painted) {
+void FieldWriter::operator()(const char* name, const Paint& value, PaintTarget) {
   to_[name] = paint_text(value);
 }
 

@@ -25,21 +25,21 @@ struct CameraPlace {
   friend bool operator==(const CameraPlace&, const CameraPlace&) = default;
 };
 
-struct PanelsShown {
+struct PanelLayout {
   std::string page;                          // page below the view; empty: the first
   double page_height = 0;                    // pixels at scale 1; 0: the default
   std::vector<std::string> closed_sections;  // at the left side
   AlphaSlider alpha_slider;
-  friend bool operator==(const PanelsShown&, const PanelsShown&) = default;
+  friend bool operator==(const PanelLayout&, const PanelLayout&) = default;
 };
 
 // State of the window that undo does not change.
 struct SessionView {
   bool light_theme = false;  // also gives the background of pictures
   CameraPlace camera;
-  PanelsShown panels;
+  PanelLayout panels;
   PictureOptions picture;  // for the dialogs that save pictures and recordings
-  RecordChoices recording;
+  RecordSettings recording;
   friend bool operator==(const SessionView&, const SessionView&) = default;
 };
 

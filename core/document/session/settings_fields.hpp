@@ -69,7 +69,7 @@ void visit_fields(Visitor& v, AtomsBesideBody& b) {
 }
 
 template <class Visitor>
-void visit_fields(Visitor& v, DisplayControls& d) {
+void visit_fields(Visitor& v, DisplaySettings& d) {
   for (const DisplayField& field : display_fields()) {
     if (field.former_key[0] != '\0') v.formerly(field.former_key, field.key);
     std::visit(
@@ -137,7 +137,7 @@ void visit_fields(Visitor& v, Annotations& a) {
 }
 
 template <class Visitor>
-void visit_fields(Visitor& v, CavityChoices& c) {
+void visit_fields(Visitor& v, CavitySettings& c) {
   v("split_networks", c.split_networks);
 }
 
@@ -152,7 +152,7 @@ void visit_fields(Visitor& v, Settings& s) {
   v.objects("views", s.views);
   v.object("appearance", s.appearance);
   v.object("annotations", s.annotations);
-  v.object("cavity_table", s.cavity_choices);
+  v.object("cavity_table", s.cavity_settings);
 }
 
 // From here on: state of the window, which is not in the history.
@@ -175,7 +175,7 @@ void visit_fields(Visitor& v, AlphaSlider& a) {
 }
 
 template <class Visitor>
-void visit_fields(Visitor& v, PanelsShown& p) {
+void visit_fields(Visitor& v, PanelLayout& p) {
   v("page", p.page);
   v("page_height", p.page_height, kPageHeightRule);
   v("closed_sections", p.closed_sections);
@@ -215,7 +215,7 @@ void visit_fields(Visitor& v, Recording& r) {
 }
 
 template <class Visitor>
-void visit_fields(Visitor& v, RecordChoices& r) {
+void visit_fields(Visitor& v, RecordSettings& r) {
   v.object("content", r.recording);
   v("lesson", r.of_lesson);
   v("lesson_seconds", r.lesson_seconds, kHoldRule);

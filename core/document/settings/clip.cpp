@@ -59,7 +59,7 @@ ClipWords not_a_clip(const std::string& text) {
 
 }  // namespace
 
-std::vector<HalfSpace> kept_by(const Clip& clip) {
+std::vector<HalfSpace> kept_half_spaces(const Clip& clip) {
   const Vector& n = clip.normal;
   const HalfSpace before{n, -clip.position}, behind{{-n[0], -n[1], -n[2]}, clip.position};
   switch (clip.kind) {

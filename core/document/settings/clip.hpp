@@ -43,7 +43,7 @@ struct HalfSpace {
 };
 
 // The half-spaces that a clip keeps: none if it is off, one for a plane, two for a slab.
-std::vector<HalfSpace> kept_by(const Clip& clip);
+std::vector<HalfSpace> kept_half_spaces(const Clip& clip);
 
 // The same clip with another normal (not 0; any length), through the point `pivot`.
 Clip turned(const Clip& clip, std::array<double, 3> normal, const std::array<double, 3>& pivot);

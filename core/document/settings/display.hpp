@@ -18,7 +18,7 @@ struct AtomsBesideBody {
 bool shows(const AtomsBesideBody& shown, DropReason reason, Element element);
 
 // Each member has a row in display_fields.cpp.
-struct DisplayControls {
+struct DisplaySettings {
   bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;
   bool singular_only = true;  // of triangles and edges, those that are faces of nothing larger
   bool grown_balls = false;   // sqrt((radius + solvent)² + alpha) instead of the radius
@@ -38,7 +38,7 @@ struct DisplayControls {
   int samples = 16;           // of each pixel of the picture at rest
   bool orthographic = false;  // no perspective: parallel lines stay parallel
   AtomsBesideBody beside;
-  friend bool operator==(const DisplayControls&, const DisplayControls&) = default;
+  friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 
 }  // namespace alphascope

@@ -4,7 +4,7 @@
 namespace alphascope {
 namespace {
 
-using D = DisplayControls;
+using D = DisplaySettings;
 
 constexpr const char* kTransparency = "transparency transparent translucent";
 
@@ -176,7 +176,7 @@ constexpr DisplayField kFields[] = {
      .help = "Chooses what the colours of balls mean",
      .command = "view.colour_balls",
      .option = {"--colours"},
-     .painted = Painted::balls,
+     .painted = PaintTarget::balls,
      .kept_by_presets = true,
      .menu = "View",
      .line_above = true,
@@ -190,7 +190,7 @@ constexpr DisplayField kFields[] = {
      .help = "Chooses what the colours of simplices mean",
      .command = "view.colour_simplices",
      .option = {"--simplex-colours"},
-     .painted = Painted::simplices,
+     .painted = PaintTarget::simplices,
      .kept_by_presets = true,
      .menu = "View",
      .synonyms = "color colour by"},

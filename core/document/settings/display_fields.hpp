@@ -23,8 +23,8 @@ struct DisplayOption {
 };
 
 struct DisplayField {
-  using Member = std::variant<bool DisplayControls::*, float DisplayControls::*,
-                              int DisplayControls::*, Paint DisplayControls::*>;
+  using Member = std::variant<bool DisplaySettings::*, float DisplaySettings::*,
+                              int DisplaySettings::*, Paint DisplaySettings::*>;
   const char* id;   // end of the names of its controls: "edge_thickness"
   const char* key;  // in session files: "edge_thickness_angstrom"
   Member member;
@@ -34,18 +34,18 @@ struct DisplayField {
   const char* help;   // a sentence or a noun phrase without full stop
   const char* command;
   DisplayOption option = {};
-  NumberRule rule = {"", 0, 0};      // of a number
-  double step = 0;                   // of the slider
-  double slider_most = 0;            // the slider's end if it is below that of the rule
-  bool percent = false;              // the control shows a share in percent
-  Painted painted = Painted::balls;  // of a paint
-  bool kept_by_presets = false;      // presets leave it as it is
-  bool needs_whole_complex = false;  // has no effect with “Tetrahedra only”
-  const char* menu = "";             // of a switch
-  bool line_above = false;           // in the menu
-  const char* shortcut = "";         // of a switch: "B"
-  const char* synonyms = "";         // more words to find the command by
-  const char* former_key = "";       // in session files of older versions
+  NumberRule rule = {"", 0, 0};              // of a number
+  double step = 0;                           // of the slider
+  double slider_most = 0;                    // the slider's end if it is below that of the rule
+  bool percent = false;                      // the control shows a share in percent
+  PaintTarget painted = PaintTarget::balls;  // of a paint
+  bool kept_by_presets = false;              // presets leave it as it is
+  bool needs_whole_complex = false;          // has no effect with “Tetrahedra only”
+  const char* menu = "";                     // of a switch
+  bool line_above = false;                   // in the menu
+  const char* shortcut = "";                 // of a switch: "B"
+  const char* synonyms = "";                 // more words to find the command by
+  const char* former_key = "";               // in session files of older versions
 };
 
 // In the order of session files.
@@ -59,17 +59,17 @@ bool is_number(const DisplayField& field);
 bool is_paint(const DisplayField& field);
 
 // The value of a number, or 0 and 1 of a switch. A paint has none: std::logic_error.
-double number_of(const DisplayField& field, const DisplayControls& display);
-void set_number(const DisplayField& field, DisplayControls& display, double value);
+double number_of(const DisplayField& field, const DisplaySettings& display);
+void set_number(const DisplayField& field, DisplaySettings& display, double value);
 // The value as it is typed: "0.3", "on", "chain".
-std::string value_text(const DisplayField& field, const DisplayControls& display);
+std::string value_text(const DisplayField& field, const DisplaySettings& display);
 // The bounds of a number, in the unit of its rule: "0.02 to 1".
 std::string range_text(const DisplayField& field);
 // The name of the setting in a sentence: "thickness of edges".
 std::string name_of(const DisplayField& field);
 
 // Makes the values of these settings those of `from`.
-void copy_group(DisplayGroup group, const DisplayControls& from, DisplayControls& to);
+void copy_group(DisplayGroup group, const DisplaySettings& from, DisplaySettings& to);
 
 // The kinds of atoms that can be drawn beside the body.
 struct BesideKind {
@@ -85,6 +85,6 @@ inline constexpr BesideKind kBesideKinds[] = {
 std::string command_of(const BesideKind& kind);  // "view.left_out_ligands"
 
 // The name of the one setting that differs, "display" for several; empty: none differs.
-std::string difference_of(const DisplayControls& a, const DisplayControls& b);
+std::string difference_of(const DisplaySettings& a, const DisplaySettings& b);
 
 }  // namespace alphascope

@@ -30,7 +30,7 @@ std::vector<Row> rows() {
   std::vector<Row> rows;
   for (const DisplayField& field : display_fields()) {
     const std::string option = field.option.name;
-    rows.push_back({field.title, values_text(field), value_text(field, DisplayControls()),
+    rows.push_back({field.title, values_text(field), value_text(field, DisplaySettings()),
                     field.command, option.empty() ? "-" : option, field.key});
   }
   for (const BesideKind& kind : kBesideKinds) {

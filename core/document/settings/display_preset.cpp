@@ -47,8 +47,8 @@ std::string preset_ids() {
   return ids;
 }
 
-DisplayControls with_preset(DisplayControls display, DisplayPreset preset) {
-  DisplayControls d;
+DisplaySettings with_preset(DisplaySettings display, DisplayPreset preset) {
+  DisplaySettings d;
   d.beside = display.beside;
   for (const DisplayField& field : display_fields()) {
     if (!field.kept_by_presets) continue;

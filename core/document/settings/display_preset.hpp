@@ -29,6 +29,6 @@ std::optional<DisplayPreset> preset_named(std::string_view id);
 std::string preset_ids();  // "figure|cavity|..."
 
 // Keeps atoms beside the body, and all settings whose row says kept_by_presets.
-DisplayControls with_preset(DisplayControls display, DisplayPreset preset);
+DisplaySettings with_preset(DisplaySettings display, DisplayPreset preset);
 
 }  // namespace alphascope

@@ -10,12 +10,12 @@
 namespace alphascope {
 namespace {
 
-using D = DisplayControls;
+using D = DisplaySettings;
 
 template <class Value>
 constexpr bool kIsPaint = std::is_same_v<std::remove_cvref_t<Value>, Paint>;
 
-bool same(const DisplayField& field, const DisplayControls& a, const DisplayControls& b) {
+bool same(const DisplayField& field, const DisplaySettings& a, const DisplaySettings& b) {
   return std::visit([&](auto member) { return a.*member == b.*member; }, field.member);
 }
 
@@ -54,7 +54,7 @@ bool is_number(const DisplayField& field) {
   return !is_switch(field) && !is_paint(field);
 }
 
-double number_of(const DisplayField& field, const DisplayControls& display) {
+double number_of(const DisplayField& field, const DisplaySettings& display) {
   return std::visit(
       [&](auto member) -> double {
         if constexpr (kIsPaint<decltype(display.*member)>) {
@@ -66,7 +66,7 @@ double number_of(const DisplayField& field, const DisplayControls& display) {
       field.member);
 }
 
-void set_number(const DisplayField& field, DisplayControls& display, double value) {
+void set_number(const DisplayField& field, DisplaySettings& display, double value) {
   std::visit(
       [&](auto member) {
         using Value = std::remove_cvref_t<decltype(display.*member)>;
@@ -83,7 +83,7 @@ void set_number(const DisplayField& field, DisplayControls& display, double valu
       field.member);
 }
 
-std::string value_text(const DisplayField& field, const DisplayControls& display) {
+std::string value_text(const DisplayField& field, const DisplaySettings& display) {
   return std::visit([&](auto member) { return text_of(display.*member); }, field.member);
 }
 
@@ -98,7 +98,7 @@ std::string name_of(const DisplayField& field) {
   return name;
 }
 
-void copy_group(DisplayGroup group, const DisplayControls& from, DisplayControls& to) {
+void copy_group(DisplayGroup group, const DisplaySettings& from, DisplaySettings& to) {
   for (const DisplayField& field : display_fields()) {
     if (field.group != group) continue;
     std::visit([&](auto member) { to.*member = from.*member; }, field.member);
@@ -109,7 +109,7 @@ std::string command_of(const BesideKind& kind) {
   return std::string("view.left_out_") + kind.id;
 }
 
-std::string difference_of(const DisplayControls& a, const DisplayControls& b) {
+std::string difference_of(const DisplaySettings& a, const DisplaySettings& b) {
   if (a == b) return {};
   std::string name;
   const auto note = [&name](const std::string& differs) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/chart/colour_words.hpp"
+#include "core/chart/colour_text.hpp"
 #include "core/files/line_reader.hpp"
 #include "core/geometry/shortest_number.hpp"
 
@@ -126,8 +126,8 @@ const SchemeInfo& scheme_info(ColourBy by) {
   return *std::find_if(all.begin(), all.end(), [by](const SchemeInfo& s) { return s.by == by; });
 }
 
-bool can_paint(const SchemeInfo& scheme, Painted what) {
-  return what == Painted::balls ? scheme.balls : scheme.simplices;
+bool can_paint(const SchemeInfo& scheme, PaintTarget what) {
+  return what == PaintTarget::balls ? scheme.balls : scheme.simplices;
 }
 
 NumberRule range_rule(const SchemeInfo& scheme) {
@@ -147,7 +147,7 @@ Paint with_scheme(Paint paint, ColourBy by) {
   return paint;
 }
 
-std::string scheme_ids(Painted what) {
+std::string scheme_ids(PaintTarget what) {
   std::string ids;
   for (const SchemeInfo& scheme : all_schemes()) {
     if (can_paint(scheme, what)) ids += (ids.empty() ? "" : "|") + std::string(scheme.id);
@@ -155,7 +155,7 @@ std::string scheme_ids(Painted what) {
   return ids;
 }
 
-PaintWords read_paint(std::string_view text, Painted what) {
+PaintWords read_paint(std::string_view text, PaintTarget what) {
   Paint paint;
   const auto refused = [](const std::string& why) { return PaintWords{{}, why}; };
   std::size_t end = std::min(text.find(','), text.size());
@@ -170,7 +170,7 @@ PaintWords read_paint(std::string_view text, Painted what) {
     paint = {ColourBy::single, {}, {}, read_colour(name)};
   } else {
     return refused(quoted(name) + " is not a colour scheme of " +
-                   (what == Painted::balls ? "balls" : "simplices") + ". Write " +
+                   (what == PaintTarget::balls ? "balls" : "simplices") + ". Write " +
                    in_words(scheme_ids(what)) + ", or a colour such as #5aa9e6.");
   }
   const SchemeInfo& scheme = scheme_info(paint.by);

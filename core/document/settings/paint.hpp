@@ -31,7 +31,7 @@ inline bool is_exposure(ColourBy colour) {
   return colour == ColourBy::exposed || colour == ColourBy::exposed_residue;
 }
 
-enum class Painted : std::uint8_t { balls, simplices };
+enum class PaintTarget : std::uint8_t { balls, simplices };
 
 struct SchemeInfo {
   ColourBy by;
@@ -46,7 +46,7 @@ struct SchemeInfo {
 };
 const SchemeInfo& scheme_info(ColourBy by);
 const std::vector<SchemeInfo>& all_schemes();  // in the order of lists
-bool can_paint(const SchemeInfo& scheme, Painted what);
+bool can_paint(const SchemeInfo& scheme, PaintTarget what);
 NumberRule range_rule(const SchemeInfo& scheme);  // bounds for both ends of the range
 
 struct Paint {
@@ -69,8 +69,8 @@ struct PaintWords {
   Paint paint;
   std::string error;  // a sentence with the remedy; empty: the text is valid
 };
-PaintWords read_paint(std::string_view text, Painted what);
+PaintWords read_paint(std::string_view text, PaintTarget what);
 std::string paint_text(const Paint& paint);
-std::string scheme_ids(Painted what);  // "element|chain|..."
+std::string scheme_ids(PaintTarget what);  // "element|chain|..."
 
 }  // namespace alphascope

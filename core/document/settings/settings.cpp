@@ -54,7 +54,7 @@ std::string difference_text(const Settings& a, const Settings& b) {
            a.annotations.power_diagram == b.annotations.power_diagram,
        "marks");
   note(a.selection == b.selection, "selection");
-  note(a.cavity_choices == b.cavity_choices, "networks of cavities");
+  note(a.cavity_settings == b.cavity_settings, "networks of cavities");
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";

@@ -7,7 +7,7 @@
 #include "core/document/reference/annotations.hpp"
 #include "core/document/reference/appearance.hpp"
 #include "core/document/reference/ref_set.hpp"
-#include "core/document/settings/cavity_choices.hpp"
+#include "core/document/settings/cavity_settings.hpp"
 #include "core/document/settings/clip.hpp"
 #include "core/document/settings/display.hpp"
 #include "core/document/settings/named_view.hpp"
@@ -19,13 +19,13 @@ namespace alphascope {
 struct Settings {
   OpenOptions open;
   Request request;
-  DisplayControls display;
+  DisplaySettings display;
   Selection selection;  // in the picture, and in the table of cavities
   Clip clip;
   NamedViews views;  // saved cameras, in the order of saving
   Appearance appearance;
   Annotations annotations;
-  CavityChoices cavity_choices;
+  CavitySettings cavity_settings;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -22,7 +22,7 @@ struct EngineAnswer {
   // Set where measures were wanted and a device made them. Otherwise null, and the CPU may measure.
   std::shared_ptr<const MeasuredUnion> measures = {};
   // Wall time in which a device found AlphaComplex::outside for drawing. 0 where none did.
-  double outside_milliseconds = 0;
+  double outer_faces_milliseconds = 0;
 };
 
 // The answer for an open molecule.
@@ -31,7 +31,7 @@ struct Answer : EngineAnswer {
   std::shared_ptr<const PreparedBalls> prepared;  // its balls, without solvent radius
   // Triangulation and filtration that the engine made on the way, until the store takes them. Only
   // the main thread uses them.
-  std::shared_ptr<OfAllBalls> made = std::make_shared<OfAllBalls>();
+  std::shared_ptr<ResultsForAllAlphas> made = std::make_shared<ResultsForAllAlphas>();
   std::uint64_t kept_bytes = 0;  // held by the session's engines for later answers
 };
 

@@ -19,7 +19,7 @@ const Definition<Triangulation>& whole_triangulation() {
         auto made = std::make_shared<const Triangulation>(
             make_triangulation(*in.balls, in.triangulation_threads, context));
         // CGAL's triangulation took four times as much memory, in small pieces.
-        if (in.balls->size() > kManyBalls) give_back_freed_memory();
+        if (in.balls->size() > kManyBalls) return_freed_memory();
         return made;
       }};
   return definition;
@@ -43,13 +43,14 @@ const Definition<Filtration>& whole_filtration() {
   return definition;
 }
 
-OfAllBalls of_all_balls(const Store& store, const Inputs& inputs) {
+ResultsForAllAlphas results_for_all_alphas(const Store& store, const Inputs& inputs) {
   if (!inputs.balls) return {};
   return {inputs.balls, store.have(whole_triangulation(), inputs),
           store.have(whole_filtration(), inputs)};
 }
 
-void give_of_all_balls(Store& store, const Inputs& inputs, const OfAllBalls& made) {
+void give_results_for_all_alphas(Store& store, const Inputs& inputs,
+                                 const ResultsForAllAlphas& made) {
   store.give(whole_triangulation(), inputs, made.triangulation);
   store.give(whole_filtration(), inputs, made.filtration);
 }

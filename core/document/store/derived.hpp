@@ -3,7 +3,7 @@
 
 #include "core/complex/triangulation.hpp"
 #include "core/document/store/definition.hpp"
-#include "core/engine/known_of_balls.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/triangulation/filtration.hpp"
 
 namespace alphascope {
@@ -17,8 +17,9 @@ const Definition<Triangulation>& whole_triangulation();
 const Definition<Filtration>& whole_filtration();
 
 // Both, as far as the store has them, for a request with the same balls.
-OfAllBalls of_all_balls(const Store& store, const Inputs& inputs);
+ResultsForAllAlphas results_for_all_alphas(const Store& store, const Inputs& inputs);
 // Gives both to the store, which drops them if it has no room. `made` is of the balls of `inputs`.
-void give_of_all_balls(Store& store, const Inputs& inputs, const OfAllBalls& made);
+void give_results_for_all_alphas(Store& store, const Inputs& inputs,
+                                 const ResultsForAllAlphas& made);
 
 }  // namespace alphascope

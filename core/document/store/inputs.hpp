@@ -32,7 +32,7 @@ struct Inputs {
   // key has no alpha.
   Alpha alpha_angstrom2;
   std::shared_ptr<const AlphaComplex> complex;
-  bool split_networks = false;  // CavityChoices::split_networks
+  bool split_networks = false;  // CavitySettings::split_networks
   // How cavities are found. Zero is CASTp's method, which the window uses.
   FlowTies flow_ties{};
   OutsideRule outside_rule{};

@@ -159,7 +159,7 @@ void Store::cancel(std::string_view id) {
   }
 }
 
-void Store::begin_again(std::string_view id) {
+void Store::retry(std::string_view id) {
   for (Entry& e : entries_) {
     if (e.id == id && e.state == DerivedState::cancelled) e.state = DerivedState::none;
   }

@@ -68,14 +68,14 @@ class Store {
   // Stops the making of one result. It does not begin again before its inputs change.
   void cancel(std::string_view id);
   // Undoes cancel(): the result begins again with the next request.
-  void begin_again(std::string_view id);
+  void retry(std::string_view id);
 
   // While `held`, nothing begins in the background lane. Inputs that change many times a second
   // would waste work on results that nobody sees.
   void hold_background(bool held) { background_held_ = held; }
 
   // Counts large objects of other owners, in bytes, against the budget. 0: there are none any more.
-  void note_held(const std::string& what, std::uint64_t bytes) { others_[what] = bytes; }
+  void set_held_bytes(const std::string& what, std::uint64_t bytes) { others_[what] = bytes; }
 
   // Takes finished results and begins waiting ones. True: a result has arrived, or one that had no
   // room may find some. Its panel should then be drawn.

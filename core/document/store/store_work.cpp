@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "core/document/store/store.hpp"
-#include "core/run/background.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/run/internal_error.hpp"
+#include "core/run/thread_priority.hpp"
 
 namespace alphascope {
 namespace {
@@ -99,7 +99,7 @@ void Store::begin(Entry& e) {
       [this, &e, &lane, threads, key = e.wanted, make = std::exchange(e.make, nullptr),
        held = e.need.held,
        chain = std::move(chain)](const RunContext& context) -> Worker::Delivery {
-        if (&lane == &background_) give_way_to_others(Share::seventieth);
+        if (&lane == &background_) lower_thread_priority(CpuShare::seventieth);
         std::vector<Made> made;
         threads->run([&] {
           context.cancel.throw_if_cancelled();

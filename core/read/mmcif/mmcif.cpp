@@ -263,7 +263,7 @@ class MmcifReader : public CifHandler {
     // A symbol for "no known element" (X) leaves the element unknown.
     const StatedElement stated = stated_element(trimmed(value(kSymbol)));
     const ResidueFamily family = guesser_.identify(atom, stated, NamePlace::free, names);
-    atom.kind = atom_kind(family, atom.hetero);
+    atom.kind = residue_kind(family, atom.hetero);
     builder_.set_record(
         {.entity = names.intern(value(kEntityId)), .numbered = !value(kLabelSeq).empty()});
     builder_.add(atom, position);

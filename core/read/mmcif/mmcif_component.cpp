@@ -51,7 +51,7 @@ void MmcifComponent::take(MoleculeBuilder& builder, AtomGuesser& guesser) const 
       atom.name = names.intern(text(row, column("atom_id")));
       atom.residue_name = names.intern(text(row, column("comp_id")));
       const StatedElement stated = stated_element(trimmed(text(row, column("type_symbol"))));
-      atom.kind = atom_kind(guesser.identify(atom, stated, NamePlace::free, names), true);
+      atom.kind = residue_kind(guesser.identify(atom, stated, NamePlace::free, names), true);
       builder.add(atom, position);
     }
     builder.molecule().notes.push_back(

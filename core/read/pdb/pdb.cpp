@@ -311,7 +311,7 @@ class PdbReader {
     const StatedElement stated = pdbqt_ ? autodock_element(autodock_type(rest))
                                         : stated_element(trimmed(columns(rest, 77, 78)));
     const ResidueFamily family = guesser_.identify(atom, stated, place(name, atom, stated), names);
-    atom.kind = atom_kind(family, atom.hetero);
+    atom.kind = residue_kind(family, atom.hetero);
     is_modified_ = !modified_.empty() &&
                    modified_.contains(residue_key(names.text(atom.chain), number,
                                                   std::string_view(&atom.insertion_code, 1)));
@@ -320,7 +320,8 @@ class PdbReader {
   // The first column of a name tells nothing where all names begin in column 13.
   NamePlace place(std::string_view name, const Atom& atom, const StatedElement& stated) {
     const NamePlace place = place_of(name);
-    if (place != NamePlace::first_column || !atom.hetero || stated.what == Statement::element) {
+    if (place != NamePlace::first_column || !atom.hetero ||
+        stated.what == ElementStatement::element) {
       return place;
     }
     if (!name_columns_) name_columns_.emplace(input_.text);

@@ -92,22 +92,22 @@ ResidueFamily residue_family(std::string_view name) {
   return ion ? ResidueFamily::ion : family;
 }
 
-AtomKind atom_kind(ResidueFamily family, bool hetero) {
+ResidueKind residue_kind(ResidueFamily family, bool hetero) {
   switch (family) {
     case ResidueFamily::water:
-      return AtomKind::water;
+      return ResidueKind::water;
     case ResidueFamily::ion:
-      return AtomKind::ion;
+      return ResidueKind::ion;
     case ResidueFamily::dummy:
-      return AtomKind::dummy;
+      return ResidueKind::dummy;
     case ResidueFamily::biopolymer:
-      return AtomKind::polymer;
+      return ResidueKind::polymer;
     case ResidueFamily::ligand:
-      return AtomKind::ligand;
+      return ResidueKind::ligand;
     case ResidueFamily::unknown:
       break;
   }
-  return hetero ? AtomKind::ligand : AtomKind::polymer;
+  return hetero ? ResidueKind::ligand : ResidueKind::polymer;
 }
 
 NamePlace place_of(std::string_view field) {
@@ -191,10 +191,10 @@ ResidueFamily AtomGuesser::identify(Atom& atom, const StatedElement& stated, Nam
     return ResidueFamily::dummy;
   }
   std::optional<Element> element;
-  if (stated.what == Statement::element || stated.what == Statement::placeholder) {
+  if (stated.what == ElementStatement::element || stated.what == ElementStatement::placeholder) {
     element = stated.element;
   }
-  misstated_ += stated.what == Statement::other;
+  misstated_ += stated.what == ElementStatement::other;
   return identify(atom, element, place, names);
 }
 

@@ -18,7 +18,7 @@ ResidueFamily residue_family(std::string_view residue_name);
 
 // An unknown residue is a ligand when its atoms are HETATM, else part of a polymer. A known ligand
 // stays one, because many programs write only ATOM records.
-AtomKind atom_kind(ResidueFamily family, bool hetero);
+ResidueKind residue_kind(ResidueFamily family, bool hetero);
 
 // Where an atom's name begins in the four columns of the PDB format. The element's symbol ends in
 // the second column: "CA  " is calcium and " CA " carbon. Programs that ignore this rule begin

@@ -30,11 +30,11 @@ bool is_numbered(std::string_view type, std::string_view word) {
 StatedElement autodock_element(std::string_view type) {
   const auto* found = std::find_if(std::begin(kTypes), std::end(kTypes),
                                    [&](const auto& known) { return known.type == type; });
-  if (found != std::end(kTypes)) return {Statement::element, found->element};
+  if (found != std::end(kTypes)) return {ElementStatement::element, found->element};
   // In an opened ring each end has a carbon CG0, and a point G0 where the other end should be.
-  if (is_numbered(type, "CG")) return {Statement::element, kCarbon};
+  if (is_numbered(type, "CG")) return {ElementStatement::element, kCarbon};
   if (is_numbered(type, "G") || type == "TZ" || type == "W") {
-    return {Statement::virtual_site, kUnknownElement};
+    return {ElementStatement::virtual_site, kUnknownElement};
   }
   return stated_element(type);
 }

@@ -14,7 +14,7 @@ namespace alphascope {
 namespace {
 
 struct Decision {
-  AtomKind kind = AtomKind::polymer;
+  ResidueKind kind = ResidueKind::polymer;
   ResidueReason why = ResidueReason::none;
 };
 
@@ -106,15 +106,16 @@ class ModelJudge {
   Decision special(std::uint32_t r) const {
     const ResidueFacts& f = facts(r);
     const std::uint32_t matter = f.atoms - f.sites;
-    if (f.atoms > 0 && f.ions == f.atoms) return {AtomKind::ion, ResidueReason::ion_name};
+    if (f.atoms > 0 && f.ions == f.atoms) return {ResidueKind::ion, ResidueReason::ion_name};
     const bool water_atoms = f.oxygens + f.hydrogens + f.unknown >= matter;
-    if (f.water_name && water_atoms) return {AtomKind::water, ResidueReason::water_name};
+    if (f.water_name && water_atoms) return {ResidueKind::water, ResidueReason::water_name};
     const bool listed = f.family == ResidueFamily::biopolymer || f.family == ResidueFamily::dummy;
     if (!listed && f.family != ResidueFamily::ligand && matter == 1 && f.metals == 1) {
-      return {AtomKind::ion, ResidueReason::one_metal};
+      return {ResidueKind::ion, ResidueReason::one_metal};
     }
     const bool one = f.oxygens == 1 && f.hydrogens <= 2 && matter == 1 + f.hydrogens;
-    if (one && !listed && !is_oxide(name(r))) return {AtomKind::water, ResidueReason::one_oxygen};
+    if (one && !listed && !is_oxide(name(r)))
+      return {ResidueKind::water, ResidueReason::one_oxygen};
     return {};
   }
 
@@ -122,25 +123,26 @@ class ModelJudge {
     const ResidueFacts& f = facts(r);
     if (f.atoms == 0) {
       const bool named = f.family == ResidueFamily::dummy;
-      return {AtomKind::dummy, named ? ResidueReason::dummy_name : ResidueReason::virtual_site};
+      return {ResidueKind::dummy, named ? ResidueReason::dummy_name : ResidueReason::virtual_site};
     }
     const Decision own = special(r);
     const bool is_special = own.why != ResidueReason::none;
-    const bool in_sequence = records_.numbers_tell() && f.record.numbered;
+    const bool in_sequence = records_.only_some_are_numbered() && f.record.numbered;
     const EntityType type = entity(r);
     if (type != EntityType::none) return by_entity(r, type, own, in_sequence);
-    if (f.record.modified) return {AtomKind::polymer, ResidueReason::modified_record};
+    if (f.record.modified) return {ResidueKind::polymer, ResidueReason::modified_record};
     if (is_special && !(in_sequence && own.why == ResidueReason::one_oxygen)) return own;
     if (f.water_name) notes_.no_water(f.first);
-    if (in_sequence) return {AtomKind::polymer, ResidueReason::sequence_number};
+    if (in_sequence) return {ResidueKind::polymer, ResidueReason::sequence_number};
     // A known ligand stays a ligand, even when it is bound to a chain.
     if (f.family == ResidueFamily::unknown && recorded_.is_within_chain(r)) {
-      return {AtomKind::polymer, ResidueReason::bond_record};
+      return {ResidueKind::polymer, ResidueReason::bond_record};
     }
-    if (f.chain_like && bonds_.is_bound(r)) return {AtomKind::polymer, ResidueReason::chain_bond};
+    if (f.chain_like && bonds_.is_bound(r))
+      return {ResidueKind::polymer, ResidueReason::chain_bond};
     const bool after_ter = ended_.contains(chain(r)) && place_of(r) == nullptr;
     if (!f.chain_like && !after_ter && bonds_.is_linked(r)) {
-      return {AtomKind::polymer, ResidueReason::chain_bond};
+      return {ResidueKind::polymer, ResidueReason::chain_bond};
     }
     return f.hetero ? by_hetatm(r, after_ter) : by_atom(r);
   }
@@ -149,20 +151,21 @@ class ModelJudge {
     const bool is_special = own.why != ResidueReason::none;
     switch (type) {
       case EntityType::water:
-        return {AtomKind::water, ResidueReason::entity_water};
+        return {ResidueKind::water, ResidueReason::entity_water};
       case EntityType::branched:
-        return {AtomKind::ligand, ResidueReason::entity_branched};
+        return {ResidueKind::ligand, ResidueReason::entity_branched};
       case EntityType::non_polymer:
-        if (!is_special) return {AtomKind::ligand, ResidueReason::entity_non_polymer};
+        if (!is_special) return {ResidueKind::ligand, ResidueReason::entity_non_polymer};
         // An ion is a non-polymer. Water has an entity type of its own, so this is a contradiction.
-        if (own.kind == AtomKind::water) notes_.disagrees("non-polymer", own.kind, facts(r).first);
+        if (own.kind == ResidueKind::water)
+          notes_.disagrees("non-polymer", own.kind, facts(r).first);
         return own;
       default:
         break;
     }
     const bool by_oxygen = own.why == ResidueReason::one_oxygen;
     if (!is_special || (by_oxygen && (in_sequence || !facts(r).hetero))) {
-      return {AtomKind::polymer, ResidueReason::entity_polymer};
+      return {ResidueKind::polymer, ResidueReason::entity_polymer};
     }
     notes_.disagrees("polymer", own.kind, facts(r).first);
     return own;
@@ -172,42 +175,43 @@ class ModelJudge {
     const ResidueFacts& f = facts(r);
     const bool shape = f.amino_shape() || f.nucleic_shape() || f.only_ca();
     if (f.family == ResidueFamily::biopolymer && f.chain_like) {
-      return {AtomKind::polymer, ResidueReason::polymer_name};
+      return {ResidueKind::polymer, ResidueReason::polymer_name};
     }
-    if (f.family == ResidueFamily::ligand) return {AtomKind::ligand, ResidueReason::ligand_name};
-    if (f.family == ResidueFamily::dummy) return {AtomKind::dummy, ResidueReason::dummy_name};
+    if (f.family == ResidueFamily::ligand) return {ResidueKind::ligand, ResidueReason::ligand_name};
+    if (f.family == ResidueFamily::dummy) return {ResidueKind::dummy, ResidueReason::dummy_name};
     if (shape && !bonds_.any() && bonds_.has_neighbour_by_number(r)) {
-      return {AtomKind::polymer, ResidueReason::chain_number};
+      return {ResidueKind::polymer, ResidueReason::chain_number};
     }
-    if (shape) return {AtomKind::polymer, ResidueReason::backbone_names};
-    if (bonds_.is_numbered_between(r)) return {AtomKind::polymer, ResidueReason::place_in_chain};
-    if (recorded_.is_bound_to_chain(r)) return {AtomKind::ligand, ResidueReason::bound_ligand};
-    if (records_.numbers_tell()) return {AtomKind::ligand, ResidueReason::no_sequence_number};
-    if (first(r).residue_name == 0) return {AtomKind::polymer, ResidueReason::no_name};
-    return {AtomKind::ligand, ResidueReason::no_polymer};
+    if (shape) return {ResidueKind::polymer, ResidueReason::backbone_names};
+    if (bonds_.is_numbered_between(r)) return {ResidueKind::polymer, ResidueReason::place_in_chain};
+    if (recorded_.is_bound_to_chain(r)) return {ResidueKind::ligand, ResidueReason::bound_ligand};
+    if (records_.only_some_are_numbered())
+      return {ResidueKind::ligand, ResidueReason::no_sequence_number};
+    if (first(r).residue_name == 0) return {ResidueKind::polymer, ResidueReason::no_name};
+    return {ResidueKind::ligand, ResidueReason::no_polymer};
   }
 
   Decision by_hetatm(std::uint32_t r, bool after_ter) const {
     const ResidueFacts& f = facts(r);
-    if (f.family == ResidueFamily::dummy) return {AtomKind::dummy, ResidueReason::dummy_name};
+    if (f.family == ResidueFamily::dummy) return {ResidueKind::dummy, ResidueReason::dummy_name};
     // Without any chain the name decides.
     if (f.family == ResidueFamily::biopolymer && f.chain_like && !any_chain_) {
-      return {AtomKind::polymer, ResidueReason::polymer_name};
+      return {ResidueKind::polymer, ResidueReason::polymer_name};
     }
     const ChainPlace* place = place_of(r);
     const bool not_after = place != nullptr && r < place->last;
     const bool listed = f.family == ResidueFamily::biopolymer;  // it may be free beside the chain
     if (in_sequence_record(r) && !after_ter && (!listed || place == nullptr || not_after)) {
-      return {AtomKind::polymer, ResidueReason::sequence_record};
+      return {ResidueKind::polymer, ResidueReason::sequence_record};
     }
     if (f.chain_like && place != nullptr && (not_after || is_before_ter(r))) {
-      return {AtomKind::polymer, ResidueReason::place_in_chain};
+      return {ResidueKind::polymer, ResidueReason::place_in_chain};
     }
     if (f.chain_like && !after_ter && !bonds_.any() && bonds_.has_neighbour_by_number(r)) {
-      return {AtomKind::polymer, ResidueReason::chain_number};
+      return {ResidueKind::polymer, ResidueReason::chain_number};
     }
-    if (recorded_.is_bound_to_chain(r)) return {AtomKind::ligand, ResidueReason::bound_ligand};
-    return {AtomKind::ligand, after_ter ? ResidueReason::after_ter : ResidueReason::hetatm};
+    if (recorded_.is_bound_to_chain(r)) return {ResidueKind::ligand, ResidueReason::bound_ligand};
+    return {ResidueKind::ligand, after_ter ? ResidueReason::after_ter : ResidueReason::hetatm};
   }
 
   // A TER behind waters ends no chain.
@@ -225,16 +229,17 @@ class ModelJudge {
   void apply(const ResiduePiece& piece, const Decision& decision) {
     for (std::size_t i = piece.begin; i < piece.end; ++i) {
       Atom& atom = molecule_.atoms[i];
-      const bool site = decision.kind == AtomKind::water && roles_.is_water_site(molecule_, atom);
-      if (atom.kind == AtomKind::dummy || site) {
+      const bool site =
+          decision.kind == ResidueKind::water && roles_.is_water_site(molecule_, atom);
+      if (atom.kind == ResidueKind::dummy || site) {
         const bool named = decision.why == ResidueReason::dummy_name;
         if (site) atom.element = kUnknownElement;
-        atom.kind = AtomKind::dummy;
+        atom.kind = ResidueKind::dummy;
         atom.why = named ? decision.why : ResidueReason::virtual_site;
         continue;
       }
       // An ion that is named among other atoms stays an ion.
-      if (atom.kind == AtomKind::ion && decision.kind != AtomKind::ion &&
+      if (atom.kind == ResidueKind::ion && decision.kind != ResidueKind::ion &&
           decision.why > ResidueReason::chain_number) {
         atom.why = ResidueReason::ion_name;
         continue;
@@ -266,11 +271,11 @@ class ModelJudge {
 void judge_unnamed(Molecule& molecule) {
   for (Atom& atom : molecule.atoms) {
     if (atom.why != ResidueReason::none) continue;
-    if (atom.kind == AtomKind::polymer) atom.why = ResidueReason::no_name;
-    if (atom.kind == AtomKind::ligand) atom.why = ResidueReason::hetatm;
-    if (atom.kind == AtomKind::ion) atom.why = ResidueReason::ion_name;
-    if (atom.kind == AtomKind::water) atom.why = ResidueReason::water_name;
-    if (atom.kind == AtomKind::dummy) atom.why = ResidueReason::virtual_site;
+    if (atom.kind == ResidueKind::polymer) atom.why = ResidueReason::no_name;
+    if (atom.kind == ResidueKind::ligand) atom.why = ResidueReason::hetatm;
+    if (atom.kind == ResidueKind::ion) atom.why = ResidueReason::ion_name;
+    if (atom.kind == ResidueKind::water) atom.why = ResidueReason::water_name;
+    if (atom.kind == ResidueKind::dummy) atom.why = ResidueReason::virtual_site;
   }
 }
 

@@ -28,7 +28,7 @@ void ResidueNotes::guessed(ResidueReason why, std::size_t first_atom) {
   add(guesses_[why], first_atom);
 }
 
-void ResidueNotes::disagrees(const char* table_says, AtomKind kind, std::size_t first_atom) {
+void ResidueNotes::disagrees(const char* table_says, ResidueKind kind, std::size_t first_atom) {
   add(disagreements_[{table_says, kind}], first_atom);
 }
 
@@ -44,7 +44,7 @@ void ResidueNotes::finish() const {
   for (const auto& [key, counted] : disagreements_) {
     molecule_.notes.push_back("The entity table says " + key.first +
                               ", but by their own atoms they are " +
-                              (key.second == AtomKind::ion ? "ions" : "water") + ": " +
+                              (key.second == ResidueKind::ion ? "ions" : "water") + ": " +
                               residues_text(counted.count) + " (" + counted.examples + ")");
   }
   if (no_waters_.count > 0) {

@@ -14,7 +14,7 @@ class ResidueNotes {
 
   void guessed(ResidueReason why, std::size_t first_atom);
   // The entity table contradicts the residue's own atoms, which take precedence.
-  void disagrees(const char* table_says, AtomKind kind, std::size_t first_atom);
+  void disagrees(const char* table_says, ResidueKind kind, std::size_t first_atom);
   // A residue has a water's name, but atoms that a water does not have.
   void no_water(std::size_t first_atom);
 
@@ -29,7 +29,7 @@ class ResidueNotes {
 
   Molecule& molecule_;
   std::map<ResidueReason, Counted> guesses_;
-  std::map<std::pair<std::string, AtomKind>, Counted> disagreements_;
+  std::map<std::pair<std::string, ResidueKind>, Counted> disagreements_;
   Counted no_waters_;
 };
 

@@ -39,7 +39,7 @@ class ResidueRecords {
 
   // True when some atoms have a label_seq_id and others have none. Only then it shows which are in
   // a sequence, because PyMOL and Open Babel number all atoms.
-  bool numbers_tell() const { return any_numbered_ && any_unnumbered_; }
+  bool only_some_are_numbered() const { return any_numbered_ && any_unnumbered_; }
 
   struct Run {
     std::size_t begin = 0;

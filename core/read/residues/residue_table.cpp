@@ -82,7 +82,7 @@ class TableMaker {
     // Waters and ions can share one residue number. Each repeated first atom begins a new piece.
     const Atom& first = molecule_.atoms[piece.begin];
     const bool again = first.name == atom.name && first.altloc == atom.altloc &&
-                       (atom.kind == AtomKind::water || atom.kind == AtomKind::ion);
+                       (atom.kind == ResidueKind::water || atom.kind == ResidueKind::ion);
     return !again;
   }
 
@@ -129,11 +129,11 @@ class TableMaker {
 
   void count(ResidueFacts& facts, const Atom& atom, std::uint32_t index) const {
     facts.hetero = facts.hetero && atom.hetero;
-    if (atom.kind == AtomKind::dummy) {
+    if (atom.kind == ResidueKind::dummy) {
       ++facts.dummies;
       return;
     }
-    facts.water_name |= atom.kind == AtomKind::water;
+    facts.water_name |= atom.kind == ResidueKind::water;
     // Only the first letter of alternative locations counts.
     if (facts.letter == ' ') facts.letter = atom.altloc;
     if (atom.altloc != ' ' && atom.altloc != facts.letter) {
@@ -150,7 +150,7 @@ class TableMaker {
     facts.hydrogens += atom.element == kHydrogen;
     facts.metals += is_metal(atom.element) && !atom.element_guessed;
     facts.unknown += atom.element == kUnknownElement;
-    facts.ions += atom.kind == AtomKind::ion;
+    facts.ions += atom.kind == ResidueKind::ion;
     add_ends(facts, atom, index);
   }
 

@@ -66,7 +66,7 @@ class AtomRoles {
   BackboneAtom backbone(NameId name) const { return backbone_[name]; }
   // True for a site without mass in a water, by its name, where the file states no element.
   bool is_water_site(const Molecule& molecule, const Atom& atom) const {
-    if (!water_site_[atom.name] || atom.kind == AtomKind::ion) return false;
+    if (!water_site_[atom.name] || atom.kind == ResidueKind::ion) return false;
     return atom.element == kUnknownElement || atom.element_guessed ||
            molecule.text(atom.name) == "OM";
   }

@@ -48,15 +48,15 @@ Element charged_symbol(std::string_view text) {
 StatedElement stated_element(std::string_view text) {
   if (text.empty()) return {};
   const Element plain = element_from_symbol(text);
-  if (plain != kUnknownElement) return {Statement::element, plain};
+  if (plain != kUnknownElement) return {ElementStatement::element, plain};
   const Element charged = charged_symbol(text);
-  if (charged != kUnknownElement) return {Statement::element, charged};
-  if (text.size() > kLongest) return {Statement::other, kUnknownElement};
+  if (charged != kUnknownElement) return {ElementStatement::element, charged};
+  if (text.size() > kLongest) return {ElementStatement::other, kUnknownElement};
   const std::string upper = upper_case(text);
-  if (upper == "X" || upper == "XX") return {Statement::placeholder, kUnknownElement};
+  if (upper == "X" || upper == "XX") return {ElementStatement::placeholder, kUnknownElement};
   const bool site = std::find(std::begin(kVirtualSites), std::end(kVirtualSites), upper) !=
                     std::end(kVirtualSites);
-  return {site ? Statement::virtual_site : Statement::other, kUnknownElement};
+  return {site ? ElementStatement::virtual_site : ElementStatement::other, kUnknownElement};
 }
 
 }  // namespace alphascope

@@ -8,7 +8,7 @@
 
 namespace alphascope {
 
-enum class Statement : std::uint8_t {
+enum class ElementStatement : std::uint8_t {
   none,          // empty
   element,       // "C", "zn", "Zn2+", "O2-", "N1+", "Na+"
   placeholder,   // "X": no known element
@@ -17,7 +17,7 @@ enum class Statement : std::uint8_t {
 };
 
 struct StatedElement {
-  Statement what = Statement::none;
+  ElementStatement what = ElementStatement::none;
   Element element = kUnknownElement;
 };
 

@@ -62,14 +62,14 @@ bool has_name_of_site(const AtomNaming& naming, std::string_view name) {
 
 }  // namespace
 
-bool is_virtual_site(const AtomNaming& naming, Statement stated) {
+bool is_virtual_site(const AtomNaming& naming, ElementStatement stated) {
   constexpr std::size_t kLongestName = 8;
-  if (stated == Statement::element) return false;
-  if (stated == Statement::virtual_site) return true;
+  if (stated == ElementStatement::element) return false;
+  if (stated == ElementStatement::virtual_site) return true;
   const std::string name =
       naming.atom.size() <= kLongestName ? upper_case(naming.atom) : std::string();
   if (!name.empty() && has_name_of_site(naming, name)) return true;
-  if (stated != Statement::placeholder) return false;
+  if (stated != ElementStatement::placeholder) return false;
   return naming.family == ResidueFamily::unknown && !of_unknown_residue(naming);
 }
 
@@ -140,10 +140,10 @@ void mark_on_their_atoms(Molecule& molecule, std::size_t begin, std::size_t end)
   for (std::size_t i = begin; i < end; ++i) {
     Atom& atom = molecule.atoms[i];
     const std::string_view parent = parent_name(molecule.text(atom.name));
-    if (parent.empty() || atom.kind == AtomKind::dummy) continue;
+    if (parent.empty() || atom.kind == ResidueKind::dummy) continue;
     const NameId name = molecule.names.find(parent);
     if (name == 0 || !atoms.has(name, atom.altloc, atom.position)) continue;
-    atom.kind = AtomKind::dummy;
+    atom.kind = ResidueKind::dummy;
     atom.element = kUnknownElement;
     atom.element_guessed = false;
   }
@@ -167,7 +167,7 @@ void mark_on_their_atoms(Molecule& molecule) {
 
 }  // namespace
 
-void mark_sites_on_their_atoms(Molecule& molecule) {
+void mark_sites_at_atoms(Molecule& molecule) {
   mark_on_their_atoms(molecule);
 }
 
@@ -176,7 +176,7 @@ void finish_virtual_sites(Molecule& molecule) {
   std::map<std::string_view, std::size_t> names;
   bool planes = false;  // membrane planes of OPM, in residues named DUM
   for (const Atom& atom : molecule.atoms) {
-    if (atom.kind != AtomKind::dummy) continue;
+    if (atom.kind != ResidueKind::dummy) continue;
     ++dummies;
     planes = planes || molecule.text(atom.residue_name) == "DUM";
     if (names.size() <= kNamesListed) ++names[molecule.text(atom.name)];
@@ -186,7 +186,7 @@ void finish_virtual_sites(Molecule& molecule) {
   if (dummies == molecule.atoms.size() && !planes) {
     // A file with nothing but such points: they are kept as atoms.
     for (Atom& atom : molecule.atoms) {
-      atom.kind = atom.hetero ? AtomKind::ligand : AtomKind::polymer;
+      atom.kind = atom.hetero ? ResidueKind::ligand : ResidueKind::polymer;
       atom.why = atom.hetero ? ResidueReason::hetatm : ResidueReason::no_name;
     }
     molecule.notes.push_back("All " + total +

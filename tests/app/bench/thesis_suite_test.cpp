@@ -23,7 +23,7 @@ class SleepingEngine : public Engine {
   SleepingEngine(double milliseconds, std::uint64_t hash, std::size_t tetrahedra,
                  std::atomic<int>* started = nullptr)
       : milliseconds_(milliseconds), hash_(hash), tetrahedra_(tetrahedra), started_(started) {}
-  AlphaComplex compute(const AlphaRequest&, KnownOfBalls&, const RunContext& context) override {
+  AlphaComplex compute(const AlphaRequest&, KnownResults&, const RunContext& context) override {
     if (started_ != nullptr) {
       ++*started_;
       started_->notify_all();
@@ -183,7 +183,7 @@ TEST(ThesisSuite, BisectionNarrowsTheAlphaUpToWhichCgalIsBeaten) {
   // Our engine takes 10 ms up to alpha 1 and 90 ms from there on. CGAL takes 40 ms.
   class Growing : public Engine {
    public:
-    AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+    AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                          const RunContext& context) override {
       return SleepingEngine(request.alpha_angstrom2 <= 1.0 ? 10 : 90, 1, 20)
           .compute(request, known, context);

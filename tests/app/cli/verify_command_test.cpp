@@ -19,7 +19,7 @@ class DamagedEngine : public Engine {
  public:
   DamagedEngine(std::shared_ptr<const BallSet> balls, Damage damage)
       : engine_(make_cgal_engine(std::move(balls), {1})), damage_(std::move(damage)) {}
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                        const RunContext& context) override {
     AlphaComplex complex = engine_->compute(request, known, context);
     complex.engine.rests_on_cgal = false;

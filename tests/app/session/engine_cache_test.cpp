@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "app/session/rounding_note.hpp"
-#include "core/engines/known.hpp"
-#include "core/engines/short_of_memory.hpp"
+#include "core/engines/answers_from_known.hpp"
+#include "core/engines/engine_of_executors.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/app/session/fake_engine.hpp"
 
@@ -62,7 +62,7 @@ TEST(EngineCache, HandsOverWhatItsEnginesMakeOfAllBalls) {
   Request request;
   cache.compute(balls, request, {});
   EXPECT_GT(cache.kept_bytes(), 0u);
-  OfAllBalls made = cache.take_made();
+  ResultsForAllAlphas made = cache.take_made();
   ASSERT_TRUE(made.triangulation);
   ASSERT_TRUE(made.filtration);
   EXPECT_EQ(made.balls, balls);
@@ -86,7 +86,7 @@ TEST(EngineCache, AnswersFromWhatTheOwnerHas) {
   const auto balls = few_balls(9);
   Request request = with_solvent_radius(1.4);
   of_another.compute(balls, request, {});
-  const OfAllBalls owned = of_another.take_made();
+  const ResultsForAllAlphas owned = of_another.take_made();
   const EngineAnswer answer = cache.compute(balls, request, {}, owned);
   EXPECT_EQ(answer.complex.engine.route, kThresholdRoute);
   EXPECT_EQ(answer.balls, owned.balls) << "equal balls are one object";
@@ -126,7 +126,7 @@ TEST(EngineCache, CancellingKeepsNothingThatOthersOwn) {
   EngineCache of_another(cgal_factory()), cache(cgal_factory());
   const auto balls = few_balls(9);
   of_another.compute(balls, {}, {});
-  const OfAllBalls owned = of_another.take_made();
+  const ResultsForAllAlphas owned = of_another.take_made();
   RunContext context;
   context.progress = [&](std::string_view, double) { context.cancel.cancel(); };
   EXPECT_THROW(cache.compute(balls, {}, context, owned), Cancelled);
@@ -242,13 +242,13 @@ TEST(EngineCache, LetsAllEnginesRestWhereNothingWillBeAsked) {
   EngineCache cache(fake_factory(log));
   const auto balls = few_balls(4);
   Request request;
-  cache.rest();  // no engine
+  cache.release_memory();  // no engine
   request.engine = EngineChoice::gpu;
   cache.compute(balls, request, {});
   request.engine = EngineChoice::cpu;
   cache.compute(balls, request, {});
   log.rested = 0;
-  cache.rest();
+  cache.release_memory();
   EXPECT_EQ(log.rested, 2);
   EXPECT_EQ(cache.compute(balls, request, {}).complex.vertices.size(), 4u);
 }
@@ -257,13 +257,13 @@ TEST(EngineCache, SaysHowLongTheDeviceLookedForTheOutside) {
   FakeEngineLog log;
   EngineCache cache(fake_factory(log));
   EngineAnswer answer = cache.compute(few_balls(4), {}, {});
-  cache.find_outside_on_device(answer);  // there is no device
+  cache.find_outer_faces_on_device(answer);  // there is no device
   EXPECT_FALSE(answer.complex.outside);
-  EXPECT_EQ(answer.outside_milliseconds, 0);
+  EXPECT_EQ(answer.outer_faces_milliseconds, 0);
   log.finds_outside = true;
-  cache.find_outside_on_device(answer);
+  cache.find_outer_faces_on_device(answer);
   EXPECT_TRUE(answer.complex.outside);
-  EXPECT_GE(answer.outside_milliseconds, 1);
+  EXPECT_GE(answer.outer_faces_milliseconds, 1);
 }
 
 TEST(EngineCache, SaysWhatTheLatticeRounds) {
@@ -330,7 +330,7 @@ TEST(EngineCache, FreesTheEnginesOfAnotherMolecule) {
   EXPECT_TRUE(watch.expired());
 }
 
-// The engine alone decides what replaces a failing device (core/engines/short_of_memory.hpp).
+// The engine alone decides what replaces a failing device (core/engines/engine_of_executors.hpp).
 TEST(EngineCache, AFailingDeviceIsTheEnginesBusinessWhateverTheChoice) {
   struct LostDevice : Executor {
     std::optional<AlphaComplex> compute(const AlphaRequest&, const RunContext&) override {

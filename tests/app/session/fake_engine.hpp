@@ -33,7 +33,7 @@ class FakeEngine : public Engine {
   FakeEngine(std::shared_ptr<const BallSet> balls, FakeEngineLog& log)
       : balls_(std::move(balls)), log_(log) {}
 
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls&,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults&,
                        const RunContext& context) override {
     ++log_.started;
     context.report(stage::kGrid, 0.5);
@@ -65,12 +65,12 @@ class FakeEngine : public Engine {
     to.area_angstrom2 = 123;
     return log_.measuring;
   }
-  std::optional<SharedFaces> find_outside(const AlphaComplex&) override {
+  std::optional<SharedFaces> find_outer_faces(const AlphaComplex&) override {
     if (!log_.finds_outside) return std::nullopt;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return SharedFaces{};
   }
-  void rest() override { ++log_.rested; }
+  void release_memory() override { ++log_.rested; }
 
  private:
   std::shared_ptr<const BallSet> balls_;

@@ -142,7 +142,7 @@ TEST_F(SessionTest, AnotherFileCancelsWhatIsComputedForTheOldOne) {
   session->set_request(alpha(2));
   settle(*session);
   EXPECT_TRUE(session->state().our_timings.warm);
-  session->let_finish(true);
+  session->set_dragging(true);
   log_.hold = true;
   const int before = log_.started;
   session->set_request(alpha(3));
@@ -667,7 +667,7 @@ TEST_F(SessionTest, AnAnswerBringsWhatItsEngineMadeOfAllBalls) {
   ASSERT_TRUE(first->made->filtration);
   EXPECT_EQ(&first->made->filtration->balls(), first->balls.get());
   const std::uint64_t with_made = session.held_bytes();
-  const OfAllBalls of_first = std::exchange(*first->made, {});
+  const ResultsForAllAlphas of_first = std::exchange(*first->made, {});
   EXPECT_LT(session.held_bytes(), with_made) << "it has another owner";
   EXPECT_EQ(of_first.filtration.use_count(), 1);
 

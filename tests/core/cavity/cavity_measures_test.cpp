@@ -448,7 +448,7 @@ std::map<std::vector<LatticePoint>, std::vector<double>> numbers_by_place(const 
       make_cavity_ground(std::make_shared<const BallSet>(balls),
                          std::make_shared<const Triangulation>(make_triangulation(balls, 1))));
   const CavityTable table = make_cavity_table(ground, {0, solvent});
-  const std::vector<ClippedMeasures> clipped = clip_all(table);
+  const std::vector<ExactCavityMeasures> clipped = measure_all_exactly(table);
   std::map<std::vector<LatticePoint>, std::vector<double>> numbers;
   for (std::size_t row = 0; row < table.size(); ++row) {
     std::vector<LatticePoint> sink;
@@ -456,7 +456,7 @@ std::map<std::vector<LatticePoint>, std::vector<double>> numbers_by_place(const 
     std::sort(sink.begin(), sink.end());
     const CavityMeasures& m = table.measure(row);
     const MouthMeasures mouths = m.all_mouths();
-    const ClippedMeasures& exact = clipped[table.order[row]];
+    const ExactCavityMeasures& exact = clipped[table.order[row]];
     numbers[sink] = {static_cast<double>(row),
                      m.volume_sa_angstrom3,
                      m.area_sa_angstrom2,

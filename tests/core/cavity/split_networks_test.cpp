@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(SolventRadii, NetworksOf, ::testing::Values(0.0, 0.3, 0
 
 TEST_P(NetworksOf, PartsAreTogetherWhatTheNetworkIs) {
   if (split_.found.networks.empty()) GTEST_SKIP() << "no network";
-  const auto clipped_whole = clip_all(whole_), clipped = clip_all(split_);
+  const auto clipped_whole = measure_all_exactly(whole_), clipped = measure_all_exactly(split_);
   for (std::uint32_t n = 0; n < split_.found.networks.size(); ++n) {
     const SplitNetwork& network = split_.found.networks[n];
     const std::uint32_t of = whole_.found.cavity_of_tetrahedron[network.deepest_sink];

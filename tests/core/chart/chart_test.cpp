@@ -14,7 +14,7 @@
 namespace alphascope {
 namespace {
 
-const ChartType kType{10, [](const std::string& text) { return 5.0f * text.size(); }};
+const ChartFont kType{10, [](const std::string& text) { return 5.0f * text.size(); }};
 
 Chart bars() {
   Chart chart;

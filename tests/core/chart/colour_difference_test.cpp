@@ -37,7 +37,7 @@ double least_of_pairs(const std::vector<Rgb8>& colours, const Difference& differ
 }
 
 double usual(const Rgb8& a, const Rgb8& b) {
-  return difference(a, b, Sight::usual);
+  return difference(a, b, ViewFrustum::usual);
 }
 
 // From the table of Sharma, Wu and Dalal.
@@ -50,14 +50,14 @@ TEST(ColourDifference, IsCiede2000) {
 }
 
 TEST(ColourDifference, WhatEyesConfuseIsAlike) {
-  for (const Sight sight : kSights) {
+  for (const ViewFrustum sight : kSights) {
     const LabColour grey = seen({128, 128, 128}, sight);
     EXPECT_NEAR(grey.lightness, 53.585, 0.01);
     EXPECT_NEAR(std::hypot(grey.a, grey.b), 0, 0.05);
   }
   const Rgb8 red{200, 80, 60}, green{110, 125, 50};
   EXPECT_GT(usual(red, green), 40);
-  EXPECT_LT(difference(red, green, Sight::deuteranopia), usual(red, green) / 2);
+  EXPECT_LT(difference(red, green, ViewFrustum::deuteranopia), usual(red, green) / 2);
 }
 
 TEST(ChainColours, DifferForEveryEyeTheFirstOnesMost) {
@@ -72,8 +72,8 @@ TEST(ChainColours, DifferForEveryEyeTheFirstOnesMost) {
 // Every eye sees differences in lightness, and a grey print keeps them.
 TEST(ChainColours, NeighboursDifferInLightness) {
   for (std::size_t n = 0; n < kChainColours; ++n) {
-    const double one = seen(chain_colour(n), Sight::usual).lightness;
-    const double next = seen(chain_colour(n + 1), Sight::usual).lightness;
+    const double one = seen(chain_colour(n), ViewFrustum::usual).lightness;
+    const double next = seen(chain_colour(n + 1), ViewFrustum::usual).lightness;
     EXPECT_GE(std::fabs(one - next), 9) << n;
     EXPECT_GE(one, 35) << n << ": it is lost on the dark background";
     EXPECT_LE(one, 88) << n << ": it is lost on the light one";

@@ -13,7 +13,7 @@
 namespace alphascope {
 namespace {
 
-const ChartType kType{10, [](const std::string& text) { return 5.0f * text.size(); }, 1};
+const ChartFont kType{10, [](const std::string& text) { return 5.0f * text.size(); }, 1};
 
 Plot two_curves() {
   Plot plot;
@@ -104,10 +104,10 @@ TEST(Plot, WholeNumbersAndOffsets) {
 
 TEST(Plot, BoxesDotsAndLinesAreWhereTheyShould) {
   Plot plot = two_curves();
-  plot.boxes.push_back({2, 4, 0, 1, {ChartInk::accent}});
-  plot.boxes.push_back({6, 6, 0, 1, {ChartInk::accent}});
-  plot.dots.push_back({5, 2, {ChartInk::accent}, 3.5f, true});
-  plot.lines.push_back({7, {ChartInk::accent}});
+  plot.boxes.push_back({2, 4, 0, 1, {ChartColourRole::accent}});
+  plot.boxes.push_back({6, 6, 0, 1, {ChartColourRole::accent}});
+  plot.dots.push_back({5, 2, {ChartColourRole::accent}, 3.5f, true});
+  plot.lines.push_back({7, {ChartColourRole::accent}});
   const ChartDrawing d = lay_out(plot, area_of(plot), kType);
   ASSERT_EQ(d.boxes.size(), 3u) << "with the frame";
   EXPECT_FLOAT_EQ(d.boxes[1].x, 130);
@@ -133,8 +133,8 @@ TEST(Plot, TheNearestPointIsFound) {
 
 TEST(Plot, TheSvgIsWellFormedAndHasALegend) {
   Plot plot = two_curves();
-  plot.boxes.push_back({2, 4, 0, 1, {ChartInk::accent, {}, 0.25f}});
-  plot.dots.push_back({5, 2, {ChartInk::accent}, 3.5f, true});
+  plot.boxes.push_back({2, 4, 0, 1, {ChartColourRole::accent, {}, 0.25f}});
+  plot.dots.push_back({5, 2, {ChartColourRole::accent}, 3.5f, true});
   const std::string svg = plot_svg(plot, "A & B");
   EXPECT_EQ(test::xml_error(svg), "") << svg;
   EXPECT_NE(svg.find("A &amp; B"), std::string::npos);

@@ -90,7 +90,7 @@ TEST(CpuEngine, NoStageTakesLessThanNoTime) {
 // A triangulation that its owner has dropped is no reason to triangulate.
 TEST(CpuEngine, ClipsAgainWhenItsTriangulationIsGone) {
   const auto engine = make_cpu_engine(some_balls(), {1});
-  KnownOfBalls known;
+  KnownResults known;
   engine->compute({1e300}, known, {});
   EXPECT_TRUE(known.filtration);
   EXPECT_EQ(engine->compute({100e-6}, known, {}).engine.route, kThresholdRoute);

@@ -230,7 +230,7 @@ TEST_P(Properties, DoesNotDependOnWhatIsKnown) {
     for (const bool only : {false, true}) {
       const AlphaComplex alone = engine->compute({alpha, only}, {});
       for (const auto& known_filtration : {filtration, std::shared_ptr<const Filtration>()}) {
-        KnownOfBalls known{{balls, triangulation, known_filtration}, {}, {}};
+        KnownResults known{{balls, triangulation, known_filtration}, {}, {}};
         EXPECT_TRUE(compare(engine->compute({alpha, only}, known, {}), alone).identical())
             << set.name;
       }

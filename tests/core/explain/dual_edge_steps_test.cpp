@@ -29,7 +29,7 @@ namespace id = step_count;
 
 // Every simplex has one fate, and each step gets what the last one left.
 void expect_consistent(const BallSteps& steps) {
-  if (steps.left_out != LeftOut::no) {
+  if (steps.left_out != LeftOutReason::no) {
     EXPECT_EQ(steps.steps.size(), 1u);
     return;
   }
@@ -66,7 +66,7 @@ void expect_consistent(const BallSteps& steps) {
   expect_passed(StepKind::ends, id::kTetrahedra, StepKind::result, id::kTetrahedra);
   for (const StepKind kind : {StepKind::edges, StepKind::clipping, StepKind::exact}) {
     std::uint64_t removed = 0, listed = 0;
-    for (const StepRemover& remover : steps.find(kind)->removers) removed += remover.simplices;
+    for (const StepConflict& remover : steps.find(kind)->removers) removed += remover.simplices;
     EXPECT_EQ(removed, steps.find(kind)->count(id::kConflict).all);
     for (const MarkedSimplices& m : steps.find(kind)->marks)
       listed += m.edges.size() + m.triangles.size() + m.left_out;
@@ -79,7 +79,7 @@ void expect_consistent(const BallSteps& steps) {
 class Sums {
  public:
   void add(const BallSteps& steps) {
-    if (steps.left_out != LeftOut::no) return;
+    if (steps.left_out != LeftOutReason::no) return;
     const auto add = [&](Tally& tally, StepKind kind, std::string_view what) {
       const StepCount& count = steps.find(kind)->count(what);
       tally.all += count.all;
@@ -287,8 +287,8 @@ TEST(DualEdgeSteps, RemoversOfEdgesAreInConflict) {
   int seen = 0;
   for (BallIndex b = 0; b < balls.size(); ++b) {
     const BallSteps steps = dual_edge_steps(balls, b, 60);
-    if (steps.left_out != LeftOut::no) continue;
-    for (const StepRemover& remover : steps.find(StepKind::edges)->removers) {
+    if (steps.left_out != LeftOutReason::no) continue;
+    for (const StepConflict& remover : steps.find(StepKind::edges)->removers) {
       const testing::Orthosphere sphere = testing::orthosphere(balls, remover.first);
       EXPECT_LE(testing::power_excess(balls, sphere, remover.ball), 0);
       EXPECT_EQ(std::count(remover.first.begin(), remover.first.end(), remover.ball), 0);
@@ -347,9 +347,9 @@ TEST(DualEdgeSteps, OneBallIsItsOwnStar) {
   EXPECT_EQ(steps.find(StepKind::neighbours)->count(id::kNeighbours).all, 0u);
   EXPECT_EQ(steps.find(StepKind::result)->count(id::kVertices).here, 1u);
   EXPECT_EQ(steps.star.vertices.size(), 1u);
-  EXPECT_EQ(dual_edge_steps(balls, 0, -100).left_out, LeftOut::empty);
+  EXPECT_EQ(dual_edge_steps(balls, 0, -100).left_out, LeftOutReason::empty);
   testing::add_ball(balls, 0, 0, 0, 2);
-  EXPECT_EQ(dual_edge_steps(balls, 1, 0).left_out, LeftOut::hidden);
+  EXPECT_EQ(dual_edge_steps(balls, 1, 0).left_out, LeftOutReason::hidden);
 }
 
 TEST(DualEdgeSteps, StopsAtTooMuch) {

@@ -82,7 +82,7 @@ class Checked {
       if (!::testing::Test::HasFailure()) one(s);
     });
   }
-  std::map<Absence, int> seen;
+  std::map<AbsenceReason, int> seen;
   std::map<Arithmetic, int> decided;
 
  private:
@@ -91,7 +91,7 @@ class Checked {
     const auto value = oracle_.alpha_values().find(s);
     const bool there = value != oracle_.alpha_values().end();
     ++seen[e.absence];
-    ASSERT_EQ(e.absence == Absence::none, there) << name(s);
+    ASSERT_EQ(e.absence == AbsenceReason::none, there) << name(s);
     ASSERT_EQ(e.orthosphere.has_value(), independent(balls_, s)) << name(s);
     if (e.orthosphere) sphere(e, s);
     if (there) {
@@ -251,24 +251,24 @@ class Checked {
   void absent(const Explanation& e, const Balls& s) {
     const auto in = [&](const Balls& face) { return oracle_.alpha_values().count(face) != 0; };
     switch (e.absence) {
-      case Absence::hidden:
+      case AbsenceReason::hidden:
         ASSERT_EQ(e.absent_face.size(), 1u);
         ASSERT_FALSE(in(e.absent_face)) << name(s);
         ASSERT_FALSE(e.culprits.empty());
         break;
-      case Absence::face:
+      case AbsenceReason::face:
         ASSERT_GT(e.absent_face.size(), 1u);
         ASSERT_LT(e.absent_face.size(), s.size());
         ASSERT_FALSE(in(e.absent_face));
         break;
-      case Absence::dependent:
+      case AbsenceReason::dependent:
         ASSERT_FALSE(independent(balls_, s));
         break;
-      case Absence::cut_away:
+      case AbsenceReason::cut_away:
         ASSERT_FALSE(e.culprits.empty()) << name(s);
         guilty(e, s);
         break;
-      case Absence::none:
+      case AbsenceReason::none:
         FAIL();
     }
   }
@@ -303,7 +303,7 @@ class Checked {
 
 TEST(Explanation, IsTheDefinitionOnHardSets) {
   Random random(5);
-  std::map<Absence, int> seen;
+  std::map<AbsenceReason, int> seen;
   std::map<Arithmetic, int> decided;
   for (const testing::NamedBalls& set : testing::small_hard_sets(random, 6)) {
     SCOPED_TRACE(set.name);
@@ -352,7 +352,7 @@ class Sampled {
         some.insert(static_cast<BallIndex>(testing::random_int(random_, 0, last)));
       }
       const Balls s(some.begin(), some.end());
-      ASSERT_EQ(explain(*balls_, s, std::nullopt).absence == Absence::none, in(s));
+      ASSERT_EQ(explain(*balls_, s, std::nullopt).absence == AbsenceReason::none, in(s));
     }
   }
 
@@ -375,7 +375,7 @@ class Sampled {
       const auto at = static_cast<std::size_t>(
           testing::random_int(random_, 0, static_cast<int>(list.size()) - 1));
       const Explanation e = explain(*balls_, list.simplices[at], std::nullopt);
-      ASSERT_EQ(e.absence, Absence::none);
+      ASSERT_EQ(e.absence, AbsenceReason::none);
       ASSERT_EQ(e.appears.on_lattice, list.alpha_values[at]);
       expect_class(e);
       if (!levels || e.dimension < 3) continue;  // the filtration's dimensions are those of space

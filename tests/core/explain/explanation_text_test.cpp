@@ -82,7 +82,7 @@ TEST(ExplanationText, SpeaksOfThePlaneWhereAllCentresAreInOne) {
   }
   // Sides have ρ = 0, the diagonal and both triangles ρ = 1.
   using Balls = std::vector<BallIndex>;
-  const bool first = explain(balls, Balls{0, 3}, {}).absence == Absence::none;
+  const bool first = explain(balls, Balls{0, 3}, {}).absence == AbsenceReason::none;
   expect_said(text_of(balls, first ? Balls{0, 3} : Balls{1, 2}, 1.0),
               {"All centres are in one plane", "It is interior: everything around it is filled",
                "when the last triangle around it appears"});

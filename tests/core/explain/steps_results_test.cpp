@@ -24,13 +24,13 @@ struct Crambin {
     inputs.balls_key = 1;
     inputs.alpha_angstrom2 = 1.4;
   }
-  AskedBall asked(const std::vector<Ref>& refs) const {
+  SelectedBall asked(const std::vector<Ref>& refs) const {
     Selection selection;
     selection.items = RefSet(refs);
-    return asked_ball(selection, *inputs.atoms);
+    return selected_ball(selection, *inputs.atoms);
   }
-  std::shared_ptr<const ToldSteps> told(const AskedSteps& asked) const {
-    return std::static_pointer_cast<const ToldSteps>(told_steps(asked).make(inputs, {}));
+  std::shared_ptr<const ExplainedSteps> told(const StepsRequest& asked) const {
+    return std::static_pointer_cast<const ExplainedSteps>(explained_steps(asked).make(inputs, {}));
   }
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const PreparedBalls> prepared;
@@ -53,7 +53,7 @@ TEST(StepsResults, TheBallOfASelection) {
   selection.note_order();
   selection.items = RefSet({third, fifth});
   selection.note_order();
-  EXPECT_EQ(asked_ball(selection, *c.inputs.atoms).ball, BallIndex{5});
+  EXPECT_EQ(selected_ball(selection, *c.inputs.atoms).ball, BallIndex{5});
 }
 
 TEST(StepsResults, TheMiddleBall) {
@@ -67,8 +67,8 @@ TEST(StepsResults, TheMiddleBall) {
 TEST(StepsResults, EveryQuestionHasAKeyOfItsOwn) {
   Crambin c;
   std::set<std::uint64_t> keys;
-  const auto add = [&](const AskedSteps& asked) {
-    keys.insert(told_steps(asked).key(c.inputs).number());
+  const auto add = [&](const StepsRequest& asked) {
+    keys.insert(explained_steps(asked).key(c.inputs).number());
   };
   std::size_t questions = 0;
   for (const BallIndex ball : {0u, 1u, 200u}) {
@@ -85,7 +85,7 @@ TEST(StepsResults, EveryQuestionHasAKeyOfItsOwn) {
     }
   }
   EXPECT_EQ(keys.size(), questions);
-  EXPECT_FALSE(told_steps({100'000}).key(c.inputs)) << "there is no such ball";
+  EXPECT_FALSE(explained_steps({100'000}).key(c.inputs)) << "there is no such ball";
 }
 
 TEST(StepsResults, TellTheStepsAndHowMuchMoreWorkThereIs) {
@@ -103,7 +103,7 @@ TEST(StepsResults, TellTheStepsAndHowMuchMoreWorkThereIs) {
   EXPECT_EQ(usual->growth, "");
   EXPECT_EQ(usual->optimised_count(plain.steps.front(), id::kCells), nullptr);
 
-  AskedSteps asked{ball};
+  StepsRequest asked{ball};
   asked.options.edge_optimisation = asked.options.alpha_optimisation = false;
   const auto slow = c.told(asked);
   ASSERT_TRUE(slow->optimised);
@@ -129,7 +129,7 @@ TEST(StepsResults, TellTheStepsAndHowMuchMoreWorkThereIs) {
 TEST(StepsResults, WhereTheStepsStopTheGrowthIsABound) {
   Crambin c;
   c.inputs.alpha_angstrom2 = 22;
-  AskedSteps asked{*middle_ball(*c.inputs.balls)};
+  StepsRequest asked{*middle_ball(*c.inputs.balls)};
   asked.options.edge_optimisation = false;
   const auto told = c.told(asked);
   ASSERT_TRUE(told->steps.find(StepKind::too_many));

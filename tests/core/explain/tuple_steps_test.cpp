@@ -52,7 +52,7 @@ void expect_consistent(const BallSteps& steps) {
   const auto all = [&](StepKind kind, std::string_view what) {
     return steps.find(kind)->count(what).all;
   };
-  if (steps.left_out != LeftOut::no) {
+  if (steps.left_out != LeftOutReason::no) {
     EXPECT_EQ(steps.steps.size(), 1u);
     return;
   }
@@ -76,7 +76,7 @@ void expect_consistent(const BallSteps& steps) {
             all(StepKind::filter, id::kValid) + all(StepKind::exact, id::kValid));
   for (const StepKind kind : {StepKind::filter, StepKind::exact}) {
     std::uint64_t removed = 0, listed = 0;
-    for (const StepRemover& remover : steps.find(kind)->removers) removed += remover.simplices;
+    for (const StepConflict& remover : steps.find(kind)->removers) removed += remover.simplices;
     EXPECT_EQ(removed, all(kind, id::kConflict));
     for (const MarkedSimplices& m : steps.find(kind)->marks)
       listed += m.tetrahedra.size() + m.left_out;
@@ -88,7 +88,7 @@ void expect_consistent(const BallSteps& steps) {
 class Sums {
  public:
   void add(const BallSteps& steps) {
-    if (steps.left_out != LeftOut::no) return;
+    if (steps.left_out != LeftOutReason::no) return;
     const auto here = [&](StepKind kind, std::string_view what) {
       return steps.find(kind)->count(what).here;
     };
@@ -184,9 +184,9 @@ TEST(TupleSteps, RemoversAreInConflict) {
   int seen = 0;
   for (BallIndex b = 0; b < balls.size(); ++b) {
     const BallSteps steps = tuple_steps(balls, b, 60, {});
-    if (steps.left_out != LeftOut::no) continue;
+    if (steps.left_out != LeftOutReason::no) continue;
     for (const StepKind kind : {StepKind::filter, StepKind::exact, StepKind::faces}) {
-      for (const StepRemover& remover : steps.find(kind)->removers) {
+      for (const StepConflict& remover : steps.find(kind)->removers) {
         const testing::Orthosphere sphere = testing::orthosphere(balls, remover.first);
         EXPECT_LE(testing::power_excess(balls, sphere, remover.ball), 0);
         EXPECT_EQ(std::count(remover.first.begin(), remover.first.end(), remover.ball), 0);

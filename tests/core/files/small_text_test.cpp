@@ -47,9 +47,9 @@ TEST(SmallText, AsManyBytesAsThereMayBeAndNoMore) {
 
 TEST(SmallText, WhatIsReadIsNotedAsRead) {
   const TemporaryFile file("list.txt", "a");
-  EXPECT_FALSE(read_behind(file.path()).has_value());
+  EXPECT_FALSE(input_replaced_by(file.path()).has_value());
   read_small_text(file.path(), kRule);
-  EXPECT_EQ(read_behind(file.path()), file.path().string());
+  EXPECT_EQ(input_replaced_by(file.path()), file.path().string());
 }
 
 // No more than the limit is read from an endless stream.
@@ -101,11 +101,11 @@ TEST(TextLimits, ALineIsTooLongWhereverItIsCut) {
   const std::filesystem::path path = "a.pdb";
   LineLengths lengths(path);
   std::string text = "one\ntwo\n" + std::string(kLongestLine / 2, 'x');
-  lengths.look_at(text);
+  lengths.check(text);
   text += std::string(kLongestLine - kLongestLine / 2, 'x');
-  lengths.look_at(text);
+  lengths.check(text);
   try {
-    lengths.look_at(text + "x");
+    lengths.check(text + "x");
     ADD_FAILURE() << "one byte more";
   } catch (const ReadError& error) {
     EXPECT_EQ(error.line(), 3u);
@@ -113,7 +113,7 @@ TEST(TextLimits, ALineIsTooLongWhereverItIsCut) {
   }
   LineLengths old_mac(path);
   text += "\r" + text.substr(8);
-  EXPECT_NO_THROW(old_mac.look_at(text)) << "a carriage return ends a line too";
+  EXPECT_NO_THROW(old_mac.check(text)) << "a carriage return ends a line too";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Tests measures of the union clipped to tetrahedra.
-#include "core/measure/clipped.hpp"
+#include "core/measure/exact_outside.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,12 +20,13 @@ using testing::measured;
 using testing::Random;
 using testing::random_balls;
 
-ClippedTetrahedra clip_all(const BallSet& balls, double alpha_angstrom2 = 0, int threads = 1) {
+ExactTetrahedra measure_all_exactly(const BallSet& balls, double alpha_angstrom2 = 0,
+                                    int threads = 1) {
   const Triangulation triangulation = make_triangulation(balls, 1);
   std::vector<std::uint32_t> all(triangulation.tetrahedra.size());
   std::iota(all.begin(), all.end(), 0u);
-  return clipped_outside(triangulation, balls, balls.lattice.alpha_on_lattice(alpha_angstrom2), all,
-                         threads);
+  return exact_outside(triangulation, balls, balls.lattice.alpha_on_lattice(alpha_angstrom2), all,
+                       threads);
 }
 double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -64,7 +65,7 @@ void expect_boxed(const BallSet& balls, const std::string& name) {
     }
   }
   const Boxed box = boxed(balls, static_cast<int>(3 * reach), static_cast<int>(reach));
-  const ClippedTetrahedra of = clip_all(box.balls);
+  const ExactTetrahedra of = measure_all_exactly(box.balls);
   EXPECT_NEAR(sum(of.volume_angstrom3), box.volume, 1e-12 * box.volume) << name;
   EXPECT_NEAR(sum(of.free_volume_angstrom3), box.free_volume, 1e-11 * box.volume) << name;
   EXPECT_NEAR(sum(of.area_angstrom2), box.area, 1e-11 * box.area) << name;
@@ -73,7 +74,7 @@ void expect_boxed(const BallSet& balls, const std::string& name) {
   }
 }
 
-TEST(ClippedTetrahedra, OfABoxAreItsComplementOfTheUnion) {
+TEST(ExactTetrahedra, OfABoxAreItsComplementOfTheUnion) {
   Random random(21);
   for (int n = 0; n < 15; ++n) {
     BallSet balls = random_balls(random, 60, 2000, 300, 1800);
@@ -82,7 +83,7 @@ TEST(ClippedTetrahedra, OfABoxAreItsComplementOfTheUnion) {
   }
 }
 
-TEST(ClippedTetrahedra, OfABoxAroundHardSetsAreItsComplementOfTheUnion) {
+TEST(ExactTetrahedra, OfABoxAroundHardSetsAreItsComplementOfTheUnion) {
   Random random(22);
   int sets = 0;
   for (const auto& [name, balls, unit] : testing::small_hard_sets(random, 60)) {
@@ -98,21 +99,22 @@ TEST(ClippedTetrahedra, OfABoxAroundHardSetsAreItsComplementOfTheUnion) {
   EXPECT_GT(sets, 10);
 }
 
-TEST(ClippedTetrahedra, AreTheSameBitsForAnyThreads) {
+TEST(ExactTetrahedra, AreTheSameBitsForAnyThreads) {
   const BallSet balls = with_solvent(balls_of_file("1crn.xyzr"), 1.4);
-  const ClippedTetrahedra one = clip_all(balls, 0.5, 1), four = clip_all(balls, 0.5, 4);
+  const ExactTetrahedra one = measure_all_exactly(balls, 0.5, 1),
+                        four = measure_all_exactly(balls, 0.5, 4);
   EXPECT_EQ(one.free_volume_angstrom3, four.free_volume_angstrom3);
   EXPECT_EQ(one.area_angstrom2, four.area_angstrom2);
 }
 
 // Single tetrahedra into which other balls reach, also where no corner's cell does.
-TEST(ClippedTetrahedra, AgreeWithSampling) {
+TEST(ExactTetrahedra, AgreeWithSampling) {
   Random random(23);
   std::uniform_real_distribution<double> uniform(1e-300, 1);
   for (int n = 0; n < 4; ++n) {
     const BallSet balls = random_balls(random, 60, 100, 10, 70);
     const Triangulation triangulation = make_triangulation(balls, 1);
-    const ClippedTetrahedra of = clip_all(balls, n - 2.0);
+    const ExactTetrahedra of = measure_all_exactly(balls, n - 2.0);
     for (std::size_t t = 0; t < triangulation.tetrahedra.size(); t += 3) {
       constexpr int kPoints = 1500;
       int free = 0;
@@ -139,13 +141,13 @@ TEST(ClippedTetrahedra, AgreeWithSampling) {
   }
 }
 
-TEST(ClippedTetrahedra, RefuseWrongIndices) {
+TEST(ExactTetrahedra, RefuseWrongIndices) {
   const BallSet balls = balls_of_file("1crn.xyzr");
   const Triangulation triangulation = make_triangulation(balls, 1);
   const std::vector<std::uint32_t> beyond = {
       static_cast<std::uint32_t>(triangulation.tetrahedra.size())};
-  EXPECT_THROW(clipped_outside(triangulation, balls, 0, beyond), std::invalid_argument);
-  EXPECT_TRUE(clipped_outside(triangulation, balls, 0, {}).volume_angstrom3.empty());
+  EXPECT_THROW(exact_outside(triangulation, balls, 0, beyond), std::invalid_argument);
+  EXPECT_TRUE(exact_outside(triangulation, balls, 0, {}).volume_angstrom3.empty());
 }
 
 // A cube of half width 2, cut from a tetrahedron, with a ball of radius 2.5 in it.

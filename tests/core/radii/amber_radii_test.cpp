@@ -46,7 +46,7 @@ Element element_of_type(const std::string& type) {
 }
 
 void expect_types(const std::string& residue, const TypedAtoms& atoms,
-                  AtomKind kind = AtomKind::polymer) {
+                  ResidueKind kind = ResidueKind::polymer) {
   Molecule m;
   std::string all;
   for (const TypedAtom& atom : atoms) {
@@ -279,7 +279,8 @@ TEST(AmberRadii, EveryAtomOfRnaInFourSpellings) {
                     std::string(kSugar) + "H5':H1 H5'':H1 H2'':H1 O2':OH H2':HO O5':OS O3':OS");
 }
 
-AssignedRadius radius(const char* residue, const char* name, const char* element, AtomKind kind) {
+AssignedRadius radius(const char* residue, const char* name, const char* element,
+                      ResidueKind kind) {
   Molecule m;
   Atom a;
   a.residue_name = m.names.intern(residue);
@@ -295,26 +296,26 @@ TEST(AmberRadii, IonsAreIonsAndHalogensOfMoleculesAreNot) {
                                                {"Cl", 2470}, {"K", 2658},  {"Ca", 1713},
                                                {"Zn", 1100}, {"Rb", 2956}, {"Cs", 3395}};
   for (const auto& [element, milli] : kIons) {
-    const AssignedRadius ion = radius("ION", element, element, AtomKind::ion);
+    const AssignedRadius ion = radius("ION", element, element, ResidueKind::ion);
     EXPECT_EQ(ion.microangstrom, milli * 1000) << element;
     EXPECT_FALSE(ion.guessed) << element;
   }
   const std::pair<const char*, int> kCovalent[] = {
       {"F", 1750}, {"Cl", 1948}, {"Br", 2220}, {"I", 2350}};
   for (const auto& [element, milli] : kCovalent) {
-    const AssignedRadius bound = radius("LIG", element, element, AtomKind::ligand);
+    const AssignedRadius bound = radius("LIG", element, element, ResidueKind::ligand);
     EXPECT_EQ(bound.microangstrom, milli * 1000) << element;
     EXPECT_FALSE(bound.guessed) << element;
   }
   for (const char* element : {"F", "Br", "I"}) {
-    EXPECT_TRUE(radius("ION", element, element, AtomKind::ion).guessed)
+    EXPECT_TRUE(radius("ION", element, element, ResidueKind::ion).guessed)
         << "parm99 has no " << element << " ion";
   }
 }
 
 TEST(AmberRadii, WatersOfEveryNameAreTip3p) {
   for (const char* name : {"HOH", "WAT", "TIP3", "SOL", "DOD"}) {
-    expect_types(name, atoms_of("O:OW H1:HW H2:HW"), AtomKind::water);
+    expect_types(name, atoms_of("O:OW H1:HW H2:HW"), ResidueKind::water);
   }
 }
 
@@ -340,16 +341,17 @@ TEST(AmberRadii, TheBackboneOfAModifiedResidueIsThatOfAll) {
   EXPECT_EQ(lookup.radius(4).microangstrom, 600000);
   EXPECT_TRUE(lookup.radius(5).guessed);
   EXPECT_TRUE(lookup.radius(6).guessed);
-  for (Atom& a : m.atoms) a.kind = AtomKind::ligand;
+  for (Atom& a : m.atoms) a.kind = ResidueKind::ligand;
   EXPECT_TRUE(RadiiLookup(m, RadiiSet::amber, nullptr).radius(4).guessed);
 }
 
 TEST(AmberRadii, WhatIsNotTypedIsSaidToBeGuessed) {
-  EXPECT_FALSE(radius("LIG", "C1", "C", AtomKind::ligand).guessed) << "every carbon has one radius";
-  EXPECT_TRUE(radius("LIG", "O1", "O", AtomKind::ligand).guessed);
-  EXPECT_TRUE(radius("LIG", "H1", "H", AtomKind::ligand).guessed);
-  EXPECT_EQ(radius("LIG", "H1", "H", AtomKind::ligand).microangstrom, 1487000);
-  EXPECT_TRUE(radius("UNK", "HB", "H", AtomKind::polymer).guessed);
+  EXPECT_FALSE(radius("LIG", "C1", "C", ResidueKind::ligand).guessed)
+      << "every carbon has one radius";
+  EXPECT_TRUE(radius("LIG", "O1", "O", ResidueKind::ligand).guessed);
+  EXPECT_TRUE(radius("LIG", "H1", "H", ResidueKind::ligand).guessed);
+  EXPECT_EQ(radius("LIG", "H1", "H", ResidueKind::ligand).microangstrom, 1487000);
+  EXPECT_TRUE(radius("UNK", "HB", "H", ResidueKind::polymer).guessed);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace alphascope {
 namespace {
 
 AssignedRadius radius(RadiiSet set, const char* residue, const char* name, const char* element,
-                      AtomKind kind = AtomKind::polymer,
+                      ResidueKind kind = ResidueKind::polymer,
                       std::shared_ptr<const UserRadii> user = nullptr) {
   Molecule m;
   Atom a;
@@ -85,7 +85,7 @@ TEST(RadiiSets, ValuesOfThePapers) {
 TEST(RadiiSets, WhatASetLacksIsMarkedGuessedWithItsSource) {
   EXPECT_TRUE(radius(RadiiSet::protor, "HEM", "CHA", "C").guessed);
   EXPECT_EQ(radius(RadiiSet::bondi, "XXX", "?", "X").microangstrom, 1800000);
-  EXPECT_TRUE(radius(RadiiSet::protor, "ALA", "CA", "C", AtomKind::ligand).guessed);
+  EXPECT_TRUE(radius(RadiiSet::protor, "ALA", "CA", "C", ResidueKind::ligand).guessed);
   EXPECT_TRUE(radius(RadiiSet::protor, "ALA", "CA", "C").source.empty());
   for (const RadiiSetInfo& info : all_radii_sets()) {
     if (info.set <= RadiiSet::file || info.set == RadiiSet::user) continue;
@@ -97,27 +97,27 @@ TEST(RadiiSets, WhatASetLacksIsMarkedGuessedWithItsSource) {
 TEST(RadiiSets, MetalsAreIonsWhereTheSetIsMadeForBiomolecules) {
   for (const RadiiSet set :
        {RadiiSet::protor, RadiiSet::castp, RadiiSet::naccess, RadiiSet::rasmol}) {
-    const AssignedRadius iron = radius(set, "HEM", "FE", "Fe", AtomKind::ligand);
+    const AssignedRadius iron = radius(set, "HEM", "FE", "Fe", ResidueKind::ligand);
     EXPECT_EQ(iron.microangstrom, 610000);
     EXPECT_TRUE(iron.guessed);
     EXPECT_EQ(iron.source, "ionic radius, Shannon 1976");
-    EXPECT_EQ(radius(set, "CA", "CA", "Ca", AtomKind::ion).microangstrom, 1000000);
-    EXPECT_EQ(radius(set, "ZN", "ZN", "Zn", AtomKind::ion).microangstrom, 740000);
-    EXPECT_EQ(radius(set, "CL", "CL", "Cl", AtomKind::ion).microangstrom, 1810000);
-    EXPECT_EQ(radius(set, "LIG", "CL1", "Cl", AtomKind::ligand).microangstrom, 1750000)
+    EXPECT_EQ(radius(set, "CA", "CA", "Ca", ResidueKind::ion).microangstrom, 1000000);
+    EXPECT_EQ(radius(set, "ZN", "ZN", "Zn", ResidueKind::ion).microangstrom, 740000);
+    EXPECT_EQ(radius(set, "CL", "CL", "Cl", ResidueKind::ion).microangstrom, 1810000);
+    EXPECT_EQ(radius(set, "LIG", "CL1", "Cl", ResidueKind::ligand).microangstrom, 1750000)
         << "chlorine of a molecule is no chloride";
   }
   // AMBER has radii for its own ions, but none for iron.
-  EXPECT_EQ(radius(RadiiSet::amber, "CA", "CA", "Ca", AtomKind::ion).microangstrom, 1713000);
-  EXPECT_FALSE(radius(RadiiSet::amber, "CA", "CA", "Ca", AtomKind::ion).guessed);
+  EXPECT_EQ(radius(RadiiSet::amber, "CA", "CA", "Ca", ResidueKind::ion).microangstrom, 1713000);
+  EXPECT_FALSE(radius(RadiiSet::amber, "CA", "CA", "Ca", ResidueKind::ion).guessed);
   EXPECT_EQ(radius(RadiiSet::amber, "HEM", "FE", "Fe").microangstrom, 610000);
 }
 
 TEST(RadiiSets, MetalsAreAtomsInTheVanDerWaalsSets) {
-  const AssignedRadius zinc = radius(RadiiSet::bondi, "ZN", "ZN", "Zn", AtomKind::ion);
+  const AssignedRadius zinc = radius(RadiiSet::bondi, "ZN", "ZN", "Zn", ResidueKind::ion);
   EXPECT_EQ(zinc.microangstrom, 1390000);
   EXPECT_FALSE(zinc.guessed);
-  const AssignedRadius calcium = radius(RadiiSet::bondi, "CA", "CA", "Ca", AtomKind::ion);
+  const AssignedRadius calcium = radius(RadiiSet::bondi, "CA", "CA", "Ca", ResidueKind::ion);
   EXPECT_EQ(calcium.microangstrom, 2310000);
   EXPECT_EQ(calcium.source, "Mantina 2009");
   EXPECT_EQ(radius(RadiiSet::bondi, "HEM", "FE", "Fe").microangstrom, 2000000);
@@ -163,15 +163,15 @@ TEST(RadiiSets, UnitedAtomSetsDropHydrogensUnlessTold) {
 TEST(UserRadii, FirstFittingRuleCounts) {
   const TemporaryFile file("r.txt", "# mine\nC 1.7\nANY CB 1.9  # beta\nALA CB 1.95\nX 1.0\n\n");
   const auto table = read_user_radii(file.path());
-  EXPECT_EQ(radius(RadiiSet::user, "ALA", "CB", "C", AtomKind::polymer, table).microangstrom,
+  EXPECT_EQ(radius(RadiiSet::user, "ALA", "CB", "C", ResidueKind::polymer, table).microangstrom,
             1950000);
-  EXPECT_EQ(radius(RadiiSet::user, "GLY", "CB", "C", AtomKind::polymer, table).microangstrom,
+  EXPECT_EQ(radius(RadiiSet::user, "GLY", "CB", "C", ResidueKind::polymer, table).microangstrom,
             1900000);
-  EXPECT_EQ(radius(RadiiSet::user, "GLY", "CA", "C", AtomKind::polymer, table).microangstrom,
+  EXPECT_EQ(radius(RadiiSet::user, "GLY", "CA", "C", ResidueKind::polymer, table).microangstrom,
             1700000);
-  EXPECT_EQ(radius(RadiiSet::user, "GLY", "?", "X", AtomKind::polymer, table).microangstrom,
+  EXPECT_EQ(radius(RadiiSet::user, "GLY", "?", "X", ResidueKind::polymer, table).microangstrom,
             1000000);
-  EXPECT_TRUE(radius(RadiiSet::user, "GLY", "N", "N", AtomKind::polymer, table).guessed);
+  EXPECT_TRUE(radius(RadiiSet::user, "GLY", "N", "N", ResidueKind::polymer, table).guessed);
 }
 
 TEST(UserRadii, RefusesWithTheLine) {

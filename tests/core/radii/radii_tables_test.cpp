@@ -118,7 +118,7 @@ Expected expected(RadiiSet set, const std::string& symbol, bool ion) {
 }
 
 AssignedRadius radius(RadiiSet set, const std::string& residue, const std::string& name,
-                      Element element, AtomKind kind) {
+                      Element element, ResidueKind kind) {
   Molecule m;
   Atom a;
   a.residue_name = m.names.intern(residue);
@@ -140,7 +140,7 @@ TEST(RadiiTables, EveryElementOfEverySet) {
         const auto element = static_cast<Element>(z);
         const std::string symbol(element_symbol(element));
         const AssignedRadius found = radius(set, ion ? "ION" : "LIG", symbol, element,
-                                            ion ? AtomKind::ion : AtomKind::ligand);
+                                            ion ? ResidueKind::ion : ResidueKind::ligand);
         const Expected right = expected(set, symbol, ion);
         EXPECT_EQ(found.microangstrom, 1000 * right.milli)
             << radii_set_info(set).id << ' ' << symbol << (ion ? " ion" : "");
@@ -149,7 +149,7 @@ TEST(RadiiTables, EveryElementOfEverySet) {
       }
     }
   }
-  EXPECT_EQ(radius(RadiiSet::bondi, "LIG", "I1", 53, AtomKind::ligand).microangstrom, 1980000);
+  EXPECT_EQ(radius(RadiiSet::bondi, "LIG", "I1", 53, ResidueKind::ligand).microangstrom, 1980000);
 }
 
 // Heavy atoms with the types of Tsai et al. Carbon has its number of bonds: 4, 3, or 3h with one
@@ -195,7 +195,7 @@ void expect_types(RadiiSet set, const std::string& residue, const std::string& a
   for (std::string word; words >> word;) {
     const std::size_t colon = word.find(':');
     const std::string atom = word.substr(0, colon);
-    const AssignedRadius found = radius(set, residue, atom, element_of(atom), AtomKind::polymer);
+    const AssignedRadius found = radius(set, residue, atom, element_of(atom), ResidueKind::polymer);
     EXPECT_EQ(found.microangstrom, 1000 * types.at(word.substr(colon + 1)))
         << radii_set_info(set).id << ' ' << residue << ' ' << atom;
     EXPECT_FALSE(found.guessed) << radii_set_info(set).id << ' ' << residue << ' ' << atom;

@@ -79,7 +79,7 @@ TEST(ElementNames, IonsAreTheSameInEveryFormatAndColumn) {
         const Molecule m = read_text(file.name, file.text);
         ASSERT_EQ(m.atoms.size(), 1u);
         EXPECT_EQ(element_symbol(m.atoms[0].element), element_symbol(ion.element));
-        EXPECT_EQ(m.atoms[0].kind, AtomKind::ion);
+        EXPECT_EQ(m.atoms[0].kind, ResidueKind::ion);
         EXPECT_EQ(m.text(m.atoms[0].name), ion.atom);
       }
     }
@@ -121,7 +121,7 @@ TEST(ElementNames, ALigandWithAnIonsNameIsALigand) {
       SCOPED_TRACE(std::string(atom.atom) + " in " + atom.residue + ", " + file.name);
       const Molecule m = read_text(file.name, file.text);
       EXPECT_EQ(element_symbol(m.atoms[0].element), element_symbol(atom.element));
-      EXPECT_NE(m.atoms[0].kind, AtomKind::ion);
+      EXPECT_NE(m.atoms[0].kind, ResidueKind::ion);
     }
   }
 }
@@ -161,9 +161,9 @@ TEST(ElementNames, TheColumnOfElementsGoesBeforeNames) {
                 "HETATM    3 X1    ZN A   3       3.000   2.000   3.000  1.00  0.00          ZN\n");
   EXPECT_EQ(m.atoms[0].element, 20);
   EXPECT_EQ(m.atoms[1].element, 6);
-  EXPECT_EQ(m.atoms[0].kind, AtomKind::ion);
-  EXPECT_EQ(m.atoms[1].kind, AtomKind::ligand);
-  EXPECT_EQ(m.atoms[2].kind, AtomKind::ion);
+  EXPECT_EQ(m.atoms[0].kind, ResidueKind::ion);
+  EXPECT_EQ(m.atoms[1].kind, ResidueKind::ligand);
+  EXPECT_EQ(m.atoms[2].kind, ResidueKind::ion);
   for (const Atom& atom : m.atoms) EXPECT_FALSE(atom.element_guessed);
   EXPECT_TRUE(m.notes.empty());
 }
@@ -196,7 +196,7 @@ TEST(ElementNames, ChlorideOfASimulationIsChlorine) {
   ALPHASCOPE_NEED_TEST_DATA();
   const Molecule m = read_molecule(test_data("awkward/1tw7x2_h36.pdb.gz"));
   std::size_t chlorides = 0;
-  for (const Atom& atom : m.atoms) chlorides += atom.element == 17 && atom.kind == AtomKind::ion;
+  for (const Atom& atom : m.atoms) chlorides += atom.element == 17 && atom.kind == ResidueKind::ion;
   EXPECT_EQ(chlorides, 16u);
 }
 

@@ -77,9 +77,9 @@ Counts counts_of(const Molecule& molecule) {
     ++counts.atoms;
     counts.hydrogens += atom.element == kHydrogen;
     counts.hetero += atom.hetero;
-    ++(atom.kind == AtomKind::polymer ? counts.polymers
-       : atom.kind == AtomKind::water ? counts.waters
-                                      : counts.others);
+    ++(atom.kind == ResidueKind::polymer ? counts.polymers
+       : atom.kind == ResidueKind::water ? counts.waters
+                                         : counts.others);
     counts.positions.push_back(atom.position);
   }
   std::sort(counts.positions.begin(), counts.positions.end());

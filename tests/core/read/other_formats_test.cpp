@@ -88,7 +88,7 @@ TEST(ReadCharmmCard, NarrowAndWide) {
   EXPECT_EQ(narrow.atoms[1].residue_number, 12);
   EXPECT_EQ(narrow.atoms[1].insertion_code, 'A');
   EXPECT_EQ(narrow.atoms[1].element, 30);
-  EXPECT_EQ(narrow.atoms[1].kind, AtomKind::ion);
+  EXPECT_EQ(narrow.atoms[1].kind, ResidueKind::ion);
   const Molecule wide =
       read_text("a.crd",
                 "* TITLE\n         1  EXT\n"

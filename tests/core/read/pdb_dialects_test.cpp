@@ -126,7 +126,7 @@ TEST(PdbChains, OfTwoLettersAreToldByTheWholeFile) {
   const Molecule modified =
       read_text("a.pdb", "MODRES 1ABC XYZAA    2  SER\n" + chain +
                              atom(2, " N", "XYZAA   2 ", 5, "  1.00 20.00           N", "HETATM"));
-  EXPECT_EQ(modified.atoms[1].kind, AtomKind::polymer);
+  EXPECT_EQ(modified.atoms[1].kind, ResidueKind::polymer);
 }
 
 TEST(PdbChains, NamesOfFourLettersStayNames) {
@@ -135,7 +135,7 @@ TEST(PdbChains, NamesOfFourLettersStayNames) {
                              atom(3, " FE", "HEMAA   3 ", 20));
   EXPECT_EQ(m.text(m.atoms[0].residue_name), "TIP3");
   EXPECT_EQ(m.text(m.atoms[0].chain), "W");
-  EXPECT_EQ(m.atoms[0].kind, AtomKind::water);
+  EXPECT_EQ(m.atoms[0].kind, ResidueKind::water);
   EXPECT_EQ(m.text(m.atoms[1].residue_name), "ASPP");
   EXPECT_EQ(m.text(m.atoms[2].residue_name), "HEMA");
 }
@@ -211,7 +211,7 @@ TEST(ReadPdbqt, TypesAreElements) {
     EXPECT_EQ(m.atoms[k].element, types[k].second) << types[k].first;
     EXPECT_FALSE(m.atoms[k].element_guessed);
   }
-  EXPECT_EQ(m.atoms.back().kind, AtomKind::dummy) << "the glue of an opened ring";
+  EXPECT_EQ(m.atoms.back().kind, ResidueKind::dummy) << "the glue of an opened ring";
   EXPECT_FALSE(m.atoms[0].has_b_factor) << "a pose has energies there";
 }
 

@@ -58,9 +58,9 @@ TEST(ReadGro, NamesTellElementsAndResidues) {
                              atom(0, "SOL", "MW", "   4.010   3.000   3.000") + kBox);
   ASSERT_EQ(m.atoms.size(), 9u);
   const Element elements[] = {7, 6, 6, 8, 6, 11, 8, 8, kUnknownElement};
-  const AtomKind kinds[] = {AtomKind::polymer, AtomKind::polymer, AtomKind::polymer,
-                            AtomKind::polymer, AtomKind::ligand,  AtomKind::ion,
-                            AtomKind::water,   AtomKind::water,   AtomKind::dummy};
+  const ResidueKind kinds[] = {ResidueKind::polymer, ResidueKind::polymer, ResidueKind::polymer,
+                               ResidueKind::polymer, ResidueKind::ligand,  ResidueKind::ion,
+                               ResidueKind::water,   ResidueKind::water,   ResidueKind::dummy};
   for (std::size_t k = 0; k < 9; ++k) {
     EXPECT_EQ(m.atoms[k].element, elements[k]) << k;
     EXPECT_EQ(m.atoms[k].kind, kinds[k]) << k;

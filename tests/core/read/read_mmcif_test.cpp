@@ -29,7 +29,7 @@ TEST(ReadMmcif, KeepsDigitsNamesAndLines) {
   EXPECT_EQ(m.atoms[0].residue_number, 17);
   EXPECT_EQ(m.atoms[0].source_line, 18u);
   EXPECT_EQ(m.atoms[1].position.x, 1000000);
-  EXPECT_EQ(m.atoms[1].kind, AtomKind::ligand);
+  EXPECT_EQ(m.atoms[1].kind, ResidueKind::ligand);
   EXPECT_EQ(m.atoms[1].altloc, 'A');
   EXPECT_EQ(m.atoms[1].element, 26);
 }

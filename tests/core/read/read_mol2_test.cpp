@@ -38,7 +38,7 @@ TEST(ReadMol2, AtomsOfALigand) {
   EXPECT_FALSE(m.atoms[0].element_guessed);
   EXPECT_EQ(m.text(m.atoms[0].residue_name), "BEN");
   EXPECT_EQ(m.atoms[0].residue_number, 1);
-  EXPECT_EQ(m.atoms[0].kind, AtomKind::ligand);
+  EXPECT_EQ(m.atoms[0].kind, ResidueKind::ligand);
   EXPECT_EQ(all_notes(m).find("guessed"), std::string::npos) << all_notes(m);
 }
 
@@ -72,7 +72,7 @@ TEST(ReadMol2, TypesGiveElementsAndNothingElse) {
     EXPECT_EQ(counted, c.guessed) << c.type << ": " << all_notes(m);
   }
   const Molecule pair = read_text("a.mol2", molecule(2, "1 C1 0 0 0 C.3\n2 LP1 0.3 0 0 LP\n"));
-  EXPECT_EQ(pair.atoms[1].kind, AtomKind::dummy);
+  EXPECT_EQ(pair.atoms[1].kind, ResidueKind::dummy);
 }
 
 // A protein as SYBYL writes it: names of residues follow the atoms.
@@ -90,14 +90,14 @@ TEST(ReadMol2, SubstructuresAreResidues) {
   EXPECT_EQ(m.atoms[1].insertion_code, 'A');
   EXPECT_EQ(m.text(m.atoms[1].chain), "B");
   EXPECT_EQ(m.atoms[1].element, 6);
-  EXPECT_EQ(m.atoms[1].kind, AtomKind::polymer);
+  EXPECT_EQ(m.atoms[1].kind, ResidueKind::polymer);
   EXPECT_EQ(m.text(m.atoms[4].residue_name), "PO4");
   EXPECT_EQ(m.atoms[4].residue_number, 2);
-  EXPECT_EQ(m.atoms[4].kind, AtomKind::ligand);
+  EXPECT_EQ(m.atoms[4].kind, ResidueKind::ligand);
   EXPECT_EQ(m.text(m.atoms[4].chain), "");
   EXPECT_EQ(m.text(m.atoms[5].residue_name), "HOH");
   EXPECT_EQ(m.atoms[5].residue_number, 301);
-  EXPECT_EQ(m.atoms[5].kind, AtomKind::water);
+  EXPECT_EQ(m.atoms[5].kind, ResidueKind::water);
   EXPECT_EQ(m.text(m.atoms[6].residue_name), "");
 }
 
@@ -110,7 +110,7 @@ TEST(ReadMol2, BondsAreEvidence) {
   const std::string bonds = "@<TRIPOS>BOND\n1 13 14 am\n2 16 17 am\n";
   const Molecule bound = read_text("a.mol2", molecule(9, atoms, bonds));
   EXPECT_EQ(bound.text(bound.atoms[3].residue_name), "XYZ");
-  EXPECT_EQ(bound.atoms[3].kind, AtomKind::polymer);
+  EXPECT_EQ(bound.atoms[3].kind, ResidueKind::polymer);
   EXPECT_EQ(bound.atoms[3].why, ResidueReason::bond_record);
   EXPECT_NE(read_text("a.mol2", molecule(9, atoms)).atoms[3].why, ResidueReason::bond_record);
 }

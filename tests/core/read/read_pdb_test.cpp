@@ -28,11 +28,11 @@ TEST(ReadPdb, ReadsColumnsAndKinds) {
   EXPECT_EQ(m.atoms[0].position, (LatticePoint{27340, 24430, 2614}));
   EXPECT_EQ(m.atoms[1].altloc, 'A');
   EXPECT_FLOAT_EQ(m.atoms[2].occupancy, 0.6f);
-  EXPECT_EQ(m.atoms[3].kind, AtomKind::polymer) << "MODRES names it";
-  EXPECT_EQ(m.atoms[4].kind, AtomKind::ion);
+  EXPECT_EQ(m.atoms[3].kind, ResidueKind::polymer) << "MODRES names it";
+  EXPECT_EQ(m.atoms[4].kind, ResidueKind::ion);
   EXPECT_EQ(m.atoms[4].element, 30);
-  EXPECT_EQ(m.atoms[5].kind, AtomKind::ligand);
-  EXPECT_EQ(m.atoms[6].kind, AtomKind::water);
+  EXPECT_EQ(m.atoms[5].kind, ResidueKind::ligand);
+  EXPECT_EQ(m.atoms[6].kind, ResidueKind::water);
   EXPECT_EQ(m.atoms[6].insertion_code, 'A');
   EXPECT_EQ(m.atoms[6].source_line, 10u);
   EXPECT_EQ(atom_label(m, 1), "CA (A) MET 1, chain A");
@@ -48,8 +48,8 @@ TEST(ReadPdb, KnownLigandsAreLigandsWhateverTheRecord) {
                     rest.substr(1) + "ATOM      2  CA  UNK A   2 " + rest.substr(1) +
                     "HETATM    3  S   SUL A   3 " + rest.substr(1) + "HETATM    4  CA  MSE A   4 " +
                     rest.substr(1) + "ATOM      5  C1  GOL A   5 " + rest.substr(1));
-  const AtomKind expected[] = {AtomKind::ligand, AtomKind::polymer, AtomKind::ligand,
-                               AtomKind::polymer, AtomKind::ligand};
+  const ResidueKind expected[] = {ResidueKind::ligand, ResidueKind::polymer, ResidueKind::ligand,
+                                  ResidueKind::polymer, ResidueKind::ligand};
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(m.atoms[i].kind, expected[i]) << i;
 }
 

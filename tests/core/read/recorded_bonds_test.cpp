@@ -19,7 +19,7 @@ std::vector<SampleAtom> torn_chain(const char* unknown = "Q7M") {
   add_amino_acid(sample, "ALA", 'A', 3, 7.6, 0);
   for (const auto& [name, element, x] :
        {std::tuple("N9", "N", 50.0), std::tuple("C7", "C", 51.5), std::tuple("ZN9", "ZN", 54.0)}) {
-    sample.push_back({name, element, unknown, 'A', 302, x, 0, 0, true, AtomKind::ligand, "3"});
+    sample.push_back({name, element, unknown, 'A', 302, x, 0, 0, true, ResidueKind::ligand, "3"});
   }
   return sample;
 }
@@ -86,12 +86,12 @@ std::vector<Molecule> molecules_with(const std::vector<SampleAtom>& sample,
 }
 
 void expect_unknown(const std::vector<SampleAtom>& sample, const std::vector<Bond>& bonds,
-                    AtomKind kind, Why why) {
+                    ResidueKind kind, Why why) {
   int records = 0;
   for (const Molecule& m : molecules_with(sample, bonds)) {
     EXPECT_EQ(unknown_of(m).kind, kind) << records << ' ' << reason_id(unknown_of(m).why);
     EXPECT_EQ(unknown_of(m).why, why) << records << ' ' << reason_id(unknown_of(m).why);
-    EXPECT_EQ(m.atoms.front().kind, AtomKind::polymer);
+    EXPECT_EQ(m.atoms.front().kind, ResidueKind::polymer);
     ++records;
   }
 }
@@ -99,17 +99,17 @@ void expect_unknown(const std::vector<SampleAtom>& sample, const std::vector<Bon
 // Bonds from C of GLY 1 (3) to N9 (9), and from C7 (10) to N of ALA 3 (5), in either direction.
 TEST(RecordedBonds, OnBothSidesInTheChainMakeAPolymer) {
   const auto sample = torn_chain();
-  expect_unknown(sample, {{3, 9}, {10, 5}}, AtomKind::polymer, Why::bond_record);
-  expect_unknown(sample, {{9, 3}, {5, 10}}, AtomKind::polymer, Why::bond_record);
+  expect_unknown(sample, {{3, 9}, {10, 5}}, ResidueKind::polymer, Why::bond_record);
+  expect_unknown(sample, {{9, 3}, {5, 10}}, ResidueKind::polymer, Why::bond_record);
 }
 
 TEST(RecordedBonds, OnOneSideLeaveALigandAndSaySo) {
   const auto sample = torn_chain();
-  expect_unknown(sample, {{3, 9}}, AtomKind::ligand, Why::bound_ligand);
-  expect_unknown(sample, {{10, 5}}, AtomKind::ligand, Why::bound_ligand);
+  expect_unknown(sample, {{3, 9}}, ResidueKind::ligand, Why::bound_ligand);
+  expect_unknown(sample, {{10, 5}}, ResidueKind::ligand, Why::bound_ligand);
   // Bonds to CA and O, which are no ends of a residue, make a ligand that holds two residues
   // together.
-  expect_unknown(sample, {{2, 9}, {10, 8}}, AtomKind::ligand, Why::bound_ligand);
+  expect_unknown(sample, {{2, 9}, {10, 8}}, ResidueKind::ligand, Why::bound_ligand);
   EXPECT_FALSE(is_guess(Why::bound_ligand));
 }
 
@@ -117,7 +117,7 @@ TEST(RecordedBonds, OfMetalsAndWithinAResidueTellNothing) {
   const auto sample = torn_chain();
   for (const auto& bonds : {std::vector<Bond>{}, {{3, 11}, {11, 5}}, {{9, 10}}}) {
     for (const Molecule& m : molecules_with(sample, bonds)) {
-      EXPECT_EQ(unknown_of(m).kind, AtomKind::ligand);
+      EXPECT_EQ(unknown_of(m).kind, ResidueKind::ligand);
       EXPECT_TRUE(unknown_of(m).why == Why::hetatm || unknown_of(m).why == Why::after_ter);
     }
   }
@@ -148,7 +148,7 @@ TEST(RecordedBonds, NameChainsOfTwoLetters) {
 
 // A known ligand stays a ligand, for example a haem tied to the ends of a chain.
 TEST(RecordedBonds, AKnownLigandStaysOne) {
-  expect_unknown(torn_chain("NAG"), {{3, 9}, {10, 5}}, AtomKind::ligand, Why::bound_ligand);
+  expect_unknown(torn_chain("NAG"), {{3, 9}, {10, 5}}, ResidueKind::ligand, Why::bound_ligand);
 }
 
 TEST(RecordedBonds, ToAnotherAsymmetricUnitAreNone) {

@@ -17,8 +17,8 @@ struct SampleAtom {
   int number;
   double x, y, z;
   bool hetero = false;
-  AtomKind kind = AtomKind::polymer;  // its expected kind
-  const char* entity = "1";           // an id in sample_entities()
+  ResidueKind kind = ResidueKind::polymer;  // its expected kind
+  const char* entity = "1";                 // an id in sample_entities()
 };
 
 inline const char* sample_entities() {
@@ -29,7 +29,7 @@ inline const char* sample_entities() {
 // Adds N, CA, C and O of the k-th residue of a chain along x. From C to the next N is 1.33 Å.
 inline void add_amino_acid(std::vector<SampleAtom>& sample, const char* residue, char chain,
                            int number, double x, double y, bool hetero = false,
-                           AtomKind kind = AtomKind::polymer, const char* entity = "1") {
+                           ResidueKind kind = ResidueKind::polymer, const char* entity = "1") {
   sample.push_back({"N", "N", residue, chain, number, x, y, 0, hetero, kind, entity});
   sample.push_back({"CA", "C", residue, chain, number, x + 1.2, y + 0.8, 0, hetero, kind, entity});
   sample.push_back({"C", "C", residue, chain, number, x + 2.47, y, 0, hetero, kind, entity});
@@ -51,7 +51,7 @@ inline std::vector<SampleAtom> residue_sample() {
     const double x = 6.0 * k;
     const auto add = [&](const char* name, const char* element, double at, double z) {
       sample.push_back(
-          {name, element, base, 'B', k + 1, x + at, 20, z, false, AtomKind::polymer, "2"});
+          {name, element, base, 'B', k + 1, x + at, 20, z, false, ResidueKind::polymer, "2"});
     };
     add("P", "P", 0, 0);
     add("O5'", "O", 1.6, 0);
@@ -60,13 +60,13 @@ inline std::vector<SampleAtom> residue_sample() {
     add("C3'", "C", 3.9, -0.2);
     add("O3'", "O", 4.6, 0.6);
   }
-  sample.push_back({"C1", "C", "LQ9", 'A', 301, 0, 40, 0, true, AtomKind::ligand, "3"});
-  sample.push_back({"C2", "C", "LQ9", 'A', 301, 1.5, 40, 0, true, AtomKind::ligand, "3"});
-  sample.push_back({"O3", "O", "LQ9", 'A', 301, 2.7, 40, 0, true, AtomKind::ligand, "3"});
-  add_amino_acid(sample, "GLY", 'A', 302, 0, 50, true, AtomKind::ligand, "5");
-  sample.push_back({"ZN", "ZN", "ZN", 'A', 303, 0, 60, 0, true, AtomKind::ion, "4"});
-  sample.push_back({"O", "O", "HOH", 'A', 304, 0, 70, 0, true, AtomKind::water, "6"});
-  sample.push_back({"O", "O", "WQ3", 'A', 305, 0, 80, 0, true, AtomKind::water, "6"});
+  sample.push_back({"C1", "C", "LQ9", 'A', 301, 0, 40, 0, true, ResidueKind::ligand, "3"});
+  sample.push_back({"C2", "C", "LQ9", 'A', 301, 1.5, 40, 0, true, ResidueKind::ligand, "3"});
+  sample.push_back({"O3", "O", "LQ9", 'A', 301, 2.7, 40, 0, true, ResidueKind::ligand, "3"});
+  add_amino_acid(sample, "GLY", 'A', 302, 0, 50, true, ResidueKind::ligand, "5");
+  sample.push_back({"ZN", "ZN", "ZN", 'A', 303, 0, 60, 0, true, ResidueKind::ion, "4"});
+  sample.push_back({"O", "O", "HOH", 'A', 304, 0, 70, 0, true, ResidueKind::water, "6"});
+  sample.push_back({"O", "O", "WQ3", 'A', 305, 0, 80, 0, true, ResidueKind::water, "6"});
   return sample;
 }
 
@@ -83,7 +83,7 @@ inline std::string quoted(const std::string& name) {
 
 // True when a polymer of a sample ends before this atom.
 inline bool ends_chain(const SampleAtom* before, const SampleAtom& atom) {
-  return before && before->kind == AtomKind::polymer &&
+  return before && before->kind == ResidueKind::polymer &&
          std::string_view(before->entity) != atom.entity;
 }
 
@@ -139,7 +139,7 @@ inline std::string as_mmcif(const std::vector<SampleAtom>& sample, const CifDial
     const std::string asym =
         dialect.entities ? std::string("L") + a.entity : std::string(1, a.chain);
     const bool numbered =
-        dialect.numbers_all || (dialect.numbers_polymers && a.kind == AtomKind::polymer);
+        dialect.numbers_all || (dialect.numbers_polymers && a.kind == ResidueKind::polymer);
     text +=
         text_of("%d %s %s %s %s %s %s %.3f %.3f %.3f", ++serial, a.element, quoted(a.name).c_str(),
                 a.residue, asym.c_str(), dialect.entities ? a.entity : "?",

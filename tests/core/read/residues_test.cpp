@@ -80,12 +80,12 @@ TEST(Residues, TheEntityTableGoesBeforeNumbersAndNames) {
       "HETATM FE FE HEM G 2 201 50 0 0\nHETATM ZN ZN ZN H 2 202 60 0 0\n"
       "HETATM O O HOH A 1 9 70 0 0\nHETATM O O W4X H 2 203 80 0 0\n";
   const Molecule m = read_text("a.cif", text);
-  const std::pair<AtomKind, Why> right[] = {
-      {AtomKind::polymer, Why::entity_polymer},    {AtomKind::polymer, Why::entity_polymer},
-      {AtomKind::ligand, Why::entity_non_polymer}, {AtomKind::ligand, Why::entity_branched},
-      {AtomKind::ligand, Why::entity_non_polymer}, {AtomKind::water, Why::entity_water},
-      {AtomKind::ligand, Why::entity_non_polymer}, {AtomKind::ion, Why::ion_name},
-      {AtomKind::water, Why::water_name},          {AtomKind::water, Why::one_oxygen}};
+  const std::pair<ResidueKind, Why> right[] = {
+      {ResidueKind::polymer, Why::entity_polymer},    {ResidueKind::polymer, Why::entity_polymer},
+      {ResidueKind::ligand, Why::entity_non_polymer}, {ResidueKind::ligand, Why::entity_branched},
+      {ResidueKind::ligand, Why::entity_non_polymer}, {ResidueKind::water, Why::entity_water},
+      {ResidueKind::ligand, Why::entity_non_polymer}, {ResidueKind::ion, Why::ion_name},
+      {ResidueKind::water, Why::water_name},          {ResidueKind::water, Why::one_oxygen}};
   ASSERT_EQ(m.atoms.size(), std::size(right));
   for (std::size_t i = 0; i < std::size(right); ++i) {
     EXPECT_EQ(m.atoms[i].kind, right[i].first) << i;
@@ -116,7 +116,7 @@ TEST(Residues, FreeAminoAcidsAreLigands) {
   add_amino_acid(sample, "CYS", 'A', 2, 3.8, 0);
   for (const auto& [name, chain, number] :
        {std::tuple("GLY", 'A', 201), std::tuple("GLU", 'A', 202), std::tuple("TYR", 'C', 203)}) {
-    add_amino_acid(sample, name, chain, number, 0, 10.0 * number, true, AtomKind::ligand, "3");
+    add_amino_acid(sample, name, chain, number, 0, 10.0 * number, true, ResidueKind::ligand, "3");
   }
   for (const bool ter : {true, false}) {
     const Molecule m = read_text("a.pdb", as_pdb(sample, ter));
@@ -135,7 +135,8 @@ TEST(Residues, ModifiedResiduesBelongToTheirChain) {
   add_amino_acid(sample, "ALA", 'A', 6, 60, 0);
   add_amino_acid(sample, "GLY", 'A', 7, 63.8, 0);
   const Molecule m = read_text("a.pdb", as_pdb(sample));
-  for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, AtomKind::polymer) << reason_id(atom.why);
+  for (const Atom& atom : m.atoms)
+    EXPECT_EQ(atom.kind, ResidueKind::polymer) << reason_id(atom.why);
   EXPECT_EQ(residue(m, 1).why, Why::chain_bond);
   EXPECT_EQ(residue(m, 4).why, Why::place_in_chain);
   // A chromophore has other atom names, but the bonds.
@@ -155,7 +156,8 @@ TEST(Residues, NumbersTellWhereNothingIsBound) {
   sample.push_back({"C", "C", "FOR", 'A', 3, 40, 0, 0, true});
   sample.push_back({"N", "N", "NH2", 'A', 4, 60, 0, 0, true});
   const Molecule m = read_text("a.pdb", as_pdb(sample));
-  for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, AtomKind::polymer) << reason_id(atom.why);
+  for (const Atom& atom : m.atoms)
+    EXPECT_EQ(atom.kind, ResidueKind::polymer) << reason_id(atom.why);
 }
 
 TEST(Residues, ModelsOfFewAtomsAreChains) {
@@ -164,7 +166,8 @@ TEST(Residues, ModelsOfFewAtomsAreChains) {
     sample.push_back({"CA", "C", "QAA", 'A', k, 3.8 * k, 0, 0, true});
   }
   const Molecule m = read_text("a.pdb", as_pdb(sample));
-  for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, AtomKind::polymer) << reason_id(atom.why);
+  for (const Atom& atom : m.atoms)
+    EXPECT_EQ(atom.kind, ResidueKind::polymer) << reason_id(atom.why);
 }
 
 TEST(Residues, AtomRecordsOfNoPolymerAreLigandsAndSaid) {
@@ -176,9 +179,9 @@ TEST(Residues, AtomRecordsOfNoPolymerAreLigandsAndSaid) {
     sample.push_back({"O3", "O", name, 'A', number, 1.2 + number, 20, 0});
   }
   const Molecule m = read_text("a.pdb", as_pdb(sample));
-  EXPECT_EQ(residue(m, 1).kind, AtomKind::polymer);
+  EXPECT_EQ(residue(m, 1).kind, ResidueKind::polymer);
   for (const int number : {10, 20}) {
-    EXPECT_EQ(residue(m, number).kind, AtomKind::ligand);
+    EXPECT_EQ(residue(m, number).kind, ResidueKind::ligand);
     EXPECT_EQ(residue(m, number).why, Why::no_polymer);
   }
   EXPECT_TRUE(says(m, "2 residues (A:QIG 10, A:UNK 20)"));
@@ -191,24 +194,24 @@ TEST(Residues, OneOxygenIsWaterWhateverItsName) {
     sample.push_back({"H1", "H", name, 'W', 1, 0.96, 0, 0});
     sample.push_back({"H2", "D", name, 'W', 1, -0.24, 0.93, 0});
     const Molecule m = read_text("a.pdb", as_pdb(sample));
-    for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, AtomKind::water) << name;
+    for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, ResidueKind::water) << name;
   }
   // Methanol and hydroxide are no water.
   std::vector<SampleAtom> others;
-  others.push_back({"C", "C", "QZ3", 'W', 1, 1.4, 0, 0, true, AtomKind::ligand});
-  others.push_back({"O", "O", "QZ3", 'W', 1, 0, 0, 0, true, AtomKind::ligand});
-  others.push_back({"O", "O", "OH", 'W', 2, 9, 0, 0, true, AtomKind::ligand});
+  others.push_back({"C", "C", "QZ3", 'W', 1, 1.4, 0, 0, true, ResidueKind::ligand});
+  others.push_back({"O", "O", "QZ3", 'W', 1, 0, 0, 0, true, ResidueKind::ligand});
+  others.push_back({"O", "O", "OH", 'W', 2, 9, 0, 0, true, ResidueKind::ligand});
   for (const Atom& atom : read_text("a.pdb", as_pdb(others)).atoms) {
-    EXPECT_EQ(atom.kind, AtomKind::ligand);
+    EXPECT_EQ(atom.kind, ResidueKind::ligand);
   }
 }
 
 TEST(Residues, OneMetalIsAnIon) {
-  std::vector<SampleAtom> sample{{"ZN", "ZN", "QZN", 'A', 1, 0, 0, 0, true, AtomKind::ion},
-                                 {"FE", "FE", "HEM", 'A', 2, 9, 0, 0, true, AtomKind::ligand}};
+  std::vector<SampleAtom> sample{{"ZN", "ZN", "QZN", 'A', 1, 0, 0, 0, true, ResidueKind::ion},
+                                 {"FE", "FE", "HEM", 'A', 2, 9, 0, 0, true, ResidueKind::ligand}};
   const Molecule m = read_text("a.pdb", as_pdb(sample));
   EXPECT_EQ(m.atoms[0].why, Why::one_metal);
-  EXPECT_EQ(m.atoms[1].kind, AtomKind::ligand) << "a haem of which one atom is seen";
+  EXPECT_EQ(m.atoms[1].kind, ResidueKind::ligand) << "a haem of which one atom is seen";
 }
 
 TEST(Residues, ModelsOfTheSameAtomsGetTheSameAnswers) {
@@ -222,7 +225,7 @@ TEST(Residues, ModelsOfTheSameAtomsGetTheSameAnswers) {
   const Molecule m =
       read_text("a.pdb", "MODEL 1\n" + text + "ENDMDL\nMODEL 2\n" + torn + "ENDMDL\n");
   ASSERT_EQ(m.models.size(), 2u);
-  for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, AtomKind::polymer);
+  for (const Atom& atom : m.atoms) EXPECT_EQ(atom.kind, ResidueKind::polymer);
 }
 
 // Two residue types at one place, whose atoms alternate.
@@ -244,7 +247,7 @@ TEST(Residues, AlternativeTypesAreOneEach) {
     }
   }
   for (const Atom& atom : read_text("a.pdb", text).atoms) {
-    EXPECT_EQ(atom.kind, AtomKind::polymer) << reason_id(atom.why);
+    EXPECT_EQ(atom.kind, ResidueKind::polymer) << reason_id(atom.why);
   }
 }
 

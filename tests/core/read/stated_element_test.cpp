@@ -10,7 +10,7 @@
 namespace alphascope {
 namespace {
 
-void expect_stated(const StatedElement& stated, Statement what, const char* symbol,
+void expect_stated(const StatedElement& stated, ElementStatement what, const char* symbol,
                    const std::string& text) {
   EXPECT_EQ(stated.what, what) << text;
   EXPECT_EQ(stated.element, *symbol ? element_from_symbol(symbol) : kUnknownElement) << text;
@@ -21,21 +21,21 @@ TEST(StatedElement, SymbolsMayHaveACharge) {
        {std::pair("C", "C"), std::pair("zn", "ZN"), std::pair("ZN", "ZN"), std::pair("Zn2+", "ZN"),
         std::pair("O2-", "O"), std::pair("N1+", "N"), std::pair("Na+", "NA"),
         std::pair("Fe+3", "FE"), std::pair("Ca++", "CA"), std::pair("CL-", "CL")}) {
-    expect_stated(stated_element(text), Statement::element, symbol, text);
+    expect_stated(stated_element(text), ElementStatement::element, symbol, text);
   }
 }
 
 TEST(StatedElement, WhatIsNoneIsTold) {
-  expect_stated(stated_element(""), Statement::none, "", "nothing");
+  expect_stated(stated_element(""), ElementStatement::none, "", "nothing");
   for (const char* text : {"X", "xx"}) {
-    expect_stated(stated_element(text), Statement::placeholder, "", text);
+    expect_stated(stated_element(text), ElementStatement::placeholder, "", text);
   }
   for (const char* text : {"EP", "epw", "LP", "VS", "DU", "Mw"}) {
-    expect_stated(stated_element(text), Statement::virtual_site, "", text);
+    expect_stated(stated_element(text), ElementStatement::virtual_site, "", text);
   }
   for (const char* text :
        {"C12", "OA", "2+", "+", "Zn2+-", "Zn+2+", "Zn2", "Qq+", "C+1.5", "Zn222222+", "carbon"}) {
-    expect_stated(stated_element(text), Statement::other, "", text);
+    expect_stated(stated_element(text), ElementStatement::other, "", text);
   }
 }
 
@@ -48,13 +48,13 @@ TEST(StatedElement, OfAutoDocksTypes) {
         std::pair("Na", "NA"), std::pair("Cl", "CL"),  std::pair("CL", "CL"), std::pair("Zn", "ZN"),
         std::pair("F", "F"),   std::pair("Fe", "FE"),  std::pair("P", "P"),   std::pair("I", "I"),
         std::pair("CG0", "C"), std::pair("CG12", "C"), std::pair("Q", "C")}) {
-    expect_stated(autodock_element(type), Statement::element, symbol, type);
+    expect_stated(autodock_element(type), ElementStatement::element, symbol, type);
   }
   for (const char* type : {"G0", "G12", "TZ", "W"}) {
-    expect_stated(autodock_element(type), Statement::virtual_site, "", type);
+    expect_stated(autodock_element(type), ElementStatement::virtual_site, "", type);
   }
-  expect_stated(autodock_element(""), Statement::none, "", "nothing");
-  expect_stated(autodock_element("OX9"), Statement::other, "", "OX9");
+  expect_stated(autodock_element(""), ElementStatement::none, "", "nothing");
+  expect_stated(autodock_element("OX9"), ElementStatement::other, "", "OX9");
 }
 
 }  // namespace

@@ -26,10 +26,10 @@ inline std::vector<SampleAtom> twin_sample() {
   for (int k = 0; k < 8; ++k) {
     const auto& [x, y, z] = kCorners[k];
     cage.push_back({"CA", "C", "ALA", 'C', k + 1, kCageSide * x, kCageSide * y - 40, kCageSide * z,
-                    false, AtomKind::polymer, "7"});
+                    false, ResidueKind::polymer, "7"});
   }
   const auto first_of_others = std::find_if(sample.begin(), sample.end(), [](const SampleAtom& a) {
-    return a.kind != AtomKind::polymer;
+    return a.kind != ResidueKind::polymer;
   });
   sample.insert(first_of_others, cage.begin(), cage.end());
   return sample;
@@ -61,7 +61,7 @@ inline std::string cif_value(const SampleAtom& a, std::string_view tag, int seri
                              const CifProgram& program) {
   const auto number = [](double x) { return text_of("%.3f", x); };
   const std::string asym = program.own_asym ? std::string("L") + a.entity : std::string(1, a.chain);
-  const bool numbered = program.numbers_all || a.kind == AtomKind::polymer;
+  const bool numbered = program.numbers_all || a.kind == ResidueKind::polymer;
   if (tag == "group_PDB") return a.hetero ? "HETATM" : "ATOM";
   if (tag == "id") return std::to_string(serial);
   if (tag == "type_symbol") return element_as_written(a, program.mixed_case);

@@ -242,7 +242,7 @@ TEST(Twins, WithoutHetatmHaveThemByAGuess) {
     const Molecule m = read_text(twin.file, twin.text);
     expect_kinds(twin, m, sample);
     for (std::size_t i = 0; i < m.atoms.size() && i < sample.size(); ++i) {
-      EXPECT_EQ(is_guess(m.atoms[i].why), sample[i].kind == AtomKind::ligand) << twin.dialect;
+      EXPECT_EQ(is_guess(m.atoms[i].why), sample[i].kind == ResidueKind::ligand) << twin.dialect;
     }
   }
 }
@@ -265,7 +265,7 @@ TEST(Twins, HaveTheSameRadii) {
   for (std::size_t i = 0; i < sample.size(); ++i) {
     const std::string_view residue = sample[i].residue;
     if (residue != "ALA" && residue != "GLY") continue;
-    if (sample[i].kind != AtomKind::polymer) continue;
+    if (sample[i].kind != ResidueKind::polymer) continue;
     EXPECT_EQ(castps[i], castp_radius(sample[i])) << residue << ' ' << sample[i].name;
     ++known;
   }
@@ -299,8 +299,8 @@ TEST(Twins, HaveTheSameCavities) {
 // Two chains with equal residue numbers, side by side in a file without chain names.
 TEST(Twins, OfOpenBabelKeepTheirChainsApart) {
   const std::vector<SampleAtom> sample{
-      {"O", "O", "HOH", 'A', 1, 0, 0, 0, true, AtomKind::water, "1"},
-      {"O", "O", "HOH", 'B', 1, 9, 0, 0, true, AtomKind::water, "1"}};
+      {"O", "O", "HOH", 'A', 1, 0, 0, 0, true, ResidueKind::water, "1"},
+      {"O", "O", "HOH", 'B', 1, 9, 0, 0, true, ResidueKind::water, "1"}};
   const Molecule m = read_text("a.cif", as_cif(sample, open_babels()));
   ASSERT_EQ(m.atoms.size(), 2u);
   EXPECT_EQ(m.text(m.atoms[0].chain), "1");

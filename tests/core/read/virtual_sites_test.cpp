@@ -21,8 +21,8 @@ std::string pdb_atom(const std::string& name, const std::string& residue, double
   return line;
 }
 
-std::vector<AtomKind> kinds(const Molecule& m) {
-  std::vector<AtomKind> result;
+std::vector<ResidueKind> kinds(const Molecule& m) {
+  std::vector<ResidueKind> result;
   for (const Atom& atom : m.atoms) result.push_back(atom.kind);
   return result;
 }
@@ -38,7 +38,8 @@ TEST(VirtualSites, OfWaters) {
   for (const char* site : {"EPW", "EP", " MW", "MW1", " M", " LP1", " EP2"}) {
     const Molecule m = read_text("a.pdb", pdb_atom(" O", "WAT", 0) + pdb_atom(" H1", "WAT", 1) +
                                               pdb_atom(site, "WAT", 0.15));
-    EXPECT_EQ(kinds(m), (std::vector{AtomKind::water, AtomKind::water, AtomKind::dummy})) << site;
+    EXPECT_EQ(kinds(m), (std::vector{ResidueKind::water, ResidueKind::water, ResidueKind::dummy}))
+        << site;
     EXPECT_TRUE(is_noted(m, "1 of 3")) << site;
   }
 }
@@ -49,7 +50,8 @@ TEST(VirtualSites, OfProteinsAndLigands) {
                              pdb_atom("MCH3", "ALA", 5) + pdb_atom("MNH1", "LYS", 9) +
                              pdb_atom(" QB", "ALA", 12) + pdb_atom("LPOA", "ALA", 15) +
                              pdb_atom(" DU", "LIG", 18) + pdb_atom(" X1", "LIG", 19, "X"));
-  for (std::size_t k = 1; k < m.atoms.size(); ++k) EXPECT_EQ(m.atoms[k].kind, AtomKind::dummy) << k;
+  for (std::size_t k = 1; k < m.atoms.size(); ++k)
+    EXPECT_EQ(m.atoms[k].kind, ResidueKind::dummy) << k;
   EXPECT_EQ(prepare_balls(m).balls->size(), 1u);
 }
 
@@ -61,7 +63,8 @@ TEST(VirtualSites, AtomsOfSuchNamesAreAtoms) {
                    pdb_atom(" D", "ALA", 8) + pdb_atom(" CA", "GLY", 12, "X") +
                    pdb_atom(" UNK", "UNX", 16, "X", "HETATM") + pdb_atom("VS1", "LIG", 20, "V") +
                    pdb_atom(" DU", "LIG", 24, "D") + pdb_atom(" AD1", "ASN", 28));
-  for (std::size_t k = 0; k < m.atoms.size(); ++k) EXPECT_NE(m.atoms[k].kind, AtomKind::dummy) << k;
+  for (std::size_t k = 0; k < m.atoms.size(); ++k)
+    EXPECT_NE(m.atoms[k].kind, ResidueKind::dummy) << k;
   const Element expected[] = {12, 1, 1, 0, 0, 23, 1, 0};
   for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(m.atoms[k].element, expected[k]) << k;
 }
@@ -78,7 +81,8 @@ TEST(VirtualSites, DrudeParticlesStandOnTheirAtoms) {
       "    7    2 ALA  DB    12.00000   2.00000   3.00000 PRO  2      0.00000\n";
   const Molecule m = read_text("a.crd", card);
   const bool dummy[] = {false, true, true, false, false, true, false};
-  for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(m.atoms[k].kind == AtomKind::dummy, dummy[k]) << k;
+  for (std::size_t k = 0; k < 7; ++k)
+    EXPECT_EQ(m.atoms[k].kind == ResidueKind::dummy, dummy[k]) << k;
   EXPECT_EQ(m.atoms[6].element, kHydrogen) << "deuterium, since no B is beside it";
 }
 
@@ -112,9 +116,9 @@ TEST(VirtualSites, OfAResidueOfManyAtomsAreFoundNearThem) {
   add(particle, last, -501, false);
   add(particle, last, -500, true);
   m.models.push_back({1, 0, m.atoms.size()});
-  mark_sites_on_their_atoms(m);
+  mark_sites_at_atoms(m);
   for (std::size_t i = 0; i < m.atoms.size(); ++i) {
-    ASSERT_EQ(m.atoms[i].kind == AtomKind::dummy, is_site[i]) << i;
+    ASSERT_EQ(m.atoms[i].kind == ResidueKind::dummy, is_site[i]) << i;
     ASSERT_EQ(m.atoms[i].element, is_site[i] ? kUnknownElement : Element{6}) << i;
   }
 }
@@ -138,9 +142,9 @@ TEST(VirtualSites, StandOnAtomsOfTheirLocationAndResidue) {
   add("DCB", 'A', 1);
   add("DCA", 'A', 2);
   m.models.push_back({1, 0, m.atoms.size()});
-  mark_sites_on_their_atoms(m);
+  mark_sites_at_atoms(m);
   for (std::size_t i = 0; i < m.atoms.size(); ++i) {
-    EXPECT_EQ(m.atoms[i].kind == AtomKind::dummy, i == 1) << i;
+    EXPECT_EQ(m.atoms[i].kind == ResidueKind::dummy, i == 1) << i;
   }
 }
 
@@ -243,7 +247,7 @@ TEST(ReadComponent, ItsCoordinatesAreRead) {
   ASSERT_EQ(m.atoms.size(), 2u);
   EXPECT_EQ(m.atoms[0].element, 17);
   EXPECT_EQ(m.atoms[1].position, (LatticePoint{1000, 2000, 4500}));
-  EXPECT_EQ(m.atoms[0].kind, AtomKind::ligand);
+  EXPECT_EQ(m.atoms[0].kind, ResidueKind::ligand);
   const Molecule ideal =
       read_text("a.cif", head + "XYZ CL1 CL ? ? ? 4 5 6\nXYZ C2 C 1 2 3 4 5 7\n");
   EXPECT_EQ(ideal.atoms[1].position, (LatticePoint{4000, 5000, 7000}));

@@ -27,7 +27,7 @@ TEST(ChildProgram, IsFedAndAnswersWithItsStatus) {
   EXPECT_TRUE(child.write(bytes(1000000), {}));
   EXPECT_TRUE(child.write(bytes(2000000), {}));
   EXPECT_EQ(child.finish({}), 7);
-  EXPECT_EQ(child.said(), "enough\n");
+  EXPECT_EQ(child.error_output(), "enough\n");
 }
 
 TEST(ChildProgram, ThatEndsEarlyTakesNoMore) {
@@ -36,7 +36,7 @@ TEST(ChildProgram, ThatEndsEarlyTakesNoMore) {
   for (int k = 0; k < 1000 && taken; ++k) taken = child.write(bytes(100000), {});
   EXPECT_FALSE(taken) << "and no signal ended this program";
   EXPECT_EQ(child.finish({}), 3);
-  EXPECT_EQ(child.said(3), "ft\n") << "the end of it";
+  EXPECT_EQ(child.error_output(3), "ft\n") << "the end of it";
 }
 
 TEST(ChildProgram, ThatTakesNothingCanBeCancelledAndIsEnded) {

@@ -257,9 +257,9 @@ TEST(Contents, CountsChainsAndKinds) {
   ASSERT_EQ(c.chains.size(), 2u);
   EXPECT_EQ(c.chains[0].name, "A");
   EXPECT_EQ(c.chains[0].atoms, 6u);
-  EXPECT_EQ(c.chains[1].kinds[static_cast<std::size_t>(AtomKind::water)], 2u);
-  EXPECT_EQ(c.kinds[static_cast<std::size_t>(AtomKind::water)], 3u);
-  EXPECT_EQ(c.kinds[static_cast<std::size_t>(AtomKind::ligand)], 3u)
+  EXPECT_EQ(c.chains[1].kinds[static_cast<std::size_t>(ResidueKind::water)], 2u);
+  EXPECT_EQ(c.kinds[static_cast<std::size_t>(ResidueKind::water)], 3u);
+  EXPECT_EQ(c.kinds[static_cast<std::size_t>(ResidueKind::ligand)], 3u)
       << "UNK without a backbone's atoms is none, as HETATM";
   EXPECT_EQ(c.with_altloc, 2u);
   EXPECT_EQ(c.hydrogens, 0u);

@@ -16,7 +16,7 @@ using Texts = std::vector<std::string>;
 // One model of chain A.
 class ResidueGroupsTest : public ::testing::Test {
  protected:
-  void add(const char* residue, int number, AtomKind kind, Why why, int atoms = 1) {
+  void add(const char* residue, int number, ResidueKind kind, Why why, int atoms = 1) {
     for (int k = 0; k < atoms; ++k) {
       Atom atom;
       atom.chain = atom.label_chain = file_.names.intern("A");
@@ -30,17 +30,17 @@ class ResidueGroupsTest : public ::testing::Test {
   }
   // Adds two lysines of a chain and a free one, two guessed residues, and a water.
   void add_sample() {
-    add("LYS", 1, AtomKind::polymer, Why::chain_bond, 9);
-    add("LYS", 2, AtomKind::polymer, Why::chain_bond, 9);
-    add("LYS", 301, AtomKind::ligand, Why::after_ter, 9);
-    add("QQ1", 302, AtomKind::ligand, Why::no_polymer, 2);
-    add("QQ1", 303, AtomKind::ligand, Why::no_polymer, 2);
-    add("HOH", 304, AtomKind::water, Why::water_name);
+    add("LYS", 1, ResidueKind::polymer, Why::chain_bond, 9);
+    add("LYS", 2, ResidueKind::polymer, Why::chain_bond, 9);
+    add("LYS", 301, ResidueKind::ligand, Why::after_ter, 9);
+    add("QQ1", 302, ResidueKind::ligand, Why::no_polymer, 2);
+    add("QQ1", 303, ResidueKind::ligand, Why::no_polymer, 2);
+    add("HOH", 304, ResidueKind::water, Why::water_name);
   }
   ResidueGroups groups(const Texts& treatments = {}) {
     Molecule molecule = file_;
     molecule.models = {{1, 0, molecule.atoms.size()}};
-    const TreatedAtoms treated = treat(molecule, treatments);
+    const TreatedAtoms treated = apply_treatments(molecule, treatments);
     return residue_groups(file_, molecule, 0, molecule.atoms.size(), treatments, treated);
   }
   Molecule file_;
@@ -84,23 +84,23 @@ TEST_F(ResidueGroupsTest, ANameIsUsedWhereNoOtherResidueHasIt) {
 TEST_F(ResidueGroupsTest, ATreatmentChangesItsLineAndMovesNone) {
   add_sample();
   Texts treatments;
-  treat_group(treatments, groups().of[1], AtomKind::ion);
+  set_group_kind(treatments, groups().of[1], ResidueKind::ion);
   EXPECT_EQ(treatments, Texts{"A:LYS 301=ion"});
-  treat_group(treatments, groups().of[0], AtomKind::ligand);
+  set_group_kind(treatments, groups().of[0], ResidueKind::ligand);
   const ResidueGroups found = groups(treatments);
   EXPECT_EQ(names(found), names(groups()));
-  EXPECT_EQ(found.of[1].kind, AtomKind::ion);
-  EXPECT_EQ(found.of[1].file_kind, AtomKind::ligand);
+  EXPECT_EQ(found.of[1].kind, ResidueKind::ion);
+  EXPECT_EQ(found.of[1].file_kind, ResidueKind::ligand);
   EXPECT_EQ(found.of[1].treated, Texts{"A:LYS 301=ion"});
   EXPECT_EQ(why_text(found.of[1]),
             std::string("set by hand; otherwise ligand (") + reason_text(Why::after_ter) + ")");
-  EXPECT_EQ(found.of[3].kind, AtomKind::polymer) << "of the same name";
+  EXPECT_EQ(found.of[3].kind, ResidueKind::polymer) << "of the same name";
   EXPECT_EQ(found.guessed, 0u) << "what is confirmed is no guess";
   EXPECT_EQ(found.by_hand, 3u);
   EXPECT_EQ(decisions_text(found), "3 set by hand");
-  treat_group(treatments, found.of[1], AtomKind::dummy);
+  set_group_kind(treatments, found.of[1], ResidueKind::dummy);
   EXPECT_EQ(treatments, (Texts{"QQ1=ligand", "A:LYS 301=dummy"})) << "in place of the first";
-  take_back(treatments, groups(treatments).of[1]);
+  remove_treatments(treatments, groups(treatments).of[1]);
   EXPECT_EQ(treatments, Texts{"QQ1=ligand"});
 }
 
@@ -108,64 +108,65 @@ TEST_F(ResidueGroupsTest, WhatIsTakenBackIsEveryTreatmentOfThem) {
   add_sample();
   Texts treatments{"LYS=ion", "resn HOH=ligand", "A:LYS 2=water"};
   const ResidueGroups found = groups(treatments);
-  const auto of = [&](const char* name, AtomKind kind) {
+  const auto of = [&](const char* name, ResidueKind kind) {
     return *std::find_if(found.of.begin(), found.of.end(), [&](const ResidueGroup& group) {
       return group.name == name && group.kind == kind;
     });
   };
-  EXPECT_EQ(of("LYS", AtomKind::water).treated, (Texts{"LYS=ion", "A:LYS 2=water"}));
-  EXPECT_EQ(of("HOH", AtomKind::ligand).treated, Texts{"resn HOH=ligand"}) << "however it is named";
-  take_back(treatments, of("LYS", AtomKind::water));
+  EXPECT_EQ(of("LYS", ResidueKind::water).treated, (Texts{"LYS=ion", "A:LYS 2=water"}));
+  EXPECT_EQ(of("HOH", ResidueKind::ligand).treated, Texts{"resn HOH=ligand"})
+      << "however it is named";
+  remove_treatments(treatments, of("LYS", ResidueKind::water));
   EXPECT_EQ(treatments, Texts{"resn HOH=ligand"});
 }
 
 TEST_F(ResidueGroupsTest, ManyOfASharedNameAreNotNamedOneByOne) {
   const int most = static_cast<int>(kMostAddresses);
-  for (int k = 0; k < most; ++k) add("GLY", k + 1, AtomKind::polymer, Why::chain_bond);
-  add("GLY", 900, AtomKind::ligand, Why::hetatm);
+  for (int k = 0; k < most; ++k) add("GLY", k + 1, ResidueKind::polymer, Why::chain_bond);
+  add("GLY", 900, ResidueKind::ligand, Why::hetatm);
   EXPECT_EQ(groups().of[1].called.size(), kMostAddresses);
-  add("GLY", 800, AtomKind::polymer, Why::chain_bond);
+  add("GLY", 800, ResidueKind::polymer, Why::chain_bond);
   EXPECT_EQ(groups().of[1].residues, kMostAddresses + 1);
   const std::string but_one = "resn \"GLY\" and not (chain \"A\" and resi 900)";
   EXPECT_EQ(groups().of[1].called, Texts{but_one});
   EXPECT_EQ(selection_text(groups().of[1]), but_one);
   Texts treatments;
-  treat_group(treatments, groups().of[1], AtomKind::dummy);
+  set_group_kind(treatments, groups().of[1], ResidueKind::dummy);
   const ResidueGroups treated = groups(treatments);
   ASSERT_EQ(treated.of.size(), 2u);
-  EXPECT_EQ(treated.of[0].kind, AtomKind::ligand) << "the one that was left out";
-  EXPECT_EQ(treated.of[1].kind, AtomKind::dummy);
+  EXPECT_EQ(treated.of[0].kind, ResidueKind::ligand) << "the one that was left out";
+  EXPECT_EQ(treated.of[1].kind, ResidueKind::dummy);
   EXPECT_EQ(treated.of[1].residues, kMostAddresses + 1);
   EXPECT_EQ(treated.of[1].called, Texts{but_one}) << "the same words take it back";
-  for (int k = 0; k < most; ++k) add("GLY", 1000 + k, AtomKind::ligand, Why::hetatm);
+  for (int k = 0; k < most; ++k) add("GLY", 1000 + k, ResidueKind::ligand, Why::hetatm);
   EXPECT_TRUE(groups().of[1].called.empty()) << "too many of both";
   EXPECT_EQ(selection_text(groups().of[1]), "");
 }
 
 TEST_F(ResidueGroupsTest, OthersAreLeftOutWithTheirInsertionCodes) {
   for (int k = 0; k <= static_cast<int>(kMostAddresses); ++k) {
-    add("HOH", k + 1, AtomKind::water, Why::water_name);
+    add("HOH", k + 1, ResidueKind::water, Why::water_name);
   }
-  add("HOH", 7, AtomKind::ligand, Why::hetatm);
+  add("HOH", 7, ResidueKind::ligand, Why::hetatm);
   file_.atoms.back().insertion_code = 'B';
-  add("HOH", -3, AtomKind::ligand, Why::hetatm);
+  add("HOH", -3, ResidueKind::ligand, Why::hetatm);
   Texts treatments;
-  treat_group(treatments, groups().of[1], AtomKind::ion);
+  set_group_kind(treatments, groups().of[1], ResidueKind::ion);
   EXPECT_EQ(
       treatments,
       Texts{
           "resn \"HOH\" and not ((chain \"A\" and resi 7B) or (chain \"A\" and resi \"-3\"))=ion"});
   const ResidueGroups found = groups(treatments);
   ASSERT_EQ(found.of.size(), 2u);
-  EXPECT_EQ(found.of[0].kind, AtomKind::ligand);
+  EXPECT_EQ(found.of[0].kind, ResidueKind::ligand);
   EXPECT_EQ(found.of[0].residues, 2u);
   EXPECT_EQ(found.of[1].residues, kMostAddresses + 1) << "residue 7 is not 7B";
 }
 
 TEST_F(ResidueGroupsTest, PointsWithoutMatterAreNeitherCountedNorTreated) {
   for (int k = 1; k <= 3; ++k) {
-    add("TP4", k, AtomKind::water, Why::water_name, 3);
-    add("TP4", k, AtomKind::dummy, Why::virtual_site);
+    add("TP4", k, ResidueKind::water, Why::water_name, 3);
+    add("TP4", k, ResidueKind::dummy, Why::virtual_site);
   }
   const ResidueGroups found = groups({"TP4=ligand"});
   ASSERT_EQ(found.of.size(), 2u);
@@ -179,32 +180,32 @@ TEST_F(ResidueGroupsTest, PointsWithoutMatterAreNeitherCountedNorTreated) {
 
 // Atoms of a chain without residues have no address of their own, since "A:" is the whole chain.
 TEST_F(ResidueGroupsTest, WhatHasNoAddressIsNotNamed) {
-  add("LIG", 1, AtomKind::ligand, Why::hetatm);
-  add("", 0, AtomKind::polymer, Why::no_name);
+  add("LIG", 1, ResidueKind::ligand, Why::hetatm);
+  add("", 0, ResidueKind::polymer, Why::no_name);
   const ResidueGroups found = groups();
   ASSERT_EQ(found.of.size(), 2u);
   EXPECT_TRUE(found.of[0].called.empty());
 }
 
 TEST_F(ResidueGroupsTest, CopiesAreTreatedOneByOne) {
-  add("LIG", 1, AtomKind::ligand, Why::hetatm);
+  add("LIG", 1, ResidueKind::ligand, Why::hetatm);
   Molecule assembly = file_;
   assembly.atoms.push_back(file_.atoms.front());
   assembly.atoms.back().chain = assembly.names.intern("A-2");
   assembly.copied = {{0, 2, {0}}};
   assembly.models = {{1, 0, 2}};
   const Texts treatments{"A-2:LIG 1=polymer"};
-  const TreatedAtoms treated = treat(assembly, treatments);
+  const TreatedAtoms treated = apply_treatments(assembly, treatments);
   const ResidueGroups found = residue_groups(file_, assembly, 0, 2, treatments, treated);
   ASSERT_EQ(found.of.size(), 2u);
   EXPECT_EQ(found.of[0].called, Texts{"A-2:LIG 1"});
-  EXPECT_EQ(found.of[0].file_kind, AtomKind::ligand);
+  EXPECT_EQ(found.of[0].file_kind, ResidueKind::ligand);
   EXPECT_EQ(found.of[0].file_why, Why::hetatm);
   EXPECT_EQ(found.of[1].called, Texts{"A:LIG 1"});
 }
 
 TEST_F(ResidueGroupsTest, FormatsWithoutResiduesHaveNone) {
-  add("", 0, AtomKind::polymer, Why::none, 5);
+  add("", 0, ResidueKind::polymer, Why::none, 5);
   EXPECT_TRUE(groups().of.empty());
 }
 

@@ -102,7 +102,7 @@ TEST(Selection, APolymerOfUnknownNameIsKnownByItsAtoms) {
       "ATOM      5  N   QZ3 A   3       7.000   2.000   3.000  1.00  0.00           N  \n"
       "ATOM      6  CB  QZ3 A   3       8.000   2.000   3.000  1.00  0.00           C  \n"
       "ATOM      7  C1' QZ4 A   4      10.000   2.000   3.000  1.00  0.00           C  \n");
-  for (Atom& atom : m.atoms) atom.kind = AtomKind::polymer;
+  for (Atom& atom : m.atoms) atom.kind = ResidueKind::polymer;
   const auto picked = [&](const char* text) {
     const auto bound = SelectionExpression::parse(text).bind(m);
     std::string atoms;

@@ -24,7 +24,7 @@ Molecule small() {
     atom.residue_number = i / 2 + 1;
     atom.name = c;
     atom.element = 6;
-    atom.kind = i < 4 ? AtomKind::ligand : AtomKind::water;
+    atom.kind = i < 4 ? ResidueKind::ligand : ResidueKind::water;
     atom.why = i < 4 ? ResidueReason::no_polymer : ResidueReason::water_name;
     atom.position = {2000 * i, 0, 0};
     m.atoms.push_back(atom);
@@ -36,7 +36,7 @@ Molecule small() {
 TEST(Treatments, AreReadAndWritten) {
   const Treatment t = parse_treatment(" A:PU8 301 = ligand");
   EXPECT_EQ(t.residues, "A:PU8 301");
-  EXPECT_EQ(t.kind, AtomKind::ligand);
+  EXPECT_EQ(t.kind, ResidueKind::ligand);
   EXPECT_EQ(treatment_text(t), "A:PU8 301=ligand");
   for (const char* wrong :
        {"", "A:PU8 301", "=ligand", "LIG=metal", "LIG=", "resi (=ion", "A:LIG x=ion", "#0=ion"}) {
@@ -46,13 +46,13 @@ TEST(Treatments, AreReadAndWritten) {
 
 TEST(Treatments, GoByAddressNameAndExpression) {
   Molecule m = small();
-  treat(m, {"LIG=polymer", "A:LIG 2=ion", "resn HOH=ligand"});
-  EXPECT_EQ(m.atoms[0].kind, AtomKind::polymer);
+  apply_treatments(m, {"LIG=polymer", "A:LIG 2=ion", "resn HOH=ligand"});
+  EXPECT_EQ(m.atoms[0].kind, ResidueKind::polymer);
   EXPECT_EQ(m.atoms[1].why, ResidueReason::by_hand);
-  EXPECT_EQ(m.atoms[2].kind, AtomKind::ion) << "the later goes before the earlier";
-  EXPECT_EQ(m.atoms[4].kind, AtomKind::ligand);
+  EXPECT_EQ(m.atoms[2].kind, ResidueKind::ion) << "the later goes before the earlier";
+  EXPECT_EQ(m.atoms[4].kind, ResidueKind::ligand);
   EXPECT_TRUE(m.notes.empty());
-  treat(m, {"B:XYZ 7=water"});
+  apply_treatments(m, {"B:XYZ 7=water"});
   ASSERT_EQ(m.notes.size(), 1u);
   EXPECT_EQ(m.notes[0], "To be treated as water, but not in this file: B:XYZ 7");
 }
@@ -62,16 +62,16 @@ TEST(Treatments, SettleWhatWasANoteOnGuesses) {
       std::string(guess_note(ResidueReason::no_polymer)) + ": 2 residues (A:LIG 1, A:LIG 2)";
   Molecule m = small();
   m.notes = {"Another note", note};
-  treat(m, {"A:LIG 1=ligand"});
+  apply_treatments(m, {"A:LIG 1=ligand"});
   EXPECT_EQ(m.notes, (std::vector<std::string>{"Another note",
                                                note + "; some of them are set by hand now"}));
   m = small();
   m.notes = {"Another note", note};
-  treat(m, {"A:LIG 1=ligand", "A:LIG 2=polymer"});
+  apply_treatments(m, {"A:LIG 1=ligand", "A:LIG 2=polymer"});
   EXPECT_EQ(m.notes, std::vector<std::string>{"Another note"});
   m = small();
   m.notes = {note};
-  treat(m, {"HOH=ligand"});
+  apply_treatments(m, {"HOH=ligand"});
   EXPECT_EQ(m.notes, std::vector<std::string>{note});
 }
 
@@ -79,8 +79,8 @@ TEST(Treatments, SettleWhatWasANoteOnGuesses) {
 TEST(Treatments, ANameThatIsNotThereFindsNothing) {
   for (const std::string name : {"PU8", "005", "C-1"}) {
     Molecule m = small();
-    treat(m, {name + "=water"});
-    EXPECT_EQ(m.atoms[0].kind, AtomKind::ligand);
+    apply_treatments(m, {name + "=water"});
+    EXPECT_EQ(m.atoms[0].kind, ResidueKind::ligand);
     ASSERT_EQ(m.notes.size(), 1u);
     EXPECT_EQ(m.notes[0], "To be treated as water, but not in this file: " + name);
   }
@@ -88,7 +88,7 @@ TEST(Treatments, ANameThatIsNotThereFindsNothing) {
 
 TEST(Treatments, OneOfEachResidueIsKept) {
   std::vector<std::string> list{"A:LIG 1=polymer", "LIG=ion"};
-  set_treatment(list, {"A:LIG 1", AtomKind::water});
+  set_treatment(list, {"A:LIG 1", ResidueKind::water});
   EXPECT_EQ(list, (std::vector<std::string>{"LIG=ion", "A:LIG 1=water"}));
   reset_treatment(list, "LIG");
   EXPECT_EQ(list, std::vector<std::string>{"A:LIG 1=water"});
@@ -100,7 +100,7 @@ TEST(Treatments, GuessesAreCountedByResidueUntilTheyAreSet) {
   BallOptions one;
   one.selection = "resi 2";
   EXPECT_EQ(prepare_balls(m, one).report.guessed_residues, 1u) << "of the selection only";
-  treat(m, {"LIG=ligand"});
+  apply_treatments(m, {"LIG=ligand"});
   EXPECT_EQ(prepare_balls(m).report.guessed_residues, 0u);
 }
 

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "core/tuples/tuple_compute.hpp"
-#include "core/tuples/tuple_scene.hpp"
+#include "core/tuples/tuple_input.hpp"
 #include "tests/support/dual_edge_only_engine.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/molecules.hpp"

@@ -78,7 +78,7 @@ class Differences {
 };
 
 void compare_measures(const TableRow& row, const CavityMeasures& found,
-                      const ClippedMeasures& clipped, Differences& differences) {
+                      const ExactCavityMeasures& clipped, Differences& differences) {
   const double tetrahedra = found.volume_of_tetrahedra_angstrom3;
   const auto to_the_last_digit = [&](const char* column, double number) {
     differences.number(row, column, number, 1e-12, tetrahedra);
@@ -172,7 +172,7 @@ std::vector<std::string> CavityReference::differences(
   if (known_here == cavities_.end()) return differences.list();
   std::vector<std::uint32_t> all(found.cavities.size());
   std::iota(all.begin(), all.end(), 0u);
-  const std::vector<ClippedMeasures> clipped = clip_cavities(ground, found, all, 0);
+  const std::vector<ExactCavityMeasures> clipped = measure_cavities_exactly(ground, found, all, 0);
   std::vector<const KnownCavity*> left;
   for (const KnownCavity& known : known_here->second) left.push_back(&known);
   for (std::size_t c = 0; c < found.cavities.size(); ++c) {

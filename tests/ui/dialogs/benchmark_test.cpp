@@ -76,7 +76,7 @@ TEST(BenchmarkPage, NotesFitBesideTheNumbersAtEverySize) {
 TEST_F(ViewerTest, TheBenchmarkMeasuresTheOpenMoleculeAndExportsIt) {
   viewer_->open(crambin());
   run("wait-idle\nclick menu.Tools\nclick menu.benchmark.open\n");
-  BenchmarkControls& c = viewer_->state().benchmark_controls;
+  BenchmarkSettings& c = viewer_->state().benchmark_settings;
   c.alphas = "0";
   c.runs = 1;
   c.folder = (folder_ / "out").string();
@@ -101,7 +101,7 @@ TEST_F(ViewerTest, TheBenchmarkMeasuresTheOpenMoleculeAndExportsIt) {
 TEST_F(ViewerTest, ACancelledBenchmarkKeepsWhatItHasAndABadAlphaIsTold) {
   viewer_->open(crambin());
   run("wait-idle\nclick menu.Tools\nclick menu.benchmark.open\n");
-  BenchmarkControls& c = viewer_->state().benchmark_controls;
+  BenchmarkSettings& c = viewer_->state().benchmark_settings;
   c.alphas = "zero";
   run("click benchmark.run\nframes 2\n");
   const BenchmarkInfo& b = viewer_->state().benchmark;
@@ -120,7 +120,7 @@ TEST_F(ViewerTest, ACancelledBenchmarkKeepsWhatItHasAndABadAlphaIsTold) {
 TEST_F(ViewerTest, WhatACancelledBenchmarkMeasuredCanBeExported) {
   viewer_->open(crambin());
   run("wait-idle\nclick menu.Tools\nclick menu.benchmark.open\n");
-  BenchmarkControls& c = viewer_->state().benchmark_controls;
+  BenchmarkSettings& c = viewer_->state().benchmark_settings;
   c.alphas = "0, 1, 2, 3, 4, 5, 6, 7, 8, 9";
   c.runs = 20;
   c.folder = (folder_ / "out").string();

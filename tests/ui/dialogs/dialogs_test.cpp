@@ -8,8 +8,8 @@
 
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
-#include "ui/panels/dialogs/picture_path.hpp"
-#include "ui/widgets/controls.hpp"
+#include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
 namespace {
@@ -58,7 +58,7 @@ TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
   p.state.memory.browser_folder = "/";
   p.frame(3);
   p.state.memory.browser_typed = "/tmp/what I typed";
-  p.state.tell("The file cannot be opened", "x.pdb, line 3: no number.");
+  p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.");
   p.frame(3);
   expect_steady({"browser.cancel", "error.ok"});
   p.click("error.ok");
@@ -72,7 +72,7 @@ TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
 }
 
 TEST_F(DialogsTest, EveryErrorIsToldOneAfterTheOther) {
-  for (const char* text : {"first", "second", "second", "third"}) p.state.tell("title", text);
+  for (const char* text : {"first", "second", "second", "third"}) p.state.show_error("title", text);
   for (const char* text : {"first", "second", "third"}) {
     p.frame(3);
     EXPECT_EQ(p.state.error, text);

@@ -28,7 +28,7 @@ class FileBrowser : public ::testing::Test {
   }
   ~FileBrowser() override { fs::remove_all(folder_); }
 
-  PanelMemory& memory() { return p.state.memory; }
+  SharedPanelState& memory() { return p.state.memory; }
   std::string selected() { return memory().browser_selected.filename().string(); }
   void list() {
     p.frame(2);

@@ -24,7 +24,7 @@ class SaveDialogs : public ::testing::Test {
     p.frame(3);
   }
   ~SaveDialogs() override { fs::remove_all(folder_); }
-  PanelMemory& memory() { return p.state.memory; }
+  SharedPanelState& memory() { return p.state.memory; }
   std::string path(const std::string& name) { return (folder_ / name).string(); }
   void list() {
     p.frame(2);

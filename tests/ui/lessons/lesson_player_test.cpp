@@ -54,7 +54,7 @@ class FakeStage : public LessonStage {
     return command == "second" ? Outcome::refused("No.") : Outcome();
   }
   void settle() override { said_ += "settle; "; }
-  void bring_back() override { said_ += "bring back; "; }
+  void restore_kept() override { said_ += "bring back; "; }
   void forget() override { said_ += "forget; "; }
 
   // The last request, by the player or the user, arrives or fails.
@@ -96,7 +96,7 @@ class LessonPlayerTest : public ::testing::Test {
   }
 
   FakeStage stage_;
-  LessonMemory memory_;
+  LessonState memory_;
   LessonPlayer player_{stage_, memory_};
 };
 
@@ -161,7 +161,7 @@ TEST_F(LessonPlayerTest, NextRevealsBeforeItGoesOn) {
   steps();
   EXPECT_EQ(memory_.step, 2u);
   EXPECT_EQ(stage_.said(), "");
-  player_.again();
+  player_.restart_step();
   EXPECT_FALSE(memory_.revealed);
 }
 
@@ -208,7 +208,7 @@ TEST_F(LessonPlayerTest, AnotherFileIsTheUsers) {
   EXPECT_TRUE(memory_.left);
   EXPECT_FALSE(memory_.ready);
   EXPECT_TRUE(memory_.open);
-  player_.again();
+  player_.restart_step();
   steps();
   EXPECT_EQ(stage_.said(), "keep other.pdb; open a.xyzr; ");
   EXPECT_FALSE(memory_.left);

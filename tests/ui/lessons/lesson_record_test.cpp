@@ -94,7 +94,7 @@ TEST_F(LessonRecordTest, FactsAreInTheTextWhenItsPictureIsTaken) {
   open_lesson();
   record("f-%d.png", "lesson:1 480 270 none");
   // The volume is computed for a moment. With “…” in its place the text would differ.
-  const LessonMemory& m = viewer_->state().lessons;
+  const LessonState& m = viewer_->state().lessons;
   run("lesson.back\nwait-idle\nframes 3\n");
   ASSERT_EQ(m.step, 1u);
   ASSERT_TRUE(m.whole);
@@ -147,7 +147,7 @@ TEST_F(LessonRecordTest, WhatCannotBeIsRefused) {
 }
 
 TEST_F(LessonRecordTest, TheDialogRecordsTheOpenLesson) {
-  RecordMemory& m = viewer_->state().memory.record;
+  RecordState& m = viewer_->state().memory.record;
   m.options.width = m.options.height = 64;
   open_crambin();
   run("file.record\nframes 2\nclick record.kind.2\nframes 2\n");

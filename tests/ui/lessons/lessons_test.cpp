@@ -24,7 +24,7 @@ std::vector<fs::path> chapters() {
 
 class LessonsTest : public ViewerTest {
  protected:
-  const LessonMemory& memory() { return viewer_->state().lessons; }
+  const LessonState& memory() { return viewer_->state().lessons; }
   const ViewState& state() { return viewer_->state(); }
   fs::path write(const std::string& text) {
     const fs::path file = folder_ / "lesson.md";
@@ -65,7 +65,7 @@ TEST_F(LessonsTest, AreListedAndOpened) {
   run("lesson.open\nwait-idle\nframes 3\n");
   ASSERT_TRUE(memory().shelf);
   ASSERT_EQ(memory().shelf->size(), chapters().size());
-  for (const ShelvedLesson& one : *memory().shelf) EXPECT_EQ(one.problem, "");
+  for (const ListedLesson& one : *memory().shelf) EXPECT_EQ(one.problem, "");
   run("click lessons.union_of_balls\nwait-idle\n");
   ASSERT_TRUE(memory().open);
   EXPECT_EQ(memory().open->title, "A molecule as a union of balls");
@@ -144,7 +144,7 @@ TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
 }
 
 TEST_F(LessonsTest, WithoutAMoleculeBeforeTheLookComesBack) {
-  const DisplayControls before = state().settings.display;
+  const DisplaySettings before = state().settings.display;
   open_lesson(write(kShort).string());
   EXPECT_NE(state().settings.display, before);
   run("lesson.next\nwait-idle\nlesson.close\nwait-idle\n");
@@ -249,7 +249,7 @@ TEST(LessonText, ThatGoesOnBelowSaysSo) {
   std::string words;
   for (int n = 0; n < 400; ++n) words += "word ";
   lesson->steps[0].shown.text = {{words, false}};
-  LessonMemory& m = p.state.lessons;
+  LessonState& m = p.state.lessons;
   m.open = lesson;
   m.shown = true;
   p.frame(4);
@@ -289,7 +289,7 @@ TEST(LessonFiles, WhatIsOpenedIsNotLostForTheList) {
   };
   files.open("union_of_balls");
   finish();
-  files.read_shelf();
+  files.read_list();
   finish();
   const LessonFiles::News news = files.poll();
   EXPECT_TRUE(news.shelf);
@@ -320,7 +320,7 @@ struct Said {
 // In a window of this size no scrolling is needed.
 void expect_room(const std::string& lesson, const std::vector<Said>& all, Size size) {
   Panels p(size);
-  LessonMemory& m = p.state.lessons;
+  LessonState& m = p.state.lessons;
   for (const Said& said : all) {
     auto one = std::make_shared<Lesson>();
     one->title = lesson;

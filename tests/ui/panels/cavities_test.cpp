@@ -104,7 +104,7 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   run("alpha.set 0.1\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   ASSERT_EQ(page().rows.table().question.alpha_angstrom2, 0.1);
   EXPECT_EQ(viewer_->state().settings.selection.cavities, chosen);
-  EXPECT_EQ(page().chosen_rows.size(), 1u);
+  EXPECT_EQ(page().selected_rows.size(), 1u);
   EXPECT_EQ(viewer_->state().layers.size(), 3u);
 }
 
@@ -113,7 +113,7 @@ TEST_F(CavitiesTest, ACommandChoosesACavityBeforeTheTableIsThere) {
   run("cavities.choose 2\n");
   EXPECT_TRUE(viewer_->state().settings.selection.cavities.empty()) << "the table is not there yet";
   settle();
-  EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{1});
+  EXPECT_EQ(page().selected_rows, std::vector<std::size_t>{1});
   EXPECT_EQ(viewer_->state().settings.selection.cavities.size(), 1u);
   EXPECT_FALSE(viewer_->state().layers.empty());
   const std::size_t rows = page().rows.size();
@@ -121,7 +121,7 @@ TEST_F(CavitiesTest, ACommandChoosesACavityBeforeTheTableIsThere) {
   settle();
   EXPECT_EQ(viewer_->state().notice,
             "There is no cavity 1,000,000; the last is " + std::to_string(rows) + ".");
-  EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{1});
+  EXPECT_EQ(page().selected_rows, std::vector<std::size_t>{1});
 }
 
 TEST_F(CavitiesTest, UndoTakesCavityAndSelectionBackTogether) {
@@ -134,7 +134,7 @@ TEST_F(CavitiesTest, UndoTakesCavityAndSelectionBackTogether) {
   run("edit.undo\nwait-idle\nframes 3\n");
   EXPECT_EQ(viewer_->state().settings.selection.cavities, second);
   EXPECT_EQ(viewer_->state().settings.selection.items, lining);
-  EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{1});
+  EXPECT_EQ(page().selected_rows, std::vector<std::size_t>{1});
   EXPECT_EQ(viewer_->state().notice, "Undone: selection");
   run("edit.undo\nwait-idle\nframes 3\n");
   EXPECT_TRUE(viewer_->state().settings.selection.empty());
@@ -145,14 +145,14 @@ TEST_F(CavitiesTest, SeveralAreChosenByKeysAndButtons) {
   open_cavities();
   run("click cavities.row.2 0.2\nframes 3\n");
   shift_click("cavities.row.5");
-  EXPECT_EQ(page().chosen_rows, (std::vector<std::size_t>{1, 2, 3, 4}));
+  EXPECT_EQ(page().selected_rows, (std::vector<std::size_t>{1, 2, 3, 4}));
   run("click cavities.kind.1\nframes 3\nclick cavities.all\n");
   settle();
-  EXPECT_EQ(page().chosen_rows.size(), page().rows.table().voids);
-  for (const std::size_t row : page().chosen_rows) {
+  EXPECT_EQ(page().selected_rows.size(), page().rows.table().voids);
+  for (const std::size_t row : page().selected_rows) {
     EXPECT_TRUE(page().rows.lines->of[row].is_void);
   }
-  EXPECT_EQ(page().drawn->of.size(), page().chosen_rows.size());
+  EXPECT_EQ(page().drawn->of.size(), page().selected_rows.size());
   run("click cavities.none\nframes 3\n");
   EXPECT_TRUE(viewer_->state().settings.selection.empty());
 }
@@ -222,7 +222,7 @@ TEST_F(CavitiesTest, TablesFollowWhileTheSolventRadiusSlides) {
   const auto number_of = [&](std::size_t row) {
     return page().rows.lines->numbers->of[page().rows.table().order[row]];
   };
-  const std::uint32_t number = number_of(page().chosen_rows.at(0));
+  const std::uint32_t number = number_of(page().selected_rows.at(0));
   const WidgetRect slider = viewer_->widgets().at("alpha.solvent");
   ScriptedInput input;
   input.y = (slider.y0 + slider.y1) / 2;
@@ -239,8 +239,8 @@ TEST_F(CavitiesTest, TablesFollowWhileTheSolventRadiusSlides) {
     ASSERT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(120));
     move_to(1.4 + 0.04 * (1 - std::cos(0.2 * n)));  // to 1.48 in 20 frames
     if (tables.insert(page().rows.lines.get()).second) kept.push_back(page().rows.lines);
-    ASSERT_EQ(page().chosen_rows.size(), 1u) << "it stays the same cavity";
-    EXPECT_EQ(number_of(page().chosen_rows[0]), number);
+    ASSERT_EQ(page().selected_rows.size(), 1u) << "it stays the same cavity";
+    EXPECT_EQ(number_of(page().selected_rows[0]), number);
   }
   input.down[0] = false;
   viewer_->step(&input);
@@ -342,7 +342,7 @@ TEST_F(CavitiesTest, FilesForOtherProgramsAreThoseOfTheCommandLine) {
 
 TEST_F(CavitiesTest, TheEndingOfTheNameSaysTheFormat) {
   open_cavities();
-  const TableMemory& dialog = viewer_->state().memory.save_table;
+  const TableState& dialog = viewer_->state().memory.save_table;
   run("click cavities.save\nframes 3\n");
   viewer_->state().memory.save_table.path = (folder_ / "cav.txt").string();
   run("frames 2\n");
@@ -403,29 +403,29 @@ TEST_F(CavitiesTest, WhatIsChosenFollowsIntoWhatItMergesWithAndComesBack) {
   viewer_->state().settings.selection.cavities =
       RefSet({cavity_sink(*page().rows.lines->atoms, page().rows.table(), row)});
   settle();
-  ASSERT_EQ(page().chosen_rows, std::vector<std::size_t>{row});
+  ASSERT_EQ(page().selected_rows, std::vector<std::size_t>{row});
   EXPECT_FALSE(has("cavities.merged"));
   run("solvent.set 1.2\n");
   settle();
-  ASSERT_EQ(page().chosen_rows.size(), 1u);
-  EXPECT_EQ(page().merged_into, page().chosen_rows);
+  ASSERT_EQ(page().selected_rows.size(), 1u);
+  EXPECT_EQ(page().merged_into, page().selected_rows);
   EXPECT_TRUE(has("cavities.merged"));
   EXPECT_EQ(viewer_->state().notice, "The selected cavity has merged into cavity " +
-                                         std::to_string(page().chosen_rows.at(0) + 1) + ".");
+                                         std::to_string(page().selected_rows.at(0) + 1) + ".");
   run("solvent.set 1.4\n");
   settle();
-  EXPECT_EQ(page().chosen_rows, std::vector<std::size_t>{row});
+  EXPECT_EQ(page().selected_rows, std::vector<std::size_t>{row});
   EXPECT_FALSE(has("cavities.merged"));
 }
 
 TEST_F(CavitiesTest, OfAnotherMoleculeNothingStays) {
   open_cavities();
   run("click cavities.row.1 0.2\nwait-idle\nframes 3\n");
-  EXPECT_EQ(page().chosen_rows.size(), 1u);
+  EXPECT_EQ(page().selected_rows.size(), 1u);
   open_crambin();
   run("wait-idle\nframes 3\nwait-idle\nframes 3\n");
   EXPECT_TRUE(viewer_->state().settings.selection.cavities.empty());
-  EXPECT_TRUE(page().chosen_rows.empty());
+  EXPECT_TRUE(page().selected_rows.empty());
   EXPECT_TRUE(viewer_->state().layers.empty());
 }
 
@@ -448,7 +448,7 @@ TEST_F(CavitiesTest, ANetworkIsSplitAndSaysWhereItFallsApart) {
   settle();
   ASSERT_EQ(page().rows.size(), 8u);
   for (const CavityLine& line : page().rows.lines->of) EXPECT_TRUE(line.is_part);
-  EXPECT_EQ(page().chosen_rows.size(), 1u) << "the part of the same deepest point";
+  EXPECT_EQ(page().selected_rows.size(), 1u) << "the part of the same deepest point";
   EXPECT_FALSE(has("cavities.falls_apart"));
   EXPECT_TRUE(has("cavities.networks"));
   run("edit.undo\n");

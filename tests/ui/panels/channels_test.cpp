@@ -6,12 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "core/document/channels/channel_texts.hpp"
+#include "core/document/channels/channel_text.hpp"
 #include "tests/core/cavity/rings.hpp"
-#include "tests/ui/panel_memory.hpp"
+#include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
-#include "ui/panels/channels/channel_memory.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "ui/panels/channels/channel_state.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -42,7 +42,7 @@ class ChannelsTest : public ViewerTest {
     settle();
   }
   void settle() { run("frames 3\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  const ChannelMemory& memory() { return memory_of<ChannelMemory>(viewer_->panels(), "channels"); }
+  const ChannelState& memory() { return memory_of<ChannelState>(viewer_->panels(), "channels"); }
   const Channel& channel() { return *memory().shown->channel; }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
   bool has_layer(const std::string& id) {

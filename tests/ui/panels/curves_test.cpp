@@ -8,10 +8,10 @@
 
 #include "core/document/cavities/cavity_names.hpp"
 #include "tests/support/well_formed_xml.hpp"
-#include "tests/ui/panel_memory.hpp"
+#include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
-#include "ui/panels/measures/curve_memory.hpp"
+#include "ui/panels/measures/curve_state.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -25,7 +25,7 @@ class CurvesTest : public ViewerTest {
   }
   void open_curves() { run("click bottom.curves\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  const CurveMemory& memory() { return memory_of<CurveMemory>(viewer_->panels(), "curves"); }
+  const CurveState& memory() { return memory_of<CurveState>(viewer_->panels(), "curves"); }
   const ChartSeries& series(std::size_t n) { return memory().chart.chart.series.at(n); }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
 };
@@ -136,7 +136,7 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedWhenTheTetrahedronOfItsSinkIsGone) {
   open_curves();
   for (const char* radius : {"1.5", "1.6"}) {
     set_radius(radius);
-    ASSERT_EQ(page.chosen_rows.size(), 1u) << radius;
+    ASSERT_EQ(page.selected_rows.size(), 1u) << radius;
     ASSERT_EQ(memory().chart.chart.series.size(), 1u) << radius;
     EXPECT_FALSE(viewer_->state().layers.empty()) << "it is seen in the view";
   }
@@ -173,12 +173,12 @@ TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereIt
   EXPECT_FALSE(has("curves.plot"));
   EXPECT_FALSE(has("curves.axis.0")) << "only alpha";
   const CavityPage& page = *viewer_->state().cavities.page;
-  const CurveMemory::Lives& lives = memory().lives;
+  const CurveState::Lives& lives = memory().lives;
   ASSERT_GT(lives.bars.longest.size(), 50u);
   ASSERT_EQ(lives.rows.size(), lives.bars.longest.size());
   std::optional<std::size_t> there, other;
   for (std::size_t k = 0; k < 15; ++k) {
-    const bool is_there = lives.rows[k] != CurveMemory::Lives::kNoRow;
+    const bool is_there = lives.rows[k] != CurveState::Lives::kNoRow;
     EXPECT_EQ(is_there, lives.bars.longest[k].is_at(0)) << k;
     if (is_there && !there) there = k;
     if (!is_there && !other) other = k;
@@ -189,7 +189,7 @@ TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereIt
     settle();
   };
   click(*there);
-  ASSERT_EQ(page.chosen_rows, std::vector<std::size_t>{lives.rows[*there]});
+  ASSERT_EQ(page.selected_rows, std::vector<std::size_t>{lives.rows[*there]});
   EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 0);
   EXPECT_FALSE(viewer_->state().layers.empty()) << "it is seen in the view";
   const std::uint32_t sink = lives.bars.longest[*other].sink;
@@ -197,12 +197,12 @@ TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereIt
   const double alpha = viewer_->state().settings.request.alpha_angstrom2;
   EXPECT_NE(alpha, 0);
   EXPECT_TRUE(lives.bars.longest[*other].is_at(alpha));
-  ASSERT_EQ(page.chosen_rows.size(), 1u);
-  EXPECT_EQ(page.rows.table().cavity(page.chosen_rows.front()).deepest_sink, sink);
+  ASSERT_EQ(page.selected_rows.size(), 1u);
+  EXPECT_EQ(page.rows.table().cavity(page.selected_rows.front()).deepest_sink, sink);
   run("edit.undo\n");
   settle();
   EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 0) << "in one step";
-  ASSERT_EQ(page.chosen_rows, std::vector<std::size_t>{lives.rows[*there]});
+  ASSERT_EQ(page.selected_rows, std::vector<std::size_t>{lives.rows[*there]});
 }
 
 TEST_F(CurvesTest, ADragOverLivesSetsAlphaAsOneEntryAndTheirTableIsSaved) {

@@ -2,9 +2,9 @@
 // lead to its neighbours.
 #include <algorithm>
 
-#include "tests/ui/panel_memory.hpp"
+#include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
-#include "ui/panels/explain/details_memory.hpp"
+#include "ui/panels/explain/details_state.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -13,7 +13,7 @@ class DetailsTest : public ViewerTest {
  protected:
   bool has(const std::string& widget) { return viewer_->widgets().contains(widget); }
   const std::shared_ptr<const SimplexDetails>& shown() {
-    return memory_of<DetailsMemory>(viewer_->panels(), "details").shown;
+    return memory_of<DetailsState>(viewer_->panels(), "details").shown;
   }
   void show(const std::string& atoms) {
     run("select.atoms " + atoms + "\ndetails.show\nframes 3\nwait-idle\nframes 3\n");

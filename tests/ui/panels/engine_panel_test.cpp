@@ -1,7 +1,7 @@
 // Tests the engine panel: the choice of engines, the thesis' switches, and texts on the device.
 #include <gtest/gtest.h>
 
-#include "app/viewer/state_bridge.hpp"
+#include "app/viewer/session_text.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 
 namespace alphascope::testing {

@@ -20,7 +20,7 @@ class Keyboard : public ::testing::Test {
     p.state = loaded_state();
     p.frame(3);
   }
-  PanelMemory& memory() { return p.state.memory; }
+  SharedPanelState& memory() { return p.state.memory; }
   std::string at() { return memory().keys.at.back().name; }
   bool marked() { return memory().keys.at.back().shown; }
   void tab(int count = 1) {
@@ -291,7 +291,7 @@ TEST_F(Keyboard, EscapeClosesADialogAtOnceUnlessSomethingWasTyped) {
 
 TEST_F(Keyboard, EveryDialogConfirmsWithEnterAndTakesTheFocusBack) {
   ASSERT_TRUE(tab_to("alpha.preset.3"));
-  p.state.tell("The file cannot be opened", "x.pdb, line 3: no number.");
+  p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.");
   p.frame(4);
   p.tap(key::kEnter);
   p.frame(2);

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "core/document/measures/measure_results.hpp"
-#include "tests/ui/panel_memory.hpp"
+#include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
-#include "ui/panels/measures/measure_memory.hpp"
+#include "ui/panels/measures/measure_state.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -18,7 +18,7 @@ class MeasuresTest : public ViewerTest {
     run("click bottom.measures\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   }
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  MeasureMemory& memory() { return memory_of<MeasureMemory>(viewer_->panels(), "measures"); }
+  MeasureState& memory() { return memory_of<MeasureState>(viewer_->panels(), "measures"); }
   ViewState& state() { return viewer_->state(); }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
   UnionMeasures expected_measures(double alpha, double solvent) {

@@ -51,7 +51,7 @@ TEST(MoleculeInfo, TellsEverythingThatIsChosenFrom) {
   ASSERT_EQ(info.contents.chains.size(), 2u);
   EXPECT_EQ(info.contents.chains[0].name, "A");
   EXPECT_EQ(kinds_text(info.contents.chains[0].kinds), "polymer 2 · water 2");
-  EXPECT_EQ(of_kind(info.contents.kinds, AtomKind::water), 2u);
+  EXPECT_EQ(of_kind(info.contents.kinds, ResidueKind::water), 2u);
   ASSERT_EQ(info.dropped.size(), 1u);
   EXPECT_EQ(info.dropped[0].text, "1 water");
   EXPECT_EQ(info.dropped[0].detail, "HOH 1");

@@ -1,9 +1,9 @@
 // Tests the molecule panel: every rule for opening a file is a control with its effect.
 #include <algorithm>
 
-#include "tests/ui/panel_memory.hpp"
+#include "tests/ui/panel_state.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
-#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
 
 namespace alphascope {
@@ -56,7 +56,7 @@ TEST_F(MoleculePanel, TogglesSetTheirRule) {
   expected.altlocs = AltlocRule::all;
   EXPECT_EQ(balls(), expected);
   EXPECT_FALSE(p.rects.contains("molecule.dummies")) << "only where there are any";
-  p.state.molecule.contents.kinds[static_cast<std::size_t>(AtomKind::dummy)] = 3;
+  p.state.molecule.contents.kinds[static_cast<std::size_t>(ResidueKind::dummy)] = 3;
   p.frame(2);
   p.click("molecule.dummies");
   EXPECT_TRUE(balls().dummies);
@@ -211,7 +211,7 @@ TEST_F(MoleculePanel, NoRadiusOfZeroCanBeTyped) {
     p.type("radius.HEM.FE", bad);
     EXPECT_TRUE(balls().overrides.empty()) << bad;
     ASSERT_TRUE(p.rects.contains("radius.error")) << bad;
-    EXPECT_NE(testing::memory_of<MoleculeMemory>(p.panels, "molecule").radius_error.find(bad),
+    EXPECT_NE(testing::memory_of<MoleculeState>(p.panels, "molecule").radius_error.find(bad),
               std::string::npos);
   }
 }

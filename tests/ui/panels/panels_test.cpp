@@ -2,10 +2,10 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/ui/panel_memory.hpp"
+#include "tests/ui/panel_state.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/colour_legend.hpp"
-#include "ui/panels/complex/timings_memory.hpp"
+#include "ui/panels/complex/timings_state.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/panels/panels.hpp"
@@ -312,7 +312,7 @@ TEST(PanelsTest, AChoiceOfTimesStaysAlsoWhenThereAreNone) {
   p.state = loaded_state();  // cold only
   p.frame(2);
   const auto shows_cold = [&p] {
-    return testing::memory_of<TimingsMemory>(p.panels, "timings").cold;
+    return testing::memory_of<TimingsState>(p.panels, "timings").cold;
   };
   p.click("timings.run.1");
   EXPECT_FALSE(shows_cold());
@@ -404,7 +404,7 @@ TEST(PanelsTest, NamesOfPagesFitNarrowWindows) {
     p.state = loaded_state();
     p.frame(3);
     for (const PanelSpec& page : panels()) {
-      if (page.place != Place::bottom) continue;
+      if (page.place != PanelPlace::bottom) continue;
       const WidgetRect name = p.rects["bottom." + std::string(page.id)];
       EXPECT_TRUE(name.visible) << page.id;
       EXPECT_LE(name.x1, width) << page.id << " at " << width;

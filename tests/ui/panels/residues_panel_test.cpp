@@ -17,7 +17,7 @@ using testing::Panels;
 using testing::Size;
 
 // A group as from a file, as far as the panel shows it.
-ResidueGroup residues(const char* name, AtomKind kind, ResidueReason why, std::size_t count) {
+ResidueGroup residues(const char* name, ResidueKind kind, ResidueReason why, std::size_t count) {
   ResidueGroup group;
   group.name = name;
   group.kind = group.file_kind = kind;
@@ -38,9 +38,9 @@ std::shared_ptr<const ResidueGroups> in_list(std::vector<ResidueGroup> groups) {
   return std::make_shared<const ResidueGroups>(list);
 }
 
-const ResidueGroup kHaems = residues("HEM", AtomKind::ligand, ResidueReason::after_ter, 4);
-const ResidueGroup kWaters = residues("HOH", AtomKind::water, ResidueReason::water_name, 221);
-const ResidueGroup kGuessed = residues("QQ1", AtomKind::ligand, ResidueReason::no_polymer, 2);
+const ResidueGroup kHaems = residues("HEM", ResidueKind::ligand, ResidueReason::after_ter, 4);
+const ResidueGroup kWaters = residues("HOH", ResidueKind::water, ResidueReason::water_name, 221);
+const ResidueGroup kGuessed = residues("QQ1", ResidueKind::ligand, ResidueReason::no_polymer, 2);
 
 ViewState state_with_residues() {
   ViewState s = loaded_state();
@@ -67,7 +67,7 @@ TEST_F(ResiduesPanel, ResiduesAreTreatedOtherwiseAndTakenBack) {
   EXPECT_EQ(treated(), std::vector<std::string>{"HOH=ligand"});
   EXPECT_FALSE(p.rects.contains("residue.as.ligand")) << "a choice closes the list";
   ResidueGroup waters = kWaters;
-  waters.kind = AtomKind::ligand;
+  waters.kind = ResidueKind::ligand;
   waters.why = ResidueReason::by_hand;
   waters.treated = {"HOH=ligand"};
   p.state.molecule.residues = in_list({kHaems, waters});
@@ -144,8 +144,8 @@ class ResiduesPanelAtEverySize : public ::testing::TestWithParam<Size> {};
 TEST_P(ResiduesPanelAtEverySize, ItsLinesFitIntoThePanel) {
   Panels p(GetParam());
   p.state = state_with_residues();
-  ResidueGroup treated = residues("A1B2C", AtomKind::polymer, ResidueReason::by_hand, 1234567);
-  treated.file_kind = AtomKind::ligand;
+  ResidueGroup treated = residues("A1B2C", ResidueKind::polymer, ResidueReason::by_hand, 1234567);
+  treated.file_kind = ResidueKind::ligand;
   treated.file_why = ResidueReason::no_polymer;
   p.state.molecule.residues = in_list({kGuessed, kHaems, treated, kWaters});
   p.frame(3);

@@ -25,7 +25,7 @@ class SandboxTest : public ViewerTest {
   }
   // The place of the view that shows this place of the drawing, as "0.25 0.5" for scripts.
   std::string in_view(const FlatPoint& place) {
-    const SandboxMemory& m = state().memory.sandbox;
+    const SandboxState& m = state().memory.sandbox;
     const ViewportInfo& v = state().viewport;
     const double x = 0.5 + (place[0] - m.middle[0]) * m.pixels_per_angstrom / v.width;
     const double y = 0.5 - (place[1] - m.middle[1]) * m.pixels_per_angstrom / v.height;

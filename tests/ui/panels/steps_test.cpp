@@ -25,7 +25,7 @@ class StepsTest : public ViewerTest {
     show(atom);
   }
   ViewState& state() { return viewer_->state(); }
-  StepsMemory& memory() { return state().steps; }
+  StepsState& memory() { return state().steps; }
   const BallSteps& steps() { return memory().shown->steps; }
   bool has(const std::string& widget) { return viewer_->widgets().contains(widget); }
   std::uint64_t count(StepKind kind, std::string_view what) {
@@ -275,7 +275,7 @@ TEST_F(StepsTest, ABallThatTakesNoPart) {
   run("alpha.set -100\nwait-idle\n");
   settle();
   ASSERT_TRUE(memory().shown);
-  EXPECT_EQ(steps().left_out, LeftOut::empty);
+  EXPECT_EQ(steps().left_out, LeftOutReason::empty);
   EXPECT_EQ(memory().last(), 0u);
   EXPECT_NE(memory().shown->texts[0].text.find("has shrunk to nothing"), std::string::npos);
   run("steps.next\nframes 2\n");

@@ -2,9 +2,9 @@
 // lead.
 #include <algorithm>
 
-#include "tests/ui/panel_memory.hpp"
+#include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
-#include "ui/panels/explain/why_memory.hpp"
+#include "ui/panels/explain/why_state.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -14,7 +14,7 @@ class WhyTest : public ViewerTest {
   void ask(const std::string& atoms) {
     run("select.atoms " + atoms + "\nwhy.show\nframes 3\nwait-idle\nframes 3\n");
   }
-  const WhyMemory& memory() { return memory_of<WhyMemory>(viewer_->panels(), "why"); }
+  const WhyState& memory() { return memory_of<WhyState>(viewer_->panels(), "why"); }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
   std::string said() {
     std::string text;

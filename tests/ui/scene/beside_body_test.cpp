@@ -123,9 +123,9 @@ TEST_F(BesideBodyInTheWindow, TheMouseNamesAndSelectsThem) {
       << state().viewport.under_mouse_line;
   run("click view " + found + "\nframes 2\n");
   ASSERT_EQ(state().settings.selection.items.size(), 1u);
-  EXPECT_EQ(state().picked_missing, 0u);
+  EXPECT_EQ(state().selected_missing, 0u);
   run("view.left_out_ligands off\nwait-idle\nframes 2\n");
-  EXPECT_EQ(state().picked_missing, 1u);
+  EXPECT_EQ(state().selected_missing, 1u);
 }
 
 // Like ViewerTest's picture, with a cavity chosen: its surface, rims and the haems, and all else

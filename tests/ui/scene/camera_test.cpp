@@ -16,8 +16,8 @@ BallGeometry two_balls() {  // 20 Å apart
   return g;
 }
 
-Sight from(double x, double y, double z) {  // looking along -z
-  Sight s;
+ViewFrustum from(double x, double y, double z) {  // looking along -z
+  ViewFrustum s;
   s.position = {x, y, z};
   s.tangent_right = s.tangent_up = 0.2;
   return s;
@@ -85,7 +85,7 @@ TEST(FittingDistance, IsOfTheLargerOfGivenAndDrawnRadii) {
 
 TEST(ViewAngle, LeastAspectIsThatOfWhatIsInThePicture) {
   const BallGeometry balls = two_balls();
-  Sight s = from(0, 0, 100);
+  ViewFrustum s = from(0, 0, 100);
   s.tangent_up = tangent_up(2, 0);
   s.tangent_right = 2 * s.tangent_up;
   const double aspect = least_aspect(balls, s, 2);

@@ -74,7 +74,7 @@ TEST_F(CutPick, BallsAreHitWhereTheyAreKept) {
   for (const char* text : {"x=0", "1,2,3=1", "z=0:3"}) {
     const Cut cut(read_clip(text).resolved({0, 0, 1}, {0, 0, 0}), {0, 0, 0});
     for (const Ray& ray : rays(60)) {
-      const Stretch kept = cut.along(ray);
+      const RayInterval kept = cut.along(ray);
       const auto found = picker.pick(geometry->radii, margin, ray, kept);
       const auto expected = first_ball(ray, cut);
       nothing += !found;

@@ -46,7 +46,7 @@ class CutScene : public ::testing::Test {
 
   // The pixel that shows a place.
   std::array<double, 2> place(const std::array<double, 3>& at) const {
-    return seen_at(scene.sight(), at, kWidth, kHeight).value();
+    return project_point(scene.sight(), at, kWidth, kHeight).value();
   }
   static std::array<int, 3> pixel(const Image& image, double x, double y) {
     const auto i = 4 * (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x));

@@ -35,7 +35,7 @@ class ErringEngine : public Engine {
  public:
   explicit ErringEngine(std::shared_ptr<const BallSet> balls)
       : right_(make_cgal_engine(std::move(balls))) {}
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                        const RunContext& context) override {
     AlphaComplex complex = right_->compute(request, known, context);
     auto& t = complex.tetrahedra;

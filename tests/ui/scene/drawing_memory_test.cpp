@@ -323,7 +323,7 @@ class HeldEngine : public Engine {
  public:
   HeldEngine(std::shared_ptr<const BallSet> balls, const std::atomic<bool>& held)
       : engine_(make_cpu_engine(std::move(balls))), held_(held) {}
-  AlphaComplex compute(const AlphaRequest& request, KnownOfBalls& known,
+  AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                        const RunContext& context) override {
     while (held_) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return engine_->compute(request, known, context);

@@ -286,7 +286,7 @@ TEST_F(LayersInTheScene, SolidTetrahedraHaveDarkerEdges) {
 }
 
 TEST(PlacedLabels, AreSeenWhereTheirPlaceIs) {
-  Sight sight;  // at the origin, looking along -z, a right angle wide and high
+  ViewFrustum sight;  // at the origin, looking along -z, a right angle wide and high
   const auto seen = labels_seen({{{0, 0, -10}, "far"}, {{2, 1, -4}, "near"}, {{0, 0, 5}, "behind"}},
                                 sight, {}, 200, 100);
   ASSERT_EQ(seen.size(), 2u);
@@ -297,7 +297,7 @@ TEST(PlacedLabels, AreSeenWhereTheirPlaceIs) {
   EXPECT_FLOAT_EQ(seen[1].y, 50);
 }
 
-MarkType type_of(float unit) {
+MarkFont type_of(float unit) {
   return {unit, 14 * unit,
           [unit](const std::string& text) { return 7 * unit * static_cast<float>(text.size()); }};
 }
@@ -346,7 +346,7 @@ TEST(PlacedLabels, CanBeReadOnAnything) {
       Image image{1920, 1200, std::vector<std::uint8_t>(4 * 1920 * 1200, grey)};
       PictureMarks marks;
       marks.labels = {{960, 600, "12.3 Å²"}};
-      EXPECT_EQ(draw_marks(image, marks, mark_ink(theme, false)), "");
+      EXPECT_EQ(draw_marks(image, marks, mark_colours(theme, false)), "");
       int dark = 0, light = 0, changed = 0;
       for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
         changed += image.rgba[i] != grey;

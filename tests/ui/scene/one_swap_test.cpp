@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "tests/ui/viewer_fixture.hpp"
-#include "ui/widgets/controls.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -41,7 +41,7 @@ class OneSwapTest : public ViewerTest {
     viewer_ = std::make_unique<Viewer>(*host_, options, Session::program_services(),
                                        [this](const auto&... what) { return slow_mesh(what...); });
     open_crambin();
-    DisplayControls& display = viewer_->state().settings.display;
+    DisplaySettings& display = viewer_->state().settings.display;
     display.balls = display.ambient_occlusion = false;
     display.complex_paint.by = ColourBy::alpha;
     run("wait-idle\n");
@@ -97,7 +97,7 @@ class OneSwapTest : public ViewerTest {
     std::vector<Frame> frames;
     int i = 0;
     for (const bool meanwhile : {false, true}) {
-      if (meanwhile) viewer_->draw_meanwhile();
+      if (meanwhile) viewer_->render_asynchronously();
       const std::size_t enough = (frames.empty() ? 0 : frames.back().made) + kMeshes;
       do {
         const float share = 0.05f + 0.9f * static_cast<float>(std::fmod(0.382 * i, 1.0));
@@ -161,7 +161,7 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
 // Colours of balls show exposed area. Large alphas bury nearly all atoms and small ones few, so
 // pictures of two alphas differ in brightness.
 TEST_F(OneSwapTest, ADragShowsExposedAreasOfTheAlphaThatItNames) {
-  DisplayControls& display = viewer_->state().settings.display;
+  DisplaySettings& display = viewer_->state().settings.display;
   display.balls = true;
   display.tetrahedra = false;
   display.ball_scale = 1;
@@ -219,7 +219,7 @@ class RefinementTest : public OneSwapTest {
 
 // A sample of a fine picture delays the next picture by the time it takes.
 TEST_F(RefinementTest, APictureThatIsToBeReplacedIsNotRefined) {
-  DisplayControls& display = viewer_->state().settings.display;
+  DisplaySettings& display = viewer_->state().settings.display;
   display.balls = display.ambient_occlusion = true;
   display.samples = 1;
   run("wait-idle\n");

@@ -19,7 +19,7 @@ namespace {
 
 constexpr float kLine = 14;
 
-MarkType type_of(float unit) {
+MarkFont type_of(float unit) {
   return {unit, kLine * unit,
           [unit](const std::string& text) { return 7 * unit * static_cast<float>(text.size()); }};
 }
@@ -288,14 +288,14 @@ TEST(PictureMarks, RimsAreAsWideAsTheyAreAskedToBeAndRound) {
 TEST(PictureMarks, NothingAskedForChangesNothing) {
   Image image = plain(640, 400, palette(Theme::dark).scene);
   const std::vector<std::uint8_t> before = image.rgba;
-  EXPECT_EQ(draw_marks(image, {}, mark_ink(Theme::dark, false)), "");
+  EXPECT_EQ(draw_marks(image, {}, mark_colours(Theme::dark, false)), "");
   EXPECT_EQ(image.rgba, before);
 }
 
 TEST(PictureMarks, TextContrastsWithEveryBackground) {
   for (const Theme theme : {Theme::dark, Theme::light}) {
     for (const bool transparent : {false, true}) {
-      const MarkInk ink = mark_ink(theme, transparent);
+      const MarkColours ink = mark_colours(theme, transparent);
       const Colour background = transparent ? Colour{0, 0, 0, 0} : palette(theme).scene;
       Image image = plain(960, 600, background, transparent ? 0 : 255);
       draw_marks(image, {{legend_from(0, 1)}, 0.1}, ink);
@@ -316,11 +316,11 @@ TEST(PictureMarks, TextContrastsWithEveryBackground) {
 TEST(PictureMarks, TooSmallAPictureSaysSo) {
   Image image = plain(200, 150, palette(Theme::light).scene);
   const std::string said =
-      draw_marks(image, {{legend_from(0, 1)}, 0.1}, mark_ink(Theme::light, false));
+      draw_marks(image, {{legend_from(0, 1)}, 0.1}, mark_colours(Theme::light, false));
   EXPECT_NE(said.find("no legend, which takes 294 x 63 pixels"), std::string::npos) << said;
   EXPECT_EQ(said.find("no scale bar"), std::string::npos) << said;
   image = plain(294, 63, palette(Theme::light).scene);
-  EXPECT_EQ(draw_marks(image, {{legend_from(0, 1)}, 0.1}, mark_ink(Theme::light, false)), "");
+  EXPECT_EQ(draw_marks(image, {{legend_from(0, 1)}, 0.1}, mark_colours(Theme::light, false)), "");
 }
 
 class SavedPicture : public ::testing::Test {
@@ -370,7 +370,7 @@ TEST_F(SavedPicture, HasNoLegendWhenThatIsOffOrColoursMeanNothing) {
 }
 
 TEST_F(SavedPicture, HasAScaleBarOnlyWhenAskedFor) {
-  const Colour ink = mark_ink(settings_.theme, false).mark;
+  const Colour ink = mark_colours(settings_.theme, false).mark;
   EXPECT_LT(longest_run(save(), ink).length, 20);
   settings_.options.scale_bar = true;
   EXPECT_GE(longest_run(save(), ink).length, 50 * mark_unit(640, 400));
@@ -383,7 +383,7 @@ TEST_F(SavedPicture, HasAScaleBarThatIsTrue) {
   scene.set_balls(std::make_shared<const BallGeometry>(*balls_), two_colours(balls_->size()));
   for (const int height : {400, 1200}) {
     Image image = scene.grab(2 * height, height, false);
-    const MarkInk ink = mark_ink(Theme::dark, false);
+    const MarkColours ink = mark_colours(Theme::dark, false);
     const double per_pixel = scene.angstrom_per_pixel();
     draw_marks(image, {{}, per_pixel}, ink);
     const PixelRun run = longest_run(image, ink.mark);

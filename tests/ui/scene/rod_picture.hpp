@@ -31,7 +31,7 @@ inline PicturedMolecule carbons(const std::shared_ptr<const BallSet>& balls) {
 inline PictureSettings plain_settings(std::size_t balls, int width, int height) {
   PictureSettings settings;
   settings.options = {.width = width, .height = height, .legend = false};
-  DisplayControls& display = settings.display;
+  DisplaySettings& display = settings.display;
   display.depth_cue = display.outlines = display.face_lines = 0;
   display.samples = 4;
   const auto count = static_cast<std::uint32_t>(balls);

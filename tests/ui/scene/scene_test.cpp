@@ -378,7 +378,7 @@ TEST_F(SceneTest, TheLineOfSightIsTheSameInASketch) {
   for (const RenderQuality quality : {RenderQuality::sketch, RenderQuality::draft}) {
     scene.render(641, 401, quality);
     const Ray ray = scene.ray(320, 200);
-    const Sight sight = scene.sight();
+    const ViewFrustum sight = scene.sight();
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(ray.direction[k], sight.forward[k], 1e-12);
   }
 }

@@ -15,8 +15,8 @@ double along(const Vector& a, const Vector& b) {
 }
 
 // A view of the origin along -z from 20 Å, with y upwards.
-Sight level_sight() {
-  Sight sight;
+ViewFrustum level_sight() {
+  ViewFrustum sight;
   sight.position = {0, 0, 20};
   sight.distance = 20;
   return sight;

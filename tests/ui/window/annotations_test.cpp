@@ -138,8 +138,8 @@ TEST_F(AnnotationsTest, TheListSelectsRemovesAndCopies) {
 
 TEST_F(AnnotationsTest, SavedPicturesSessionsAndTheCommandLineShowThem) {
   open_crambin();
-  DisplayControls& display = viewer_->state().settings.display;
-  const DisplayControls usual;  // as on the command line
+  DisplaySettings& display = viewer_->state().settings.display;
+  const DisplaySettings usual;  // as on the command line
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
   display.outlines = usual.outlines;

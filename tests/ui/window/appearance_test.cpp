@@ -63,8 +63,8 @@ TEST_F(AppearanceTest, SavedPicturesSessionsAndTheCommandLineShowTheSame) {
   run("alpha.set 3\nview.triangles on\nview.edges on\nview.clip x=9.5\n");
   hide_half();
   run("atoms.colour #ff00ff element O\nwait-idle\n");
-  DisplayControls& display = viewer_->state().settings.display;
-  const DisplayControls usual;  // as on the command line
+  DisplaySettings& display = viewer_->state().settings.display;
+  const DisplaySettings usual;  // as on the command line
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
   display.outlines = usual.outlines;

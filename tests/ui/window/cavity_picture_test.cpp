@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/cavities/chosen_cavities.hpp"
+#include "core/document/cavities/selected_cavities.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
@@ -18,7 +18,7 @@ class CavityPictureTest : public ViewerTest {
   explicit CavityPictureTest(bool draw_shots_only = true) : ViewerTest(draw_shots_only) {}
   // The display at the program's start. Only samples differ, which merely smooth.
   void show_as_at_the_start() {
-    DisplayControls display;
+    DisplaySettings display;
     display.samples = 1;
     viewer_->state().settings.display = display;
   }
@@ -40,7 +40,7 @@ class CavityPictureTest : public ViewerTest {
     std::uint32_t most = 0;
     for (std::size_t row = 0; row < page().rows.size(); ++row) {
       for (const std::uint32_t n : page().rows.contents->of[page().rows.table().order[row]]) {
-        const HeldResidue& residue = page().rows.contents->residues[n];
+        const ContainedResidue& residue = page().rows.contents->residues[n];
         if (molecule.text(molecule.atoms[residue.atom].residue_name) != name) continue;
         if (residue.inside > std::exchange(most, std::max(most, residue.inside))) best = row;
       }
@@ -204,11 +204,11 @@ TEST_F(CavityPictureTest, ALigandOfTheBodyIsShownWhereItLinesACavity) {
     choose(row);
     std::size_t lining = 0;
     for (const Ref& ref : viewer_->state().settings.selection.items.items()) {
-      lining += molecule.atoms[std::get<AtomRef>(ref).atom].kind == AtomKind::ligand;
+      lining += molecule.atoms[std::get<AtomRef>(ref).atom].kind == ResidueKind::ligand;
     }
     EXPECT_EQ(lining > 0, !held().atoms.empty()) << row;
     for (const LayerAtom& atom : held().atoms) {
-      EXPECT_EQ(molecule.atoms[atom.atom].kind, AtomKind::ligand);
+      EXPECT_EQ(molecule.atoms[atom.atom].kind, ResidueKind::ligand);
     }
   }
 }
@@ -254,7 +254,7 @@ TEST_F(CavityPictureTest, OpacityIsASettingOfThePage) {
   const Image opaque = picture();
   EXPECT_GT(differing_pixels(usual, opaque), 2000);
   run("edit.undo\n");
-  EXPECT_EQ(viewer_->state().settings.display.cavity_opacity, DisplayControls().cavity_opacity);
+  EXPECT_EQ(viewer_->state().settings.display.cavity_opacity, DisplaySettings().cavity_opacity);
   run("click cavities.draw\nframes 3\n");
   EXPECT_TRUE(viewer_->widgets().contains("cavities.draw.opacity"));
   run("key esc\n");
@@ -303,7 +303,7 @@ TEST_F(CavityPictureTest, TheLiningFollowsTheSolventRadius) {
   choose(*row_with_ligand("HEM"));
   const auto lining = [this] {
     std::vector<Ref> refs;
-    for (const std::size_t row : page().chosen_rows) {
+    for (const std::size_t row : page().selected_rows) {
       for (const BallIndex ball : page().rows.table().measure(row).lining) {
         refs.emplace_back(page().rows.lines->atoms->atom(ball));
       }

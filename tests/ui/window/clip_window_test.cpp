@@ -119,8 +119,8 @@ TEST_F(ClipWindow, SavedPicturesAndTheCommandLineShowTheSame) {
       ScreenshotRequest{folder_ / "window.png", {width, height, false, true, false}});
   run("wait-idle\n");
   const Image window = pixels_of(folder_ / "window.png");
-  DisplayControls& display = viewer_->state().settings.display;
-  const DisplayControls usual;
+  DisplaySettings& display = viewer_->state().settings.display;
+  const DisplaySettings usual;
   display.ambient_occlusion = usual.ambient_occlusion;
   display.depth_cue = usual.depth_cue;
   display.outlines = usual.outlines;

@@ -101,7 +101,7 @@ TEST(CommandList, EveryPageBelowTheViewIsInAMenu) {
   std::set<std::string> listed;
   for (const Choice& choice : page->parameters.at(0).choices()) listed.insert(choice.id);
   for (const PanelSpec& panel : panels()) {
-    EXPECT_EQ(listed.contains(panel.id), panel.place == Place::bottom) << panel.id;
+    EXPECT_EQ(listed.contains(panel.id), panel.place == PanelPlace::bottom) << panel.id;
   }
 }
 
@@ -149,7 +149,7 @@ class CommandsInPanels : public ::testing::Test {
     p.frame(3);
   }
   bool is_open() { return p.rects.contains("palette.field"); }
-  const PaletteMemory& palette() const { return p.state.palette; }
+  const PaletteState& palette() const { return p.state.palette; }
 
   Panels p{{1280, 800, 1}};
 };
@@ -377,7 +377,7 @@ TEST_F(CommandsInPanels, EscapeAndAClickBesideCloseThePalette) {
 TEST_F(CommandsInPanels, AnErrorDialogComesAboveThePalette) {
   open_palette();
   type("bou");
-  p.state.tell("The file cannot be opened", "x.pdb, line 3: no number.");
+  p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.");
   p.frame(3);
   ASSERT_TRUE(p.rects.contains("error.ok"));
   p.tap(key::kEscape);
@@ -425,7 +425,7 @@ class CommandsInProgram : public testing::ViewerTest {
 
 TEST_F(CommandsInProgram, MenuKeyPaletteAndScriptDoTheSame) {
   open_crambin();
-  const DisplayControls& d = viewer_->state().settings.display;
+  const DisplaySettings& d = viewer_->state().settings.display;
   for (const char* way : {"view.edges\n", "key e\n", "click menu.View\nclick menu.view.edges\n",
                           "key ctrl+p\ntype edges\nkey enter\n"}) {
     const bool before = d.edges;

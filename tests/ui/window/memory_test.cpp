@@ -94,7 +94,7 @@ TEST(MemoryTest, FreedMemoryIsGivenBack) {
     if (i % 16 != 0) std::vector<char>().swap(pieces[i]);
   }
   const std::uint64_t before = resident_bytes();
-  give_back_freed_memory();
+  return_freed_memory();
   EXPECT_LT(resident_bytes() + kPieces * kBytes / 2, before);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 class PaintTest : public ViewerTest {
  protected:
-  DisplayControls& display() { return viewer_->state().settings.display; }
+  DisplaySettings& display() { return viewer_->state().settings.display; }
   const ViewportInfo& viewport() { return viewer_->state().viewport; }
   const std::vector<ColourLegend>& legends() { return viewport().legends; }
   std::string refusal(const std::string& line) { return viewer_->commands().run_line(line).why; }
@@ -107,8 +107,8 @@ TEST_F(PaintTest, SessionsAndTheCommandLineHaveTheSame) {
   open_crambin();
   run("alpha.set 3\nview.colour_balls b_factor,cividis,0:20\nview.colour_simplices component\n"
       "view.triangles on\nview.edges on\nwait-idle\n");
-  DisplayControls& d = display();
-  const DisplayControls usual;  // as on the command line
+  DisplaySettings& d = display();
+  const DisplaySettings usual;  // as on the command line
   d.ambient_occlusion = usual.ambient_occlusion;
   d.depth_cue = usual.depth_cue;
   d.outlines = usual.outlines;

@@ -112,7 +112,7 @@ class PictureOrder : public ::testing::Test {
   AlphaComplex complex_;
   std::shared_ptr<const OpenedMolecule> opened_;
   std::shared_ptr<const Answer> answer_;
-  DisplayControls display_;
+  DisplaySettings display_;
   ViewportInfo viewport_;
   // Drawings first ask for the free memory. They are held there, except for as many as may pass.
   std::atomic<bool> held_ = false, waits_ = false;

@@ -61,7 +61,7 @@ TEST_F(PictureStages, AreKnownAfterwardsWhereTheWindowGoesOnMeanwhile) {
     return testing::texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
   };
   const Image before = finished();
-  viewer_->draw_meanwhile();
+  viewer_->render_asynchronously();
   expect_stages_of_picture();
   EXPECT_EQ(finished().rgba, before.rgba);
 }

@@ -126,7 +126,7 @@ TEST_F(SelectionTest, ClickSelectsControlAddsEmptyClears) {
   const Ref first = *state().hovered;
   click();
   EXPECT_EQ(items(), std::vector<Ref>{first});
-  EXPECT_EQ(state().picked_text, "1");
+  EXPECT_EQ(state().selected_count_text, "1");
   at(where[1]);
   const Ref second = *state().hovered;
   ASSERT_NE(first, second);
@@ -141,7 +141,7 @@ TEST_F(SelectionTest, ClickSelectsControlAddsEmptyClears) {
   EXPECT_EQ(items().size(), 1u) << "beside everything nothing is added";
   click();
   EXPECT_TRUE(items().empty());
-  EXPECT_EQ(state().picked_text, "");
+  EXPECT_EQ(state().selected_count_text, "");
 }
 
 TEST_F(SelectionTest, ADragTurnsAndNeverSelects) {
@@ -191,12 +191,12 @@ TEST_F(SelectionTest, OutlivesAtomsThatComeAndGo) {
   run("select.atoms A:THR 1:N, A:ASN 46\nframes 2\n");
   const std::vector<Ref> all = items();
   ASSERT_GT(all.size(), 5u);
-  EXPECT_EQ(state().picked_missing, 0u);
+  EXPECT_EQ(state().selected_missing, 0u);
   viewer_->state().settings.open.balls.selection = "resi 40-46";
   run("frames 1\nwait-idle\nframes 2\n");
   EXPECT_EQ(items(), all);
-  EXPECT_EQ(state().picked_missing, 1u);
-  EXPECT_EQ(state().picked_text, std::to_string(all.size()) + ", 1 not in the picture");
+  EXPECT_EQ(state().selected_missing, 1u);
+  EXPECT_EQ(state().selected_count_text, std::to_string(all.size()) + ", 1 not in the picture");
   const auto ball = state().references->ball(std::get<AtomRef>(all.back()));
   ASSERT_TRUE(ball);
   const Molecule& molecule = state().references->molecule();
@@ -205,7 +205,7 @@ TEST_F(SelectionTest, OutlivesAtomsThatComeAndGo) {
   viewer_->state().settings.open.balls.selection = "";
   run("frames 1\nwait-idle\nframes 2\n");
   EXPECT_EQ(items(), all);
-  EXPECT_EQ(state().picked_missing, 0u);
+  EXPECT_EQ(state().selected_missing, 0u);
 }
 
 TEST_F(SelectionTest, ASimplexIsInThePictureWhenTheComplexHasIt) {
@@ -216,16 +216,16 @@ TEST_F(SelectionTest, ASimplexIsInThePictureWhenTheComplexHasIt) {
   at(places("tetrahedron", 1)[0]);
   click();
   ASSERT_EQ(items().size(), 1u);
-  EXPECT_EQ(state().picked_missing, 0u);
+  EXPECT_EQ(state().selected_missing, 0u);
   ASSERT_EQ(state().layers.size(), 1u);
   EXPECT_EQ(state().layers[0]->edges.size(), 6u);
   EXPECT_GT(differing_pixels(before, picture()), 20);
   run("alpha.set -2\nwait-idle\nframes 2\n");
   EXPECT_EQ(items().size(), 1u);
-  EXPECT_EQ(state().picked_missing, 1u);
+  EXPECT_EQ(state().selected_missing, 1u);
   EXPECT_TRUE(state().layers.empty());
   run("alpha.set 5\nwait-idle\nframes 2\n");
-  EXPECT_EQ(state().picked_missing, 0u);
+  EXPECT_EQ(state().selected_missing, 0u);
 }
 
 TEST_F(SelectionTest, SelectedBallsAreMarkedAlsoWhenBallsAreOff) {

@@ -12,7 +12,7 @@ class SessionWindowTest : public ViewerTest {
   SessionWindowTest() { fs::copy_file(crambin(), molecule()); }
   fs::path molecule() const { return folder_ / "m.pdb"; }
   fs::path session() const { return folder_ / "s.json"; }
-  void begin_anew() {
+  void reset_for_molecule() {
     viewer_.reset();
     host_ = make_egl_host({1100, 700, 1, "test"});
     ViewerOptions options;
@@ -47,7 +47,7 @@ TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   const std::string before = hash();
   const Image picture_before = picture();
   const std::string saved = text();
-  begin_anew();
+  reset_for_molecule();
   open_session();
   EXPECT_EQ(viewer_->state().error, "");
   EXPECT_EQ(hash(), before);
@@ -100,7 +100,7 @@ TEST_F(SessionWindowTest, AMoleculeThatMovedIsAskedForAndFound) {
   save();
   const std::string before = hash();
   fs::rename(molecule(), folder_ / "elsewhere.pdb");
-  begin_anew();
+  reset_for_molecule();
   open_session();
   ASSERT_TRUE(viewer_->state().session_problem.has_value());
   EXPECT_NE(viewer_->state().session_problem->text.find(molecule().string()), std::string::npos);
@@ -117,7 +117,7 @@ TEST_F(SessionWindowTest, AMoleculeThatChangedIsOpenedOnlyWhenAsked) {
   open_molecule();
   save();
   std::ofstream(molecule(), std::ios::app) << "REMARK changed\n";
-  begin_anew();
+  reset_for_molecule();
   open_session();
   ASSERT_TRUE(viewer_->state().session_problem.has_value());
   EXPECT_TRUE(viewer_->state().session_problem->can_open);
@@ -160,7 +160,7 @@ TEST_F(SessionWindowTest, DroppedOrNamedItOpensAsAFileDoes) {
   open_molecule();
   run("alpha.set 3\nwait-idle\n");
   save();
-  begin_anew();
+  reset_for_molecule();
   viewer_->open_dropped({session(), molecule()});
   run("wait-idle\n");
   EXPECT_EQ(viewer_->state().settings.request.alpha_angstrom2, 3);
@@ -216,7 +216,7 @@ TEST_F(SessionWindowTest, TheCommandLineDrawsTheSamePicture) {
 
 class PreferencesWindowTest : public ViewerTest {
  protected:
-  void begin_anew(bool light = false) {
+  void reset_for_molecule(bool light = false) {
     viewer_.reset();
     ViewerOptions options;
     options.compare = false;
@@ -229,10 +229,10 @@ class PreferencesWindowTest : public ViewerTest {
 };
 
 TEST_F(PreferencesWindowTest, AreKeptFromWindowToWindow) {
-  begin_anew();
+  reset_for_molecule();
   run("view.light_theme on\nview.scale 1.5\nengine.set cpu\nopen " + crambin().string() +
       "\nwait-idle\n");
-  begin_anew();
+  reset_for_molecule();
   EXPECT_EQ(viewer_->state().window.theme, Theme::light);
   EXPECT_EQ(viewer_->state().window.control_scale, 1.5);
   EXPECT_EQ(viewer_->state().settings.request.engine, EngineChoice::cpu);
@@ -241,21 +241,21 @@ TEST_F(PreferencesWindowTest, AreKeptFromWindowToWindow) {
   run("file.recent \"" + crambin().string() + "\"\nwait-idle\n");
   EXPECT_EQ(viewer_->state().molecule.name, "1crn.pdb");
   run("file.recent clear\n");
-  begin_anew();
+  reset_for_molecule();
   EXPECT_TRUE(viewer_->state().recent.empty());
 }
 
 TEST_F(PreferencesWindowTest, AnOptionIsNoPreference) {
-  begin_anew(true);
+  reset_for_molecule(true);
   EXPECT_EQ(viewer_->state().window.theme, Theme::light);
-  begin_anew();
+  reset_for_molecule();
   EXPECT_EQ(viewer_->state().window.theme, Theme::dark);
 }
 
 TEST_F(PreferencesWindowTest, ADamagedFileIsToldOnceAndTheWindowWorks) {
   fs::create_directories(folder_ / "config");
   std::ofstream(folder_ / "config/preferences.json") << "{";
-  begin_anew();
+  reset_for_molecule();
   EXPECT_EQ(viewer_->state().error_title, "Preferences");
   run("click error.ok\nview.light_theme on\nopen " + crambin().string() + "\nwait-idle\n");
   EXPECT_EQ(viewer_->state().error, "");
@@ -284,7 +284,7 @@ TEST_F(PreferencesWindowTest, TheScaleFollowsAtOnce) {
 }
 
 TEST_F(PreferencesWindowTest, PresenterSizeIsLargerAndIsKept) {
-  begin_anew();
+  reset_for_molecule();
   run("view.scale 1.25\nframes 3\n");
   const int width = viewer_->state().viewport.width;
   run("view.presenter_size on\nframes 3\n");
@@ -294,7 +294,7 @@ TEST_F(PreferencesWindowTest, PresenterSizeIsLargerAndIsKept) {
   viewer_.reset();
   EXPECT_EQ(read_preferences(folder_ / "config").preferences.width, 880)
       << "of the window as it is without presenter size";
-  begin_anew();
+  reset_for_molecule();
   EXPECT_TRUE(viewer_->state().window.presenter_size);
   EXPECT_FLOAT_EQ(host_->size().scale, 1.875f);
   run("view.presenter_size\nframes 3\n");

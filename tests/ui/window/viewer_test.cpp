@@ -9,7 +9,7 @@
 
 #include "app/options/exit_code.hpp"
 #include "app/viewer/options.hpp"
-#include "app/viewer/state_bridge.hpp"
+#include "app/viewer/session_text.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
@@ -56,7 +56,7 @@ TEST_F(ViewerTest, ADroppedFileThatCannotBeReadIsNotToldAsOpened) {
 }
 
 TEST_F(ViewerTest, ADroppedFileIsTheAnswerToTheDialogThatAsksForOneAndToNoOther) {
-  PanelMemory& memory = viewer_->state().memory;
+  SharedPanelState& memory = viewer_->state().memory;
   for (const BrowserPurpose purpose : {BrowserPurpose::molecule, BrowserPurpose::save}) {
     memory.browser_folder = folder_;
     memory.browser_purpose = purpose;
@@ -158,15 +158,15 @@ TEST_F(ViewerTest, ABadFileKeepsTheMoleculeAndSaysWhy) {
 TEST_F(ViewerTest, EveryDisplaySwitchDraws) {
   open_crambin();
   run("click alpha.preset.1.4\nwait-idle\n");
-  DisplayControls& d = viewer_->state().settings.display;
-  const DisplayControls usual = d;
+  DisplaySettings& d = viewer_->state().settings.display;
+  const DisplaySettings usual = d;
   struct Switch {
     const char* name;
-    std::function<void(DisplayControls&)> before, change;
+    std::function<void(DisplaySettings&)> before, change;
   };
-  const auto nothing = [](DisplayControls&) {};
-  const auto no_tetrahedra = [](DisplayControls& c) { c.tetrahedra = false; };
-  const auto edges = [](DisplayControls& c) { c.tetrahedra = c.balls = false, c.edges = true; };
+  const auto nothing = [](DisplaySettings&) {};
+  const auto no_tetrahedra = [](DisplaySettings& c) { c.tetrahedra = false; };
+  const auto edges = [](DisplaySettings& c) { c.tetrahedra = c.balls = false, c.edges = true; };
   const std::vector<Switch> switches{
       {"balls", nothing, [](auto& c) { c.balls = false; }},
       {"ball size", nothing, [](auto& c) { c.ball_scale = 0.6f; }},
@@ -247,7 +247,7 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
 TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
   open_crambin();
   run("click alpha.preset.3\nmove view 0.3 0.4\ndown\nmove view 0.6 0.5\nup\n");
-  DisplayControls& d = viewer_->state().settings.display;
+  DisplaySettings& d = viewer_->state().settings.display;
   for (const DisplayPreset preset : {DisplayPreset::teaching, DisplayPreset::cavity}) {
     d = with_preset(d, preset);
     d.samples = 3;
@@ -278,7 +278,7 @@ TEST_F(ViewerTest, AWindowWithoutOptionsDrawsAsItsPanelSays) {
 
 TEST_F(ViewerTest, PicturesGetFinerAtRest) {
   open_crambin();
-  DisplayControls& d = viewer_->state().settings.display;
+  DisplaySettings& d = viewer_->state().settings.display;
   d = with_preset(d, DisplayPreset::teaching);
   d.samples = 3;
   const Image fine = picture();
@@ -287,7 +287,7 @@ TEST_F(ViewerTest, PicturesGetFinerAtRest) {
         testing::texture_pixels(static_cast<unsigned>(viewer_->state().viewport.texture));
     return shown.width == fine.width && unequal_pixels(shown, fine) == 0;
   };
-  const DisplayControls before = d;
+  const DisplaySettings before = d;
   d.depth_cue = 1;
   run("frames 1\n");
   d = before;

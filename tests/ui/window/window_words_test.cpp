@@ -9,7 +9,7 @@
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/scene/picture/step_text.hpp"
-#include "ui/widgets/controls.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -27,7 +27,7 @@ TEST(Tooltips, AreBesideWhatTheySpeakOf) {
   p.frame(3);
   ImGuiIO& io = ImGui::GetIO();
   std::size_t seen = 0;
-  for (const KeyMemory::Stop& stop : std::vector(p.state.memory.keys.stops)) {
+  for (const KeyState::Stop& stop : std::vector(p.state.memory.keys.stops)) {
     const WidgetRect r = p.rects[stop.name];
     if (!stop.visible || r.y1 - r.y0 > 60) continue;
     for (const float place : {0.1f, 0.9f}) {

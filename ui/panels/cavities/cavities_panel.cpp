@@ -77,7 +77,7 @@ void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
                        *kUse = "Use CASTp's choices";
   std::vector<std::string> differences = differences_from_castp(
       ctx.state.settings.open.balls, atoms.prepared().report, ctx.state.settings.request);
-  if (ctx.state.settings.cavity_choices.split_networks) differences.push_back(kNetworksAreSplit);
+  if (ctx.state.settings.cavity_settings.split_networks) differences.push_back(kNetworksAreSplit);
   const float gap = ctx.px(8);
   same_line_where_it_fits(differences.empty()
                               ? ImGui::CalcTextSize(kComparable).x
@@ -121,7 +121,8 @@ void save_button(PanelContext& ctx, const CavityPage& page, bool current) {
       rows.least_volume_sa_angstrom3 = filter.least_volume_angstrom3;
     }
     const RecordSource source = source_on_screen(ctx);
-    ask_to_save(ctx, {"Cavities", file_name_for(ctx, "cavities"), cavities_as_csv(rows, source),
+    open_save_dialog(ctx,
+                     {"Cavities", file_name_for(ctx, "cavities"), cavities_as_csv(rows, source),
                       cavities_as_json(rows, source), ctx.inputs, true, exports_of(rows, source)});
   }
   ImGui::EndDisabled();
@@ -144,13 +145,13 @@ void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
   ImGui::SameLine(0, ctx.px(4));
   ImGui::TextUnformatted("Å³");
   ImGui::SameLine(0, ctx.px(14));
-  if (button(ctx, "cavities.all", "Select all")) choose_all_cavities(ctx, page);
+  if (button(ctx, "cavities.all", "Select all")) select_all_cavities(ctx, page);
   tooltip(
       ctx,
       "Selects all listed cavities. Ctrl+click on a row adds one; Shift+click selects a range.");
   ImGui::SameLine(0, ctx.px(4));
   ImGui::BeginDisabled(ctx.state.settings.selection.empty());
-  if (button(ctx, "cavities.none", "None")) choose_no_cavities(ctx);
+  if (button(ctx, "cavities.none", "None")) clear_cavity_selection(ctx);
   ImGui::EndDisabled();
   ImGui::SameLine(0, ctx.px(14));
   cavity_parts_button(ctx, page);
@@ -222,7 +223,7 @@ void body(PanelContext& ctx, CavityPage& page, bool current) {
   const float width = ImGui::GetContentRegionAvail().x - ctx.px(kPaneWidth) - gap;
   draw_cavity_table(ctx, page, width, current);
   ImGui::SameLine(0, gap);
-  draw_chosen_cavities(ctx, page);
+  draw_selected_cavities(ctx, page);
 }
 
 // Whether rows of another alpha than the picture's are grey. They are not if the next ones follow
@@ -238,23 +239,23 @@ bool is_grey(CavityPage& page, bool current) {
 }
 
 // Chooses the row that a command asked for before there was a table.
-void choose_wanted_row(PanelContext& ctx, CavityPage& page) {
+void select_wanted_row(PanelContext& ctx, CavityPage& page) {
   const auto row = std::exchange(ctx.state.cavities.wanted_row, std::nullopt);
   if (!row) return;
   const std::size_t rows = page.rows.table().size();
-  if (*row < rows) return choose_cavity(ctx, page, *row, HowChosen::alone);
+  if (*row < rows) return select_cavity(ctx, page, *row, HowSelected::alone);
   ctx.state.notice = "There is no cavity " + with_separators(static_cast<long long>(*row) + 1) +
                      "; the last is " + with_separators(static_cast<long long>(rows)) + ".";
 }
 
 void draw_cavities(PanelContext& ctx) {
-  CavityMemory& memory = ctx.state.cavities;
+  CavityState& memory = ctx.state.cavities;
   const FollowedCavities followed = follow_cavities(ctx);
   CavityPage& page = *memory.page;
   const bool current = followed.current;
   if (current) {
     take_what_follows(ctx, page);
-    choose_wanted_row(ctx, page);
+    select_wanted_row(ctx, page);
   } else if (is_shown(page, "holds")) {
     // Made in one job with the lines, so that both come together.
     ctx.store.want(cavity_contents(), ctx.inputs);

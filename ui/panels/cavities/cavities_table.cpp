@@ -122,7 +122,7 @@ bool draw_row(PanelContext& ctx, CavityPage& page, std::size_t row) {
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(row));
   const std::string number = std::to_string(row + 1);
-  const bool chosen = std::binary_search(page.chosen_rows.begin(), page.chosen_rows.end(), row);
+  const bool chosen = std::binary_search(page.selected_rows.begin(), page.selected_rows.end(), row);
   const bool clicked = ImGui::Selectable(
       number.c_str(), chosen,
       ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
@@ -142,10 +142,10 @@ bool draw_row(PanelContext& ctx, CavityPage& page, std::size_t row) {
   return clicked;
 }
 
-HowChosen how_chosen() {
+HowSelected how_selected() {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.KeyShift) return HowChosen::range;
-  return io.KeyCtrl ? HowChosen::toggled : HowChosen::alone;
+  if (io.KeyShift) return HowSelected::range;
+  return io.KeyCtrl ? HowSelected::toggled : HowSelected::alone;
 }
 
 // Returns the width of the columns on show, at their first widths.
@@ -200,7 +200,7 @@ void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool cu
     }
   }
   ImGui::EndTable();
-  if (clicked && current) choose_cavity(ctx, page, *clicked, how_chosen());
+  if (clicked && current) select_cavity(ctx, page, *clicked, how_selected());
 }
 
 }  // namespace alphascope

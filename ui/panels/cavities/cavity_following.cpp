@@ -7,7 +7,7 @@
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/panels/molecule/begin_anew.hpp"
+#include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
@@ -15,7 +15,7 @@ namespace {
 
 // For another molecule the page keeps only its appearance.
 void begin_page(CavityPage& page, const std::string& molecule) {
-  begin_anew(page, molecule, [](const CavityPage& old) {
+  reset_for_molecule(page, molecule, [](const CavityPage& old) {
     CavityPage fresh;
     fresh.filter = old.filter;
     fresh.columns = old.columns;
@@ -96,7 +96,7 @@ void tell_of_merging(PanelContext& ctx, const CavityPage& page, bool merged_befo
   const bool merged = !page.merged_into.empty();
   if (merged && !merged_before) {
     ctx.state.notice = merged_text(page);
-  } else if (merged_before && !merged && !page.chosen_rows.empty()) {
+  } else if (merged_before && !merged && !page.selected_rows.empty()) {
     ctx.state.notice = "The selected cavity is separate again.";
   }
 }
@@ -104,7 +104,7 @@ void tell_of_merging(PanelContext& ctx, const CavityPage& page, bool merged_befo
 // The selection follows the lining atoms, unless the user has selected other items meanwhile. After
 // an undo it holds the history's items. They were right at their alpha, so they stay.
 void follow_lining(PanelContext& ctx, CavityPage& page) {
-  RefSet lining = lining_of(page, page.chosen_rows);
+  RefSet lining = lining_of(page, page.selected_rows);
   RefSet& selected = ctx.state.settings.selection.items;
   if (!page.chosen.empty() && selected == page.lining && !(selected == lining)) {
     selected = lining;
@@ -113,31 +113,31 @@ void follow_lining(PanelContext& ctx, CavityPage& page) {
   page.lining = std::move(lining);
 }
 
-void find_chosen_rows(PanelContext& ctx, CavityPage& page) {
+void find_selected_rows(PanelContext& ctx, CavityPage& page) {
   const RefSet& chosen = ctx.state.settings.selection.cavities;
   CavityPage::Choice& choice = page.choice;
-  const bool same_rows = page.chosen == chosen && page.chosen_in == page.rows.lines;
+  const bool same_rows = page.chosen == chosen && page.selected_in == page.rows.lines;
   if (same_rows && choice.parts == page.parts) return;
   const bool same_choice = page.chosen == chosen, merged_before = !page.merged_into.empty();
   page.chosen = chosen;
-  page.chosen_in = page.rows.lines;
-  ChosenRows found = rows_of_cavities(*page.rows.lines, chosen);
-  page.chosen_rows = std::move(found.rows);
+  page.selected_in = page.rows.lines;
+  SelectedRows found = rows_of_cavities(*page.rows.lines, chosen);
+  page.selected_rows = std::move(found.rows);
   page.merged_into = std::move(found.merged_into);
   if (same_choice) {
     tell_of_merging(ctx, page, merged_before);
     follow_lining(ctx, page);
   } else {
-    page.lining = lining_of(page, page.chosen_rows);
+    page.lining = lining_of(page, page.selected_rows);
   }
   choice.parts = page.parts;
   choice.sinks.clear();
-  for (const std::size_t row : page.chosen_rows) {
+  for (const std::size_t row : page.selected_rows) {
     choice.sinks.push_back(page.rows.table().sink(row));
   }
   std::sort(choice.sinks.begin(), choice.sinks.end());
   ++choice.key;
-  std::vector<std::size_t> rows = page.chosen_rows;
+  std::vector<std::size_t> rows = page.selected_rows;
   if (page.anchor) {
     std::stable_partition(rows.begin(), rows.end(),
                           [&](std::size_t row) { return row != *page.anchor; });
@@ -172,14 +172,14 @@ std::string merged_text(const CavityPage& page) {
 }
 
 FollowedCavities follow_cavities(PanelContext& ctx) {
-  CavityMemory& memory = ctx.state.cavities;
+  CavityState& memory = ctx.state.cavities;
   if (!memory.page) memory.page = std::make_shared<CavityPage>();
   CavityPage& page = *memory.page;
   begin_page(page, ctx.state.molecule.sha256);
   FollowedCavities followed;
   followed.current = follow_lines(ctx, page, followed.wanted);
   if (page.rows.lines) {
-    find_chosen_rows(ctx, page);
+    find_selected_rows(ctx, page);
   } else {
     memory.chosen.clear();
   }

@@ -18,8 +18,8 @@ namespace {
 // Returns the chosen network, else the largest.
 std::optional<std::size_t> network_row(const CavityPage& page) {
   const std::vector<CavityLine>& lines = page.rows.lines->of;
-  if (page.chosen_rows.size() == 1 && lines[page.chosen_rows.front()].is_network) {
-    return page.chosen_rows.front();
+  if (page.selected_rows.size() == 1 && lines[page.selected_rows.front()].is_network) {
+    return page.selected_rows.front();
   }
   const auto first = std::find_if(lines.begin(), lines.end(),
                                   [](const CavityLine& line) { return line.is_network; });
@@ -75,7 +75,7 @@ std::string split_text(const CavityTable& table) {
 }  // namespace
 
 void networks_line(PanelContext& ctx, const CavityPage& page, bool current) {
-  bool& split = ctx.state.settings.cavity_choices.split_networks;
+  bool& split = ctx.state.settings.cavity_settings.split_networks;
   const std::optional<std::size_t> row = network_row(page);
   const CavityTable& table = page.rows.table();
   if (!row && !split && table.found.networks.empty()) return;

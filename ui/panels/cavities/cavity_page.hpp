@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/document/cavities/chosen_cavities.hpp"
 #include "core/document/cavities/known_cavities.hpp"
+#include "core/document/cavities/selected_cavities.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/settings/display.hpp"
 #include "ui/layer.hpp"
@@ -38,7 +38,7 @@ struct CavityPage {
   CavityFilter filter;
   std::vector<bool> columns;    // for each column: it is shown; empty: not set up yet
   bool columns_changed = true;  // by anything but the table's own menu
-  CavityParts parts;            // the parts of chosen cavities that are drawn
+  DrawnCavityParts parts;       // the parts of chosen cavities that are drawn
   bool fades_rest = true;       // balls and simplices are pale
 
   KnownCavities rows;               // without a table: there is none yet
@@ -56,21 +56,21 @@ struct CavityPage {
   std::map<std::uint32_t, Change> changes;
   double changed_at_seconds = 0;  // by ImGui's clock
 
-  // A copy of Selection::cavities, and the lines to which `chosen_rows` refer.
+  // A copy of Selection::cavities, and the lines to which `selected_rows` refer.
   RefSet chosen;
-  std::shared_ptr<const CavityLines> chosen_in;
-  std::vector<std::size_t> chosen_rows;  // ascending
-  // Those of chosen_rows into which a chosen cavity has merged.
+  std::shared_ptr<const CavityLines> selected_in;
+  std::vector<std::size_t> selected_rows;  // ascending
+  // Those of selected_rows into which a chosen cavity has merged.
   std::vector<std::size_t> merged_into;
   // Lining atoms of the chosen rows; the selection follows it until the user selects other items.
   RefSet lining;
   std::optional<std::size_t> anchor;  // row clicked last, from which Shift+click reaches
   struct Choice {
     CavitySinks sinks;  // sinks of the chosen rows, ascending
-    CavityParts parts;
+    DrawnCavityParts parts;
     std::uint64_t key = 0;  // changes with the sinks or the parts
   } choice;
-  std::shared_ptr<const ChosenCavities> drawn;  // the cavities from which `layers` are made
+  std::shared_ptr<const SelectedCavities> drawn;  // the cavities from which `layers` are made
   Layers layers;
   std::shared_ptr<const BallSet> layers_of;  // Layer::balls
   std::uint64_t layers_key = 0;

@@ -8,7 +8,7 @@ namespace alphascope {
 
 // --- cavity_following.cpp
 
-// Brings CavityMemory::page up to date with the table on screen and the chosen cavities. Makes the
+// Brings CavityState::page up to date with the table on screen and the chosen cavities. Makes the
 // page if it is missing. Each page that shows either calls this in each frame.
 struct FollowedCavities {
   bool current = false;         // the rows belong to the picture
@@ -28,17 +28,17 @@ void cavity_columns_button(PanelContext& ctx, CavityPage& page);
 // Draws the table. `current`: the rows belong to the picture; otherwise clicks do nothing.
 void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool current);
 
-// --- chosen_cavities_pane.cpp
+// --- selected_cavities_pane.cpp
 
 // A click chooses a row alone, adds or removes it, or chooses all from the last clicked row to it.
-enum class HowChosen : std::uint8_t { alone, toggled, range };
-void choose_cavity(PanelContext& ctx, CavityPage& page, std::size_t row, HowChosen how);
-void choose_all_cavities(PanelContext& ctx, CavityPage& page);  // all that the filter shows
-void choose_no_cavities(PanelContext& ctx);
+enum class HowSelected : std::uint8_t { alone, toggled, range };
+void select_cavity(PanelContext& ctx, CavityPage& page, std::size_t row, HowSelected how);
+void select_all_cavities(PanelContext& ctx, CavityPage& page);  // all that the filter shows
+void clear_cavity_selection(PanelContext& ctx);
 
 // Draws the chosen cavities in the view. To be called in each frame in which they are visible.
 void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current);
-void draw_chosen_cavities(PanelContext& ctx, CavityPage& page);
+void draw_selected_cavities(PanelContext& ctx, CavityPage& page);
 // Draws a button that opens a list of the parts that can be drawn.
 void cavity_parts_button(PanelContext& ctx, CavityPage& page);
 
@@ -59,7 +59,7 @@ void network_end_sentences(PanelContext& ctx, const CavityPage& page, std::size_
 // Returns a sentence about a part of a network; empty if the cavity is no such part.
 std::string part_text(const CavityLine& line);
 
-// --- chosen_cavities_pane.cpp
+// --- selected_cavities_pane.cpp
 
 // Returns sentences if the cavity split off or merged in the last movement of alpha or the solvent
 // radius; else empty.

@@ -83,7 +83,7 @@ void mouth_field(PanelContext& ctx, const char* name, int& mouth) {
   tooltip(ctx, "Mouths are numbered from 1.");
 }
 
-void axis_choice(PanelContext& ctx, ChannelMemory& memory) {
+void axis_choice(PanelContext& ctx, ChannelState& memory) {
   static constexpr const char* kHelp[] = {
       "The axis around which equal chains are arranged. Without one: the direction in which "
       "the molecule is longest.",
@@ -109,7 +109,7 @@ void label(PanelContext& ctx, const char* text) {
 
 // --- the question
 
-RealPoint axis_of(const ChannelMemory& memory) {
+RealPoint axis_of(const ChannelState& memory) {
   switch (memory.axis) {
     case ChannelAxis::x:
       return {1, 0, 0};
@@ -128,7 +128,7 @@ RealPoint axis_of(const ChannelMemory& memory) {
 // A place, or the reason why there is none.
 struct Place {
   std::optional<RealPoint> at;
-  ChannelQuestion none;
+  ChannelRequest none;
 };
 
 Place no_place(const std::string& why, bool waiting = false) {
@@ -201,7 +201,7 @@ Place of_cavity(PanelContext& ctx, int mouth) {
   return {found.mouths[static_cast<std::size_t>(mouth) - 1].place_angstrom, {}};
 }
 
-Place start_of(PanelContext& ctx, const ChannelMemory& memory) {
+Place start_of(PanelContext& ctx, const ChannelState& memory) {
   switch (memory.from) {
     case ChannelFrom::cavity:
       return of_cavity(ctx, 0);
@@ -220,7 +220,7 @@ Place start_of(PanelContext& ctx, const ChannelMemory& memory) {
 
 }  // namespace
 
-void draw_channel_ends(PanelContext& ctx, ChannelMemory& memory) {
+void draw_channel_ends(PanelContext& ctx, ChannelState& memory) {
   const ChannelFrom from = memory.from;
   const ChannelTo to = memory.to;
   const auto beside = [&] { ImGui::SameLine(0, ctx.px(6)); };
@@ -253,12 +253,12 @@ void draw_channel_ends(PanelContext& ctx, ChannelMemory& memory) {
   }
 }
 
-ChannelQuestion channel_question(PanelContext& ctx, ChannelMemory& memory) {
+ChannelRequest channel_request(PanelContext& ctx, ChannelState& memory) {
   const Place start = start_of(ctx, memory);
   if (!start.at) return start.none;
   memory.last_from = *start.at;
   const RealPoint axis = axis_of(memory);
-  ChannelQuestion question;
+  ChannelRequest question;
   switch (memory.to) {
     case ChannelTo::out:
       question.ends = ChannelEnds::out(*start.at);

@@ -5,31 +5,31 @@
 #include <string>
 
 #include "core/chart/plot.hpp"
-#include "core/document/channels/channel_texts.hpp"
-#include "ui/panels/channels/channel_memory.hpp"
+#include "core/document/channels/channel_text.hpp"
+#include "ui/panels/channels/channel_state.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 
 // The ends of a channel as the user set them. Without ends, `why` gives the reason and the remedy.
-struct ChannelQuestion {
+struct ChannelRequest {
   std::optional<ChannelEnds> ends;
   std::string why;
   bool waiting = false;       // a result that is needed is being computed
   bool wants_cavity = false;  // the user has to choose a cavity on its page
 };
-ChannelQuestion channel_question(PanelContext& ctx, ChannelMemory& memory);
+ChannelRequest channel_request(PanelContext& ctx, ChannelState& memory);
 // Draws the two rows that choose both ends.
-void draw_channel_ends(PanelContext& ctx, ChannelMemory& memory);
+void draw_channel_ends(PanelContext& ctx, ChannelState& memory);
 // Draws a line for each way through the molecule. A click chooses the way.
-void draw_ways(PanelContext& ctx, ChannelMemory& memory, const FoundWays& ways);
+void draw_ways(PanelContext& ctx, ChannelState& memory, const FoundWays& ways);
 
 // Radius against length, with the limits of HOLE's colours.
 Plot profile_plot(const Channel& channel);
 // Draws radius against length in the remaining room, and sets the cursor.
-void draw_channel_profile(PanelContext& ctx, ChannelMemory& memory, const Channel& channel);
+void draw_channel_profile(PanelContext& ctx, ChannelState& memory, const Channel& channel);
 
 // Draws the tube, the bottleneck's label and the place under the cursor as layers of the view.
-void show_channel(PanelContext& ctx, ChannelMemory& memory);
+void show_channel(PanelContext& ctx, ChannelState& memory);
 
 }  // namespace alphascope

@@ -30,7 +30,7 @@ void add_bands(Plot& plot) {
                           plot.x.range.high,
                           low,
                           high,
-                          {ChartInk::text, water_band_colour(bands[n]), 0.13f}});
+                          {ChartColourRole::text, water_band_colour(bands[n]), 0.13f}});
   }
 }
 
@@ -99,7 +99,7 @@ void draw_bottleneck(PanelContext& ctx, const PlotArea& area, const Channel& cha
 }
 
 // Shows the value under the mouse, here and in the view.
-void take_mouse(PanelContext& ctx, ChannelMemory& memory, const Plot& plot, const PlotArea& area,
+void take_mouse(PanelContext& ctx, ChannelState& memory, const Plot& plot, const PlotArea& area,
                 const Channel& channel) {
   const int before = memory.cursor;
   const PlotMouse mouse = plot_mouse(ctx, area, "channels.profile");
@@ -132,7 +132,7 @@ Plot profile_plot(const Channel& channel) {
   plot.x = {.range = {0, std::max(channel.length_angstrom, 1e-6)},
             .label = "length along the channel (Å)"};
   plot.y = {.range = {0, 2.5}, .label = "radius (Å)"};
-  PlotCurve curve{.paint = plot_ink(ChartInk::text)};
+  PlotCurve curve{.paint = plot_ink(ChartColourRole::text)};
   for (const ChannelSample& sample : channel.samples) {
     plot.y.range.take(sample.radius_angstrom);
     plot.y.range.take(1.05 * sample.radius_angstrom);
@@ -141,13 +141,13 @@ Plot profile_plot(const Channel& channel) {
   add_bands(plot);
   plot.curves.push_back(std::move(curve));
   const ChannelSample& narrowest = channel.narrowest();
-  plot.lines.push_back({narrowest.along_angstrom, plot_ink(ChartInk::accent, 0.6f)});
+  plot.lines.push_back({narrowest.along_angstrom, plot_ink(ChartColourRole::accent, 0.6f)});
   plot.dots.push_back(
-      {narrowest.along_angstrom, narrowest.radius_angstrom, plot_ink(ChartInk::accent), 4});
+      {narrowest.along_angstrom, narrowest.radius_angstrom, plot_ink(ChartColourRole::accent), 4});
   return plot;
 }
 
-void draw_channel_profile(PanelContext& ctx, ChannelMemory& memory, const Channel& channel) {
+void draw_channel_profile(PanelContext& ctx, ChannelState& memory, const Channel& channel) {
   ImGui::PushFont(ctx.fonts.small);
   auto area = plot_area(ctx, {.left = 34,
                               .top = 3,

@@ -23,7 +23,7 @@ LayerSphere sphere_of(const ChannelSample& sample) {
           colour_of(water_band(sample.radius_angstrom))};
 }
 
-std::shared_ptr<Layer> new_layer(const char* id, const ChannelMemory& memory) {
+std::shared_ptr<Layer> new_layer(const char* id, const ChannelState& memory) {
   static std::uint64_t key = 0;  // each layer gets a new key
   auto layer = std::make_shared<Layer>();
   layer->id = id;
@@ -32,7 +32,7 @@ std::shared_ptr<Layer> new_layer(const char* id, const ChannelMemory& memory) {
   return layer;
 }
 
-void make_layers(ChannelMemory& memory) {
+void make_layers(ChannelState& memory) {
   const Channel& channel = *memory.shown->channel;
   auto layer = new_layer("channels.tube", memory);
   layer->body = true;  // balls and simplices around it fade
@@ -45,7 +45,7 @@ void make_layers(ChannelMemory& memory) {
 }
 
 // Marks the place under the mouse by a ball around the tube. Saved pictures leave it out.
-void make_cursor(ChannelMemory& memory, const Colour& colour) {
+void make_cursor(ChannelState& memory, const Colour& colour) {
   auto layer = new_layer("channels.cursor", memory);
   const auto& samples = memory.shown->channel->samples;
   LayerSphere sphere = sphere_of(samples[static_cast<std::size_t>(memory.cursor)]);
@@ -58,7 +58,7 @@ void make_cursor(ChannelMemory& memory, const Colour& colour) {
 
 }  // namespace
 
-void show_channel(PanelContext& ctx, ChannelMemory& memory) {
+void show_channel(PanelContext& ctx, ChannelState& memory) {
   if (!memory.shown || !memory.shown->channel || !ctx.state.result) return;
   // Layers are drawn only with the complex of their balls. The tube is the same for each alpha and
   // solvent radius.

@@ -19,7 +19,7 @@ const Column<FoundChannel>& column(const char* id) {
 }
 
 std::string way_help(const FoundChannel& found) {
-  const WayNote& way = *found.way;
+  const WayFacts& way = *found.way;
   return "Through " + way.through + ", lined by " + chains_text(way.lining_chains) +
          ".\nNarrowest at " + bottleneck_place(*found.channel) + " Å.\nCovers " +
          cover_text(*found.cover) + ".\nClick to show it.";
@@ -27,7 +27,7 @@ std::string way_help(const FoundChannel& found) {
 
 }  // namespace
 
-void draw_ways(PanelContext& ctx, ChannelMemory& memory, const FoundWays& ways) {
+void draw_ways(PanelContext& ctx, ChannelState& memory, const FoundWays& ways) {
   if (ways.ways.empty()) return;
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg;
   if (!ImGui::BeginTable("ways", 4, kFlags)) return;

@@ -10,11 +10,11 @@
 #include "core/document/store/store.hpp"
 #include "core/geometry/principal_axes.hpp"
 #include "core/text/as_sentence.hpp"
-#include "ui/panels/channels/channel_memory.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
-#include "ui/panels/molecule/begin_anew.hpp"
+#include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -23,14 +23,14 @@ namespace alphascope {
 namespace {
 
 // Returns the id of found_channel() or found_ways(), whichever is shown.
-const char* id_of(const ChannelMemory& memory) {
+const char* id_of(const ChannelState& memory) {
   return memory.from == ChannelFrom::ways ? "channel.ways" : "channel";
 }
 
 // Channels of larger molecules take minutes, so the user starts them by a button.
 constexpr std::size_t kMostBallsUnasked = 200'000;
 
-void take_balls(PanelContext& ctx, ChannelMemory& memory) {
+void take_balls(PanelContext& ctx, ChannelState& memory) {
   const PreparedBalls& prepared = ctx.state.references->prepared();
   if (memory.prepared.get() == &prepared) return;
   memory.prepared = {ctx.state.references, &prepared};
@@ -40,7 +40,7 @@ void take_balls(PanelContext& ctx, ChannelMemory& memory) {
 }
 
 // A user who has just chosen a cavity wants the way out of it.
-void take_choice(const PanelContext& ctx, ChannelMemory& memory) {
+void take_choice(const PanelContext& ctx, ChannelState& memory) {
   const RefSet& chosen = ctx.state.settings.selection.cavities;
   if (chosen == memory.cavities) return;
   memory.cavities = chosen;
@@ -49,7 +49,7 @@ void take_choice(const PanelContext& ctx, ChannelMemory& memory) {
   if (memory.to != ChannelTo::mouth) memory.to = ChannelTo::out;
 }
 
-Inputs inputs_as_they_are(const ChannelMemory& memory) {
+Inputs inputs_as_they_are(const ChannelState& memory) {
   Inputs inputs;
   inputs.balls = memory.prepared->balls;
   inputs.balls_key = memory.balls_key;
@@ -57,7 +57,7 @@ Inputs inputs_as_they_are(const ChannelMemory& memory) {
   return inputs;
 }
 
-void take_answer(const PanelContext& ctx, ChannelMemory& memory,
+void take_answer(const PanelContext& ctx, ChannelState& memory,
                  const std::shared_ptr<const FoundChannel>& found) {
   if (memory.shown == found) return;
   memory.shown = found;
@@ -96,7 +96,7 @@ void look_across_line(PanelContext& ctx, const Channel& channel) {
   if (room > 0 && room < kMargin * tall) ctx.calls.view.zoom(room / (kMargin * tall));
 }
 
-void select_bottleneck(PanelContext& ctx, const ChannelMemory& memory) {
+void select_bottleneck(PanelContext& ctx, const ChannelState& memory) {
   std::vector<Ref> refs;
   for (const BallIndex ball : memory.shown->channel->touching) {
     refs.push_back(ctx.state.references->atom(ball));
@@ -127,11 +127,11 @@ void headline(PanelContext& ctx, const FoundChannel& found) {
           "solvent radius changes it.");
   ImGui::SameLine(0, ctx.px(12));
   ImGui::AlignTextToFramePadding();
-  muted_text(ctx, passing_text(found));
+  muted_text(ctx, passing_waters_text(found));
   record(ctx, "channels.passing");
 }
 
-void progress(PanelContext& ctx, ChannelMemory& memory, const Derived<FoundChannel>& found) {
+void progress(PanelContext& ctx, ChannelState& memory, const Derived<FoundChannel>& found) {
   const std::string text = percent_text(found.share);
   const bool runs = found.state == DerivedState::running;
   ImGui::ProgressBar(static_cast<float>(found.share), {ctx.px(150), ImGui::GetFrameHeight()},
@@ -149,13 +149,13 @@ void limit_line(PanelContext& ctx, const Channel& channel) {
 
 // An ion, ligand or water in the pore of a crystal closes it, although it may not stay there.
 struct Guest {
-  AtomKind kind;
+  ResidueKind kind;
   const char *one, *some;
   bool BallOptions::*kept;
 };
-constexpr Guest kGuests[] = {{AtomKind::ion, "An ion", "ions", &BallOptions::ions},
-                             {AtomKind::ligand, "A ligand", "ligands", &BallOptions::ligands},
-                             {AtomKind::water, "A water", "waters", &BallOptions::waters}};
+constexpr Guest kGuests[] = {{ResidueKind::ion, "An ion", "ions", &BallOptions::ions},
+                             {ResidueKind::ligand, "A ligand", "ligands", &BallOptions::ligands},
+                             {ResidueKind::water, "A water", "waters", &BallOptions::waters}};
 
 void guest_line(PanelContext& ctx, const std::vector<BallIndex>& touching, bool current) {
   const BallReferences& atoms = *ctx.state.references;
@@ -186,8 +186,8 @@ void cover_lines(PanelContext& ctx, const FoundChannel& found) {
   tooltip(ctx,
           "Length of the line along the molecule, from centre to centre. Each open end lies "
           "where the channel is wider than anywhere inside.");
-  if (!found.way || guests_text(*found.way).empty()) return;
-  wrapped_text("In the channel, but ignored: " + guests_text(*found.way) + ".");
+  if (!found.way || pore_contents_text(*found.way).empty()) return;
+  wrapped_text("In the channel, but ignored: " + pore_contents_text(*found.way) + ".");
   record(ctx, "channels.not_counted");
 }
 
@@ -201,7 +201,7 @@ std::vector<FormatToSave> exports_of(const std::shared_ptr<const FoundChannel>& 
   return formats;
 }
 
-void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
+void details(PanelContext& ctx, const ChannelState& memory, bool current) {
   const Channel& channel = *memory.shown->channel;
   const RealPoint& p = channel.narrowest().position_angstrom;
   wrapped_text("length " + number_text(channel.length_angstrom, 1) + " Å, narrowest at " +
@@ -229,13 +229,13 @@ void details(PanelContext& ctx, const ChannelMemory& memory, bool current) {
   tooltip(ctx, "Copies length, radius and position every 0.1 Å as CSV for a spreadsheet.");
   ImGui::SameLine(0, ctx.px(8));
   if (button(ctx, "channels.save", "Save…")) {
-    ask_to_save(ctx, {"Channel",
-                      file_name_for(ctx, "channel"),
-                      channel_csv(memory.shown, source),
-                      channel_as_json(memory.shown, source),
-                      {},
-                      false,
-                      exports_of(memory.shown, source, ctx.state.molecule.name)});
+    open_save_dialog(ctx, {"Channel",
+                           file_name_for(ctx, "channel"),
+                           channel_csv(memory.shown, source),
+                           channel_as_json(memory.shown, source),
+                           {},
+                           false,
+                           exports_of(memory.shown, source, ctx.state.molecule.name)});
   }
   tooltip(ctx,
           "The profile as a CSV or SVG file, the channel as a JSON file, or its surface, spheres "
@@ -248,7 +248,7 @@ void problem(PanelContext& ctx, const std::string& text) {
   record(ctx, "channels.problem");
 }
 
-std::string no_channel_text(const ChannelMemory& memory) {
+std::string no_channel_text(const ChannelState& memory) {
   const FoundChannel& found = *memory.shown;
   if (!found.covering) return as_sentence(found.why);
   std::string text = "The channel would end inside the atom " + memory.covering + ", " +
@@ -259,7 +259,7 @@ std::string no_channel_text(const ChannelMemory& memory) {
                        "start into the pore.");
 }
 
-void column_of_results(PanelContext& ctx, ChannelMemory& memory, const Derived<FoundChannel>& found,
+void column_of_results(PanelContext& ctx, ChannelState& memory, const Derived<FoundChannel>& found,
                        bool current) {
   if (found.state == DerivedState::failed || found.state == DerivedState::no_room) {
     return problem(ctx, "There is no channel. " + found.why);
@@ -268,7 +268,7 @@ void column_of_results(PanelContext& ctx, ChannelMemory& memory, const Derived<F
     muted_text(ctx, "Cancelled.");
     ImGui::SameLine(0, ctx.px(8));
     if (button(ctx, "channels.again", "Compute")) {
-      ctx.store.begin_again(id_of(memory));
+      ctx.store.retry(id_of(memory));
     }
     return;
   }
@@ -284,7 +284,7 @@ void column_of_results(PanelContext& ctx, ChannelMemory& memory, const Derived<F
 }
 
 // Returns whether the question may be computed. A large one waits until the user starts it.
-bool may_begin(PanelContext& ctx, ChannelMemory& memory, const AnyDefinition& wanted) {
+bool may_begin(PanelContext& ctx, ChannelState& memory, const AnyDefinition& wanted) {
   const std::size_t balls = memory.prepared->balls->size();
   if (balls <= kMostBallsUnasked) return true;
   const Key key = wanted.key(inputs_as_they_are(memory));
@@ -297,7 +297,7 @@ bool may_begin(PanelContext& ctx, ChannelMemory& memory, const AnyDefinition& wa
 }
 
 // Returns the chosen way like an answer to found_channel(); without a value if there are no ways.
-Derived<FoundChannel> want_way(PanelContext& ctx, ChannelMemory& memory, Derived<FoundWays>& ways) {
+Derived<FoundChannel> want_way(PanelContext& ctx, ChannelState& memory, Derived<FoundWays>& ways) {
   ways = ctx.store.want(found_ways(), inputs_as_they_are(memory));
   Derived<FoundChannel> found;
   found.state = ways.state;
@@ -310,7 +310,7 @@ Derived<FoundChannel> want_way(PanelContext& ctx, ChannelMemory& memory, Derived
   return found;
 }
 
-void first_line(PanelContext& ctx, ChannelMemory& memory, const Derived<FoundChannel>& found,
+void first_line(PanelContext& ctx, ChannelState& memory, const Derived<FoundChannel>& found,
                 bool current) {
   if (found.state == DerivedState::waiting || found.state == DerivedState::running) {
     progress(ctx, memory, found);
@@ -325,10 +325,10 @@ constexpr const char* kNoWay =
     "No way leads through the molecule from outside to outside. Choose above where a channel "
     "begins.";
 
-void page(PanelContext& ctx, ChannelMemory& memory) {
+void page(PanelContext& ctx, ChannelState& memory) {
   const bool of_ways = memory.from == ChannelFrom::ways;
-  ChannelQuestion question;
-  if (!of_ways) question = channel_question(ctx, memory);
+  ChannelRequest question;
+  if (!of_ways) question = channel_request(ctx, memory);
   Derived<FoundWays> ways;
   Derived<FoundChannel> found;
   const bool has_question = of_ways || question.ends;
@@ -374,9 +374,9 @@ void page(PanelContext& ctx, ChannelMemory& memory) {
   if (current) show_channel(ctx, memory);
 }
 
-void draw_channels(PanelContext& ctx, ChannelMemory& memory) {
-  begin_anew(memory, ctx.state.molecule.sha256, [](const ChannelMemory& old) {
-    ChannelMemory fresh;
+void draw_channels(PanelContext& ctx, ChannelState& memory) {
+  reset_for_molecule(memory, ctx.state.molecule.sha256, [](const ChannelState& old) {
+    ChannelState fresh;
     fresh.balls_key = old.balls_key;  // no two sets of balls may share a key
     return fresh;
   });

@@ -5,7 +5,7 @@
 
 #include "core/document/alpha/signature.hpp"
 #include "core/document/store/store.hpp"
-#include "ui/panels/complex/alpha_memory.hpp"
+#include "ui/panels/complex/alpha_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -34,7 +34,7 @@ void draw_preset_ticks(PanelContext& ctx, const AlphaSlider& s, const Track& tra
   ImDrawList* draw = ImGui::GetWindowDrawList();
   for (const double preset : kPresets) {
     if (preset < s.low || preset > s.high) continue;
-    const float x = track.x(place_of_alpha(s, preset));
+    const float x = track.x(slider_position_of_alpha(s, preset));
     draw->AddLine({x, track.bottom - ctx.px(5)}, {x, track.bottom - ctx.px(1)},
                   to_u32(ctx.palette.text_muted), ctx.px(1));
   }
@@ -71,14 +71,14 @@ void draw_critical_values(PanelContext& ctx, const AlphaSlider& s, const Track& 
 
 // While Shift is down, the grab follows the mouse ten times as finely. After that the drag
 // continues from the grab's place.
-void drag_finely(AlphaMemory& m, const AlphaSlider& s, double alpha, const Track& track,
+void drag_finely(AlphaState& m, const AlphaSlider& s, double alpha, const Track& track,
                  double& place, bool& fine) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsItemActive()) m.relative = m.fine = false;
   fine = ImGui::IsItemActive() && io.KeyShift;
   if (!ImGui::IsItemActive() || (!m.relative && !io.KeyShift)) return;
   if (!m.relative || m.fine != io.KeyShift) {
-    m.from_place = place_of_alpha(s, alpha);
+    m.from_place = slider_position_of_alpha(s, alpha);
     m.from_x = io.MousePos.x;
   }
   m.relative = true;
@@ -87,15 +87,15 @@ void drag_finely(AlphaMemory& m, const AlphaSlider& s, double alpha, const Track
   place = std::clamp(m.from_place + moved * (m.fine ? 0.1 : 1), 0.0, 1.0);
 }
 
-void alpha_slider(PanelContext& ctx, AlphaMemory& memory) {
+void alpha_slider(PanelContext& ctx, AlphaState& memory) {
   const AlphaSlider& scale = ctx.state.window.alpha_slider;
   Alpha& alpha = ctx.state.settings.request.alpha_angstrom2;
   bool changed = false;
-  if (typed_instead(ctx, "alpha.slider", alpha, changed)) {
+  if (draw_typed_number(ctx, "alpha.slider", alpha, changed)) {
     if (changed) ctx.state.playback.alpha = false;
     return;
   }
-  const double before = place_of_alpha(scale, alpha), low = 0, high = 1;
+  const double before = slider_position_of_alpha(scale, alpha), low = 0, high = 1;
   double place = before;
   ImGui::PushID("alpha.slider");
   changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &place, &low, &high, "",
@@ -109,12 +109,12 @@ void alpha_slider(PanelContext& ctx, AlphaMemory& memory) {
   drag_finely(memory, scale, alpha, track, place, fine);
   if ((changed || memory.relative) && place != before) {
     const double pixel = 1 / std::max(1.0f, track.to - track.from);
-    alpha = alpha_at_place(scale, place, fine ? pixel / 10 : pixel);
+    alpha = alpha_at_slider_position(scale, place, fine ? pixel / 10 : pixel);
     ctx.state.playback.alpha = false;
   }
 }
 
-void slider(PanelContext& ctx, AlphaMemory& memory) {
+void slider(PanelContext& ctx, AlphaState& memory) {
   const AlphaSlider& scale = ctx.state.window.alpha_slider;
   const bool playing = ctx.state.playback.alpha;
   ImGui::BeginDisabled(!ctx.state.result);
@@ -274,7 +274,7 @@ void grown_radii(PanelContext& ctx) {
   tooltip(ctx, rest.c_str());
 }
 
-void draw_alpha(PanelContext& ctx, AlphaMemory& memory) {
+void draw_alpha(PanelContext& ctx, AlphaState& memory) {
   if (!section(ctx, "alpha", "Alpha")) return;
   slider(ctx, memory);
   typed_and_presets(ctx);

@@ -16,10 +16,10 @@
 namespace alphascope {
 namespace {
 
-using D = DisplayControls;
+using D = DisplaySettings;
 
 void presets(PanelContext& ctx) {
-  DisplayControls& d = ctx.state.settings.display;
+  DisplaySettings& d = ctx.state.settings.display;
   const float gap = ctx.px(2);
   const float count = static_cast<float>(kDisplayPresets.size());
   const float each = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
@@ -54,7 +54,7 @@ void opacity_row(PanelContext& ctx, DisplayField::Member member) {
 }
 
 void balls(PanelContext& ctx) {
-  DisplayControls& d = ctx.state.settings.display;
+  DisplaySettings& d = ctx.state.settings.display;
   display_row(ctx, &D::balls);
   // Rows that do not apply are greyed, not hidden, so that nothing below moves.
   ImGui::BeginDisabled(!d.balls);
@@ -69,7 +69,8 @@ void balls(PanelContext& ctx) {
   opacity_row(ctx, &D::ball_opacity);
   constexpr Element kCarbon = 6;
   paint_rows(
-      ctx, {"display.ball", Painted::balls, ctx.state.viewport.ball_range, element_colour(kCarbon)},
+      ctx,
+      {"display.ball", PaintTarget::balls, ctx.state.viewport.ball_range, element_colour(kCarbon)},
       d.ball_paint);
   ImGui::Unindent();
   ImGui::EndDisabled();
@@ -77,7 +78,7 @@ void balls(PanelContext& ctx) {
 
 // Draws the rows of triangles and edges, which “Tetrahedra only” does not compute.
 void triangles_and_edges(PanelContext& ctx) {
-  const DisplayControls& d = ctx.state.settings.display;
+  const DisplaySettings& d = ctx.state.settings.display;
   const bool only_tetrahedra = ctx.state.result && ctx.state.result->complex.tetrahedra_only;
   ImGui::BeginDisabled(only_tetrahedra);
   display_row(ctx, &D::triangles);
@@ -103,7 +104,7 @@ void triangles_and_edges(PanelContext& ctx) {
 }
 
 void complex(PanelContext& ctx) {
-  DisplayControls& d = ctx.state.settings.display;
+  DisplaySettings& d = ctx.state.settings.display;
   display_row(ctx, &D::tetrahedra);
   ImGui::BeginDisabled(!d.tetrahedra);
   ImGui::Indent();
@@ -118,7 +119,7 @@ void complex(PanelContext& ctx) {
   triangles_and_edges(ctx);
   opacity_row(ctx, &D::complex_opacity);
   paint_rows(ctx,
-             {"display.complex", Painted::simplices, ctx.state.viewport.simplex_range,
+             {"display.complex", PaintTarget::simplices, ctx.state.viewport.simplex_range,
               to_rgb8(ctx.palette.complex_single)},
              d.complex_paint);
 }

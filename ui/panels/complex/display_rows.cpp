@@ -19,7 +19,7 @@ std::string shown_value(const DisplayField& field, double value) {
 }
 
 void percent_of(PanelContext& ctx, const DisplayField& field, const char* name) {
-  DisplayControls& d = ctx.state.settings.display;
+  DisplaySettings& d = ctx.state.settings.display;
   auto share = static_cast<float>(number_of(field, d));
   if (percent_slider(ctx, name, share, static_cast<float>(field.rule.least),
                      static_cast<float>(field.rule.most))) {
@@ -34,7 +34,7 @@ std::string control_name(const DisplayField& field) {
 }
 
 void display_slider(PanelContext& ctx, const DisplayField& field, const char* name) {
-  DisplayControls& d = ctx.state.settings.display;
+  DisplaySettings& d = ctx.state.settings.display;
   if (field.percent) {
     percent_of(ctx, field, name);
   } else {
@@ -55,8 +55,8 @@ void display_row(PanelContext& ctx, const DisplayField& field) {
     row_label(ctx, field.label);
     return display_slider(ctx, field, name.c_str());
   }
-  DisplayControls& d = ctx.state.settings.display;
-  checkbox(ctx, name.c_str(), field.label, d.*std::get<bool DisplayControls::*>(field.member));
+  DisplaySettings& d = ctx.state.settings.display;
+  checkbox(ctx, name.c_str(), field.label, d.*std::get<bool DisplaySettings::*>(field.member));
   tooltip(ctx, (std::string(field.help) + ".").c_str());
 }
 

@@ -10,7 +10,7 @@ namespace alphascope {
 
 struct PaintRows {
   std::string name;  // beginning of the widgets' names: "display.ball"
-  Painted what = Painted::balls;
+  PaintTarget what = PaintTarget::balls;
   // Range of the colours in the picture; none: colours show no quantity.
   std::optional<ColourRange> drawn;
   Rgb8 usual;  // the colour used if there is one colour and the user has chosen none

@@ -2,9 +2,9 @@
 #include <optional>
 
 #include "core/document/store/answer.hpp"
-#include "ui/panels/complex/timings_memory.hpp"
+#include "ui/panels/complex/timings_state.hpp"
 #include "ui/panels/complex/timings_text.hpp"
-#include "ui/panels/molecule/begin_anew.hpp"
+#include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -128,8 +128,8 @@ void compare_button(PanelContext& ctx) {
   tooltip(ctx, "Computes the same complex with CGAL and compares simplex by simplex (C).");
 }
 
-void title(PanelContext& ctx, TimingsMemory& m) {
-  begin_anew(m, ctx.state.molecule.sha256);
+void title(PanelContext& ctx, TimingsState& m) {
+  reset_for_molecule(m, ctx.state.molecule.sha256);
   // Until the user chooses, the page shows the first run, and then warm runs. So it is never empty.
   // If the user chooses a run without times, missing_times() explains it.
   const bool warm = ctx.state.ours.warm.has_value();
@@ -174,7 +174,7 @@ void summary_line(PanelContext& ctx) {
   tooltip(ctx, text.c_str());
 }
 
-void draw_timings(PanelContext& ctx, TimingsMemory& memory) {
+void draw_timings(PanelContext& ctx, TimingsState& memory) {
   title(ctx, memory);
   if (ctx.state.result) {
     badge(ctx);

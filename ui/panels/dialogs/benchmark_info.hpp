@@ -12,7 +12,7 @@ namespace alphascope {
 
 // The settings as the user types and ticks them. The program turns them into the suite's options
 // when a run starts.
-struct BenchmarkControls {
+struct BenchmarkSettings {
   std::string alphas = "0, 1.4, 3";  // Å², as typed
   // Engines to be measured, if they can run here. CGAL is always measured.
   std::set<EngineChoice> engines = [] {

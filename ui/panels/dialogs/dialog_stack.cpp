@@ -18,9 +18,9 @@ struct Entry {
   void (*draw)(PanelContext& ctx);
 };
 
-// PanelMemory::dialogs holds indices into this list.
+// SharedPanelState::dialogs holds indices into this list.
 constexpr std::array kDialogs{
-    Entry{[](const ViewState& s) { return s.memory.show_benchmark; }, draw_benchmark_page},
+    Entry{[](const ViewState& s) { return s.memory.show_benchmark; }, draw_benchmark_dialog},
     Entry{[](const ViewState& s) { return s.memory.show_browser; }, draw_file_browser},
     Entry{[](const ViewState& s) { return s.memory.show_save; }, draw_save_picture},
     Entry{[](const ViewState& s) { return s.memory.record.show; }, draw_record},
@@ -87,7 +87,7 @@ bool has_keys(const PanelContext& ctx) {
 }
 
 bool escape_pressed(const PanelContext& ctx) {
-  const KeyMemory& keys = ctx.state.memory.keys;
+  const KeyState& keys = ctx.state.memory.keys;
   const bool of_dialog = has_keys(ctx) || (keys.untouched && on_top(ctx) && !keys.list_open);
   return of_dialog && ImGui::IsKeyPressed(key::kEscape, false);
 }

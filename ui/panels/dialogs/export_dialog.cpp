@@ -5,8 +5,8 @@
 #include "core/document/export/complex_export.hpp"
 #include "core/text/as_sentence.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
-#include "ui/panels/dialogs/picture_path.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
+#include "ui/panels/dialogs/typed_path.hpp"
 
 namespace alphascope {
 namespace {
@@ -20,7 +20,7 @@ const char* format_name(const ExportFormatInfo* format) {
 }
 
 void format_choice(PanelContext& ctx, const ExportFormatInfo* chosen) {
-  PanelMemory& m = ctx.state.memory;
+  SharedPanelState& m = ctx.state.memory;
   row_label(ctx, "Format");
   ImGui::SetNextItemWidth(ctx.px(200));
   if (list_field(ctx, "export.format", format_name(chosen), ImGuiComboFlags_HeightLarge)) {
@@ -63,7 +63,7 @@ void colour_choice(PanelContext& ctx, const ExportFormatInfo* format) {
 
 void draw_export(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  PanelMemory& m = s.memory;
+  SharedPanelState& m = s.memory;
   constexpr const char* kTitle = "Export the complex";
   propose_file(ctx, kTitle, "export", m.export_path, name_of_file(ctx, ".glb"));
   if (!begin_dialog(ctx, kTitle)) return;

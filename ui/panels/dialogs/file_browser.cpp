@@ -9,7 +9,7 @@
 #include "core/text/grouped_number.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
-#include "ui/panels/dialogs/picture_path.hpp"
+#include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
@@ -20,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool for_table(const PanelMemory& m) {
+bool for_table(const SharedPanelState& m) {
   return m.browser_purpose == BrowserPurpose::radii_table;
 }
 
 constexpr int kListKeys[] = {key::kHome, key::kEnd,      key::kDown,
                              key::kUp,   key::kPageDown, key::kPageUp};
 
-const char* title(const PanelMemory& m) {
+const char* title(const SharedPanelState& m) {
   switch (m.browser_purpose) {
     case BrowserPurpose::radii_table:
       return "Open a table of radii";
@@ -52,7 +52,7 @@ fs::path as_folder(const fs::path& folder) {
   return slash && normal != normal.root_path() ? normal.parent_path() : normal;
 }
 
-void enter(PanelMemory& m, const fs::path& folder) {
+void enter(SharedPanelState& m, const fs::path& folder) {
   m.browser_folder = m.browser_base = as_folder(folder);
   m.browser_typed = m.browser_folder.string();
   m.browser_by_hand = false;
@@ -63,7 +63,7 @@ void enter(PanelMemory& m, const fs::path& folder) {
 }
 
 // Enters the parent folder. The folder left behind is chosen there, so that Enter leads back.
-void enter_above(PanelMemory& m) {
+void enter_above(SharedPanelState& m) {
   const fs::path from = m.browser_folder;
   enter(m, from.parent_path());
   if (m.browser_folder == from) return;
@@ -71,7 +71,7 @@ void enter_above(PanelMemory& m) {
   m.browser_scroll = true;
 }
 
-void select(PanelMemory& m, const FolderEntry& entry) {
+void select(SharedPanelState& m, const FolderEntry& entry) {
   m.browser_selected = entry.path;
   m.browser_typed = entry.path.string();
   m.browser_by_hand = false;
@@ -79,17 +79,17 @@ void select(PanelMemory& m, const FolderEntry& entry) {
   m.browser_error.clear();
 }
 
-bool for_saving(const PanelMemory& m) {
+bool for_saving(const SharedPanelState& m) {
   return m.browser_purpose == BrowserPurpose::save;
 }
 
-void close(PanelMemory& m) {
+void close(SharedPanelState& m) {
   m.show_browser = false;
   if (for_saving(m)) m.browser_folder = m.saving.opens_from;
 }
 
 // Takes the path for the dialog that looks for a place. A folder keeps the file name typed there.
-void save_there(PanelMemory& m, const fs::path& path) {
+void save_there(SharedPanelState& m, const fs::path& path) {
   std::error_code ignored;
   const bool folder = fs::is_directory(path, ignored);
   if (!folder && !fs::is_directory(path.parent_path(), ignored)) {
@@ -111,7 +111,7 @@ void open(PanelContext& ctx, const fs::path& file) {
     s.settings.open.radii_table = file;
     s.settings.open.balls.radii = RadiiSet::user;
   } else if (s.memory.browser_purpose == BrowserPurpose::session_molecule) {
-    ctx.calls.files.go_on_with_session(file);
+    ctx.calls.files.continue_session(file);
     s.session_problem.reset();
   } else if (s.memory.browser_purpose == BrowserPurpose::session) {
     ctx.calls.files.open_session(file);
@@ -132,7 +132,7 @@ void accept(PanelContext& ctx, const fs::path& path) {
 }
 
 // Returns the whole path; empty if nothing is typed.
-fs::path browsed_path(const PanelMemory& m) {
+fs::path browsed_path(const SharedPanelState& m) {
   return typed_path(m.browser_typed, m.browser_base);
 }
 
@@ -149,7 +149,7 @@ void accept_typed(PanelContext& ctx) {
 
 // Follows a path that is being typed. It lists the last folder in the path, and chooses the first
 // entry that begins with the rest.
-void follow_typed(PanelMemory& m) {
+void follow_typed(SharedPanelState& m) {
   m.browser_by_hand = true;
   m.browser_error.clear();
   m.browser_selected.clear();
@@ -166,7 +166,7 @@ void follow_typed(PanelMemory& m) {
 }
 
 void path_row(PanelContext& ctx) {
-  PanelMemory& m = ctx.state.memory;
+  SharedPanelState& m = ctx.state.memory;
   if (button(ctx, "browser.up", "Up")) enter_above(m);
   tooltip(ctx, "The folder above (Backspace)");
   ImGui::SameLine();
@@ -202,7 +202,7 @@ void entry_row(PanelContext& ctx, const FolderEntry& entry) {
   if (!entry.folder) muted_text(ctx, file_size_text(entry.bytes));
 }
 
-std::size_t selected_index(const PanelMemory& m, const FolderListing& list) {
+std::size_t selected_index(const SharedPanelState& m, const FolderListing& list) {
   const auto found =
       std::find_if(list.entries.begin(), list.entries.end(),
                    [&m](const FolderEntry& e) { return e.path == m.browser_selected; });
@@ -225,7 +225,7 @@ std::size_t key_target(std::size_t now, std::size_t count, std::size_t page) {
 
 // Returns the entry whose name begins with the typed letters. Letters typed in quick succession
 // make one beginning.
-std::size_t jump_target(PanelMemory& m, const FolderListing& list, std::size_t now) {
+std::size_t jump_target(SharedPanelState& m, const FolderListing& list, std::size_t now) {
   constexpr double kPauseSeconds = 1;
   const ImGuiIO& io = ImGui::GetIO();
   if (io.InputQueueCharacters.empty() || io.KeyCtrl) return now;
@@ -255,7 +255,7 @@ bool leaves_path(const PanelContext& ctx) {
 // Text that begins like a path, and pasted text, goes into the field for the path. Other letters
 // jump to a name.
 void begin_path(PanelContext& ctx) {
-  PanelMemory& m = ctx.state.memory;
+  SharedPanelState& m = ctx.state.memory;
   const ImGuiIO& io = ImGui::GetIO();
   if (!on_top(ctx) || m.keys.list_open || m.keys.begins || ImGui::IsAnyItemActive()) return;
   std::string begun;
@@ -279,7 +279,7 @@ void begin_path(PanelContext& ctx) {
 // Handles keys for the list, while nothing is typed and no dialog is above. Returns whether another
 // folder is shown now.
 bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
-  PanelMemory& m = ctx.state.memory;
+  SharedPanelState& m = ctx.state.memory;
   if (!on_top(ctx) || m.keys.list_open || m.keys.begins || !leaves_path(ctx)) return false;
   if (ImGui::IsKeyPressed(key::kBackspace)) {
     enter_above(m);
@@ -305,7 +305,7 @@ bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
 }
 
 // Chooses the first entry whose name begins like the typed text. The typed path stays.
-void choose_begun(PanelMemory& m, const FolderListing& list) {
+void choose_begun(SharedPanelState& m, const FolderListing& list) {
   const std::string begun = std::exchange(m.browser_begun, {});
   if (begun.empty()) return;
   const std::size_t found = find_entry(list, begun, 0);
@@ -315,7 +315,7 @@ void choose_begun(PanelMemory& m, const FolderListing& list) {
 }
 
 // Scrolls to the chosen entry, if a key has chosen it.
-void scroll_to_selected(PanelMemory& m, const FolderListing& list, float row) {
+void scroll_to_selected(SharedPanelState& m, const FolderListing& list, float row) {
   if (!std::exchange(m.browser_scroll, false)) return;
   const std::size_t index = selected_index(m, list);
   if (index == list.entries.size()) return;
@@ -352,7 +352,7 @@ std::string nothing_listed(const FolderListing& list) {
 }
 
 void listing(PanelContext& ctx, float height) {
-  const PanelMemory& m = ctx.state.memory;
+  const SharedPanelState& m = ctx.state.memory;
   const auto list = ctx.state.listing;  // keeps the listing alive for this frame
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui(ctx.palette.panel));
   // Each folder has a scroll position of its own.
@@ -373,7 +373,7 @@ void listing(PanelContext& ctx, float height) {
 // Shows what is wrong with the path, else what keys do. It is always one line, so that nothing
 // moves.
 void message_row(PanelContext& ctx) {
-  const PanelMemory& m = ctx.state.memory;
+  const SharedPanelState& m = ctx.state.memory;
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushFont(ctx.fonts.small);
   if (m.browser_error.empty()) {
@@ -415,14 +415,14 @@ void buttons(PanelContext& ctx) {
 
 }  // namespace
 
-std::optional<FolderQuery> wanted_listing(const PanelMemory& m) {
+std::optional<FolderQuery> wanted_listing(const SharedPanelState& m) {
   if (!m.show_browser || m.browser_folder.empty()) return std::nullopt;
   return FolderQuery{m.browser_folder, m.browser_all_files || for_table(m) || for_saving(m),
                      m.browser_hidden_ones, m.browser_purpose == BrowserPurpose::session};
 }
 
 void draw_file_browser(PanelContext& ctx) {
-  PanelMemory& m = ctx.state.memory;
+  SharedPanelState& m = ctx.state.memory;
   if (!ImGui::IsPopupOpen(title(m))) {
     enter(m, m.browser_folder.empty() ? sensible_start_folder() : m.browser_folder);
   }

@@ -11,8 +11,8 @@
 #include "ui/number_text.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/picture_fields.hpp"
-#include "ui/panels/dialogs/picture_path.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
+#include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/widgets/number_field.hpp"
 
 namespace alphascope {
@@ -45,7 +45,7 @@ std::optional<RecordingFormat> format_of(const fs::path& path, std::string& why_
 }
 
 void choose_format(PanelContext& ctx, std::optional<RecordingFormat> format) {
-  RecordMemory& m = ctx.state.memory.record;
+  RecordState& m = ctx.state.memory.record;
   int chosen = format ? static_cast<int>(*format) : -1;
   row_label(ctx, "Format");
   if (!choice(ctx, "record.format", {"Pictures", "MP4 movie", "WebM movie"}, chosen, ctx.px(300))) {
@@ -61,7 +61,7 @@ void choose_format(PanelContext& ctx, std::optional<RecordingFormat> format) {
 
 // Draws the rows for file and format. Returns whether the recording can be written there.
 bool target(PanelContext& ctx) {
-  RecordMemory& m = ctx.state.memory.record;
+  RecordState& m = ctx.state.memory.record;
   const fs::path path = typed_path(m.path);
   std::string why_not;
   const std::optional<RecordingFormat> format = format_of(path, why_not);
@@ -141,7 +141,7 @@ void time_fields(PanelContext& ctx, Recording& r) {
 }
 
 void lesson_fields(PanelContext& ctx) {
-  RecordMemory& m = ctx.state.memory.record;
+  RecordState& m = ctx.state.memory.record;
   const auto& lesson = ctx.state.lessons.open;
   row_label(ctx, "Each step");
   ImGui::SetNextItemWidth(ctx.px(kNumberWidth));
@@ -161,7 +161,7 @@ void lesson_fields(PanelContext& ctx) {
 
 // Draws the choice of sweep, turntable or lesson, and the fields of the chosen one.
 void kind_fields(PanelContext& ctx) {
-  RecordMemory& m = ctx.state.memory.record;
+  RecordState& m = ctx.state.memory.record;
   int kind = m.of_lesson ? 2 : static_cast<int>(m.recording.kind);
   row_label(ctx, "Of");
   if (choice(ctx, "record.kind", {"Sweep of alpha", "Turntable", "Lesson"}, kind, ctx.px(300))) {
@@ -179,7 +179,7 @@ void kind_fields(PanelContext& ctx) {
 }
 
 bool is_there(const ViewState& s) {
-  const RecordMemory& m = s.memory.record;
+  const RecordState& m = s.memory.record;
   if (m.of_lesson) return s.lessons.open != nullptr;
   return fault_of(m.recording).empty() &&
          (m.recording.kind == RecordingKind::turntable || s.result);
@@ -189,7 +189,7 @@ bool is_there(const ViewState& s) {
 
 void draw_record(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  RecordMemory& m = s.memory.record;
+  RecordState& m = s.memory.record;
   constexpr const char* kTitle = "Record";
   propose_file(ctx, kTitle, "record", m.path, name_of_file(ctx, "-%04d.png"));
   if (!begin_dialog(ctx, kTitle)) return;

@@ -11,8 +11,8 @@
 
 namespace alphascope {
 
-void ask_to_save(PanelContext& ctx, TableToSave table) {
-  TableMemory& memory = ctx.state.memory.save_table;
+void open_save_dialog(PanelContext& ctx, TableToSave table) {
+  TableState& memory = ctx.state.memory.save_table;
   // The last format stays if it is a table's and this table has it. Other formats serve one
   // purpose.
   memory.format = table.json && memory.format == kJsonFormat ? kJsonFormat : kCsvFormat;

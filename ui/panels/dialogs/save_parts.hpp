@@ -8,7 +8,7 @@
 #include "core/document/export/record_source.hpp"
 #include "core/document/export/shape_export.hpp"
 #include "core/document/store/definition.hpp"
-#include "ui/panels/dialogs/table_memory.hpp"
+#include "ui/panels/dialogs/table_state.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -19,7 +19,7 @@ FormatToSave format_to_save(const ShapeExportInfo& info, Definition<FileWriter> 
 // Makes an entry for the figure of a page, which is this SVG document.
 FormatToSave figure_to_save(std::string svg);
 // Opens the dialog that saves a table.
-void ask_to_save(PanelContext& ctx, TableToSave table);
+void open_save_dialog(PanelContext& ctx, TableToSave table);
 // Returns the source of the numbers on screen. ViewState::references must not be null.
 RecordSource source_on_screen(const PanelContext& ctx);
 // Returns the same source and the program's version as lines above a table: "radii: CASTp".

@@ -4,8 +4,8 @@
 #include "core/files/output_ending.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/picture_fields.hpp"
-#include "ui/panels/dialogs/picture_path.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
+#include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {
@@ -13,7 +13,7 @@ namespace alphascope {
 void draw_save_picture(PanelContext& ctx) {
   constexpr float kWidth = 464;  // pixels at scale 1
   ViewState& s = ctx.state;
-  PanelMemory& m = s.memory;
+  SharedPanelState& m = s.memory;
   constexpr const char* kTitle = "Save a picture";
   propose_file(ctx, kTitle, "save", m.save_path, name_of_file(ctx, kPictureEnding));
   if (!begin_dialog(ctx, kTitle)) return;

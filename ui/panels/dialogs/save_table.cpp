@@ -8,10 +8,10 @@
 #include "core/files/output_ending.hpp"
 #include "core/text/as_sentence.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
-#include "ui/panels/dialogs/picture_path.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
+#include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
@@ -45,7 +45,7 @@ std::vector<int> formats(const TableToSave& table) {
 
 // Chooses the format by the typed ending. A name without one keeps the format, whose ending is
 // added later. Returns the fault of an unknown ending; empty: none.
-std::string follow_ending(TableMemory& memory) {
+std::string follow_ending(TableState& memory) {
   std::vector<std::string> endings;
   std::vector<std::string_view> views;
   const std::string typed = output_ending(memory.path);
@@ -57,17 +57,17 @@ std::string follow_ending(TableMemory& memory) {
   return fault_of_ending(memory.path, views);
 }
 
-std::filesystem::path target(const TableMemory& memory) {
+std::filesystem::path target(const TableState& memory) {
   return path_to_save(memory.path, ending(*memory.table, memory.format));
 }
 
-std::vector<std::filesystem::path> targets(const TableMemory& memory) {
+std::vector<std::filesystem::path> targets(const TableState& memory) {
   const FormatToSave* other = other_format(*memory.table, memory.format);
   return other ? other->files(target(memory)) : std::vector{target(memory)};
 }
 
 // Changes the format and the name's ending with it: "a.csv" becomes "a.json".
-void choose_format(TableMemory& memory, int format) {
+void choose_format(TableState& memory, int format) {
   std::filesystem::path path = memory.path;
   if (output_ending(path) == ending(*memory.table, memory.format)) {
     memory.path = path.replace_extension().string();
@@ -76,7 +76,7 @@ void choose_format(TableMemory& memory, int format) {
   memory.path += ending(*memory.table, format);
 }
 
-void format_row(PanelContext& ctx, TableMemory& memory) {
+void format_row(PanelContext& ctx, TableState& memory) {
   const TableToSave& table = *memory.table;
   if (formats(table).size() < 2) return;
   row_label(ctx, "Format");
@@ -101,7 +101,7 @@ void format_row(PanelContext& ctx, TableMemory& memory) {
 }
 
 // Describes the contents of the format. If it is several files, names the others too.
-std::string content_text(const TableMemory& memory) {
+std::string content_text(const TableState& memory) {
   const FormatToSave* other = other_format(*memory.table, memory.format);
   if (!other)
     return "The file has all digits, and records file, selection, radii, alpha and program.";
@@ -114,14 +114,14 @@ std::string content_text(const TableMemory& memory) {
 }
 
 void save(PanelContext& ctx) {
-  const TableMemory& memory = ctx.state.memory.save_table;
+  const TableState& memory = ctx.state.memory.save_table;
   ctx.calls.jobs.save_table({memory.table, memory.format, target(memory)});
 }
 
 }  // namespace
 
 void draw_save_table(PanelContext& ctx) {
-  TableMemory& memory = ctx.state.memory.save_table;
+  TableState& memory = ctx.state.memory.save_table;
   const std::string title = "Save: " + (memory.table ? memory.table->what : "") + "###save_table";
   if (memory.table) {
     const std::string& name = memory.table->file_name;

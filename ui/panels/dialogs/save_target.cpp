@@ -54,7 +54,7 @@ std::string name_of_file(const PanelContext& ctx, const std::string& ending) {
 }
 
 void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved) {
-  SaveMemory& memory = ctx.state.memory.saving;
+  SaveState& memory = ctx.state.memory.saving;
   std::error_code ignored;
   const fs::path whole = fs::absolute(std::exchange(path, {}), ignored).lexically_normal();
   if (whole.has_filename() && !dialog.empty()) memory.names[dialog] = whole.filename().string();
@@ -62,7 +62,7 @@ void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, 
 }
 
 bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path) {
-  PanelMemory& m = ctx.state.memory;
+  SharedPanelState& m = ctx.state.memory;
   const std::string name = dialog + ".path";
   if (m.saving.found_for == name) {
     path = m.saving.found.string();

@@ -4,8 +4,8 @@
 
 #include "core/files/output_ending.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
-#include "ui/panels/dialogs/picture_path.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
+#include "ui/panels/dialogs/typed_path.hpp"
 
 namespace alphascope {
 namespace {
@@ -16,7 +16,7 @@ constexpr float kWidth = 464;  // pixels at scale 1
 
 void draw_save_session(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  PanelMemory& m = s.memory;
+  SharedPanelState& m = s.memory;
   constexpr const char* kTitle = "Save the session";
   propose_file(ctx, kTitle, "save_session", m.session_path, name_of_file(ctx, kSessionEnding));
   if (!begin_dialog(ctx, kTitle)) return;
@@ -56,13 +56,13 @@ void draw_session_problem(PanelContext& ctx) {
   record(ctx, "session.problem");
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "session.cancel", "Cancel", {ctx.px(100), 0}) || escape_pressed(ctx)) {
-    ctx.calls.files.give_session_up();
+    ctx.calls.files.abandon_session();
     s.session_problem.reset();
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(!problem.can_open);
   if (button(ctx, "session.anyway", "Open it anyway", {ctx.px(150), 0})) {
-    ctx.calls.files.go_on_with_session({});
+    ctx.calls.files.continue_session({});
     s.session_problem.reset();
   }
   ImGui::EndDisabled();

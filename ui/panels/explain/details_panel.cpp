@@ -11,7 +11,7 @@
 #include "core/molecule/element.hpp"
 #include "core/selection/atom_address.hpp"
 #include "ui/panels/explain/ball_text.hpp"
-#include "ui/panels/explain/details_memory.hpp"
+#include "ui/panels/explain/details_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -184,7 +184,7 @@ std::optional<std::size_t> one_atom(const ViewState& s) {
 }
 
 // Returns the latest answer for these balls, also while a newer one is made.
-const SimplexDetails* details_of(PanelContext& ctx, DetailsMemory& memory, const Balls& balls) {
+const SimplexDetails* details_of(PanelContext& ctx, DetailsState& memory, const Balls& balls) {
   const auto found = ctx.store.want(simplex_details(balls), ctx.inputs);
   if (found.ready()) {
     memory.shown = found.value;
@@ -195,11 +195,11 @@ const SimplexDetails* details_of(PanelContext& ctx, DetailsMemory& memory, const
   return fits ? memory.shown.get() : nullptr;
 }
 
-void draw_details(PanelContext& ctx, DetailsMemory& memory, float facts_width) {
+void draw_details(PanelContext& ctx, DetailsState& memory, float facts_width) {
   ViewState& s = ctx.state;
   const bool known = ctx.inputs.complex && ctx.inputs.atoms;
-  const AskedSimplex asked =
-      known ? asked_simplex(s.settings.selection.items, *ctx.inputs.atoms) : AskedSimplex{};
+  const SelectedSimplex asked =
+      known ? selected_simplex(s.settings.selection.items, *ctx.inputs.atoms) : SelectedSimplex{};
   const std::optional<std::size_t> atom = one_atom(s);
   const SimplexDetails* const details =
       asked.balls.empty() ? nullptr : details_of(ctx, memory, asked.balls);
@@ -222,7 +222,7 @@ void draw_details(PanelContext& ctx, DetailsMemory& memory, float facts_width) {
   ImGui::EndChild();
 }
 
-void draw_details(PanelContext& ctx, DetailsMemory& memory) {
+void draw_details(PanelContext& ctx, DetailsState& memory) {
   if (!ctx.state.references) {
     return muted_wrapped(ctx, "Open a molecule: its selected atoms are described here.");
   }

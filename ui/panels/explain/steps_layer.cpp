@@ -202,7 +202,7 @@ class StepPainter {
 
   void add_remover() {
     if (scene_.step.removers.empty()) return;
-    const StepRemover& most = scene_.step.removers.front();
+    const StepConflict& most = scene_.step.removers.front();
     Layer& layer = of(StepMark::dropped);
     layer.spheres.push_back({centre_of(most.ball), kBall, {}});
     layer.labels.push_back({centre_of(most.ball), "ends " + grouped(most.simplices)});

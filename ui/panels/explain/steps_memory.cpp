@@ -1,5 +1,5 @@
 // The number of steps, and the step on show.
-#include "ui/panels/explain/steps_memory.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 
 #include <algorithm>
 
@@ -7,15 +7,15 @@
 
 namespace alphascope {
 
-std::size_t StepsMemory::count() const {
+std::size_t StepsState::count() const {
   return shown ? shown->steps.steps.size() : 0;
 }
 
-std::size_t StepsMemory::last() const {
+std::size_t StepsState::last() const {
   return std::max<std::size_t>(count(), 1) - 1;
 }
 
-std::size_t StepsMemory::at() const {
+std::size_t StepsState::at() const {
   return count() == 0 ? step : std::min(step, last());
 }
 

@@ -19,19 +19,19 @@ namespace {
 
 // --- results
 
-AskedSteps asked_steps(const PanelContext& ctx, BallIndex ball) {
-  const StepsMemory& memory = ctx.state.steps;
-  AskedSteps asked{ball, memory.engine, ctx.state.settings.request.tuples};
+StepsRequest asked_steps(const PanelContext& ctx, BallIndex ball) {
+  const StepsState& memory = ctx.state.steps;
+  StepsRequest asked{ball, memory.engine, ctx.state.settings.request.tuples};
   asked.options.edge_optimisation = memory.edge_optimisation;
   asked.options.alpha_optimisation = memory.alpha_optimisation;
   return asked;
 }
 
 // Wants the steps of this ball. A job for an earlier question is cancelled if it has run for long.
-Derived<ToldSteps> want_steps(PanelContext& ctx, BallIndex ball) {
+Derived<ExplainedSteps> want_steps(PanelContext& ctx, BallIndex ball) {
   constexpr double kLong = 0.15;  // seconds; an earlier answer that is nearly ready is better shown
-  StepsMemory& memory = ctx.state.steps;
-  const Definition<ToldSteps> definition = told_steps(asked_steps(ctx, ball));
+  StepsState& memory = ctx.state.steps;
+  const Definition<ExplainedSteps> definition = explained_steps(asked_steps(ctx, ball));
   const Key key = definition.key(ctx.inputs);
   if (!(key == memory.asked)) {
     if (!memory.current && ImGui::GetTime() - memory.asked_at > kLong) ctx.store.cancel(kStepsId);
@@ -41,7 +41,7 @@ Derived<ToldSteps> want_steps(PanelContext& ctx, BallIndex ball) {
   return ctx.store.want(definition, ctx.inputs);
 }
 
-void forget(StepsMemory& memory) {
+void forget(StepsState& memory) {
   memory.shown = nullptr;
   memory.balls = nullptr;
   memory.current = memory.playing = false;
@@ -49,7 +49,7 @@ void forget(StepsMemory& memory) {
 }
 
 // Goes to the step that was asked for, by number or name, before the steps were known.
-void go_where_asked(PanelContext& ctx, StepsMemory& memory) {
+void go_where_asked(PanelContext& ctx, StepsState& memory) {
   if (memory.go_to.empty()) return;
   const std::string asked = std::exchange(memory.go_to, {});
   const auto found = step_number(memory.shown->steps, asked);
@@ -57,8 +57,8 @@ void go_where_asked(PanelContext& ctx, StepsMemory& memory) {
   ctx.state.notice = "There is no step “" + asked + "” here.";
 }
 
-void take_steps(PanelContext& ctx, const Derived<ToldSteps>& found) {
-  StepsMemory& memory = ctx.state.steps;
+void take_steps(PanelContext& ctx, const Derived<ExplainedSteps>& found) {
+  StepsState& memory = ctx.state.steps;
   memory.current = found.ready();
   if (!memory.current) return;
   if (memory.shown != found.value || memory.balls != ctx.inputs.balls) {
@@ -76,8 +76,8 @@ std::string name_of_ball(const PanelContext& ctx, BallIndex ball) {
 }
 
 void draw_step_in_view(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.steps;
-  StepsMemory::Drawn& drawn = memory.drawn;
+  StepsState& memory = ctx.state.steps;
+  StepsState::Drawn& drawn = memory.drawn;
   const bool light = ctx.state.window.theme == Theme::light;
   if (drawn.layers.empty() || drawn.step != memory.at() || drawn.light != light) {
     const BallSteps& steps = memory.shown->steps;
@@ -90,7 +90,7 @@ void draw_step_in_view(PanelContext& ctx) {
 }
 
 void look_when_asked(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.steps;
+  StepsState& memory = ctx.state.steps;
   if (!memory.current || !std::exchange(memory.look, false)) return;
   std::vector<Ref> all{ctx.inputs.atoms->atom(memory.shown->steps.ball)};
   if (const Step* cube = memory.shown->steps.find(StepKind::cube)) {
@@ -107,8 +107,8 @@ void look_when_asked(PanelContext& ctx) {
 // Draws the title, such as "Kernel II: 3 of 39 valid", the ball, the sentences, and how much more
 // work there is.
 void draw_text(PanelContext& ctx, float width) {
-  const StepsMemory& memory = ctx.state.steps;
-  const ToldSteps& told = *memory.shown;
+  const StepsState& memory = ctx.state.steps;
+  const ExplainedSteps& told = *memory.shown;
   const StepText& text = told.texts[memory.at()];
   ImGui::BeginChild("text", {width, 0}, false);
   strong_text(ctx, text.title + ": " + with_minus_signs(text.brief));
@@ -154,7 +154,7 @@ void draw_nothing(PanelContext& ctx, const std::string& why) {
 }
 
 void draw_steps_page(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.steps;
+  StepsState& memory = ctx.state.steps;
   draw_steps_controls(ctx);
   if (!ctx.inputs.balls || !ctx.inputs.atoms) {
     return draw_nothing(ctx, "Open a molecule: the steps are those of one of its balls.");
@@ -162,9 +162,9 @@ void draw_steps_page(PanelContext& ctx) {
   if (ctx.inputs.balls->size() == 0) {
     return draw_nothing(ctx, "There are no balls, so there is nothing to find.");
   }
-  const AskedBall asked = asked_ball(ctx.state.settings.selection, *ctx.inputs.atoms);
+  const SelectedBall asked = selected_ball(ctx.state.settings.selection, *ctx.inputs.atoms);
   if (!asked.ball) return draw_nothing(ctx, asked.why_not);
-  const Derived<ToldSteps> found = want_steps(ctx, *asked.ball);
+  const Derived<ExplainedSteps> found = want_steps(ctx, *asked.ball);
   take_steps(ctx, found);
   if (memory.shown && memory.balls == ctx.inputs.balls) {
     look_when_asked(ctx);

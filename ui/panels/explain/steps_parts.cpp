@@ -30,7 +30,7 @@ void move_button(PanelContext& ctx, const char* id, const char* label) {
 }
 
 void engine_choice(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.steps;
+  StepsState& memory = ctx.state.steps;
   if (steps_engines().size() < 2) return;
   ImGui::SetNextItemWidth(ctx.px(170));
   if (list_field(ctx, "steps.engine", spec_of(memory.engine).title)) {
@@ -115,7 +115,7 @@ struct CountColumns {
 };
 
 void count_row(PanelContext& ctx, const StepCount& count, const CountColumns& columns) {
-  const StepsMemory& memory = ctx.state.steps;
+  const StepsState& memory = ctx.state.steps;
   const Step& step = memory.shown->steps.steps[memory.at()];
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -162,7 +162,7 @@ void count_table(PanelContext& ctx, const Step& step) {
 }  // namespace
 
 void draw_steps_controls(PanelContext& ctx) {
-  StepsMemory& memory = ctx.state.steps;
+  StepsState& memory = ctx.state.steps;
   move_button(ctx, "steps.first", "First");
   move_button(ctx, "steps.back", "Back");
   move_button(ctx, "steps.play", memory.playing ? "Pause" : "Play");
@@ -177,7 +177,7 @@ void draw_steps_controls(PanelContext& ctx) {
 }
 
 void draw_step_list(PanelContext& ctx, float width) {
-  StepsMemory& memory = ctx.state.steps;
+  StepsState& memory = ctx.state.steps;
   ImGui::PushFont(ctx.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ctx.px(6), ctx.px(2)});
   ImGui::BeginChild("list", {width, 0}, false);
@@ -206,7 +206,7 @@ void draw_step_list(PanelContext& ctx, float width) {
 }
 
 void draw_step_counts(PanelContext& ctx, float width) {
-  StepsMemory& memory = ctx.state.steps;
+  StepsState& memory = ctx.state.steps;
   ImGui::BeginChild("counts", {width, 0}, false);
   checkbox(ctx, "steps.marks", "Draw", memory.marks);
   tooltip(ctx, "Draws the step in the picture, and fades balls and complex.");
@@ -225,7 +225,7 @@ void draw_step_counts(PanelContext& ctx, float width) {
 }
 
 std::vector<std::string> steps_notes(const PanelContext& ctx) {
-  const StepsMemory& memory = ctx.state.steps;
+  const StepsState& memory = ctx.state.steps;
   std::vector<std::string> notes;
   if (shows_flat_drawing(ctx.state)) {
     notes.push_back(

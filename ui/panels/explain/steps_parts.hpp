@@ -13,7 +13,7 @@ namespace alphascope {
 // Draws the buttons First, Back, Play, Next and Last, and the choice of engine and optimisations.
 void draw_steps_controls(PanelContext& ctx);
 
-// Draws the list of steps. StepsMemory::shown must not be null. `width` is in pixels.
+// Draws the list of steps. StepsState::shown must not be null. `width` is in pixels.
 void draw_step_list(PanelContext& ctx, float width);
 // Draws the meaning of the colours, and the numbers of the step.
 void draw_step_counts(PanelContext& ctx, float width);

@@ -3,7 +3,7 @@
 #include "core/document/store/store.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/why_layer.hpp"
-#include "ui/panels/explain/why_memory.hpp"
+#include "ui/panels/explain/why_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 
@@ -11,14 +11,14 @@ namespace alphascope {
 namespace {
 
 // Draws the explanation in the view. The layer belongs to the balls on screen.
-void draw_marks_of(PanelContext& ctx, WhyMemory& memory) {
+void draw_marks_of(PanelContext& ctx, WhyState& memory) {
   if (!memory.layer) {
     memory.layer = make_why_layer(memory.shown->explanation, memory.balls, ++memory.layers_made);
   }
   if (ctx.state.window.why_marks) ctx.state.layers.push_back(memory.layer);
 }
 
-void take_answer(WhyMemory& memory, const Derived<ExplainedSimplex>& found, const Inputs& inputs) {
+void take_answer(WhyState& memory, const Derived<ExplainedSimplex>& found, const Inputs& inputs) {
   if (memory.shown == found.value && memory.balls == inputs.balls) return;
   memory.shown = found.value;
   memory.balls = inputs.balls;
@@ -61,14 +61,14 @@ void draw_line(PanelContext& ctx, const ExplanationLine& line, std::size_t numbe
   ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY()));
 }
 
-void draw_answer(PanelContext& ctx, const WhyMemory& memory, bool current) {
+void draw_answer(PanelContext& ctx, const WhyState& memory, bool current) {
   ImGui::BeginChild("why", {0, 0}, false);
   const auto& lines = memory.shown->lines;
   for (std::size_t n = 0; n < lines.size(); ++n) draw_line(ctx, lines[n], n, current);
   ImGui::EndChild();
 }
 
-void draw_why(PanelContext& ctx, WhyMemory& memory) {
+void draw_why(PanelContext& ctx, WhyState& memory) {
   checkbox(ctx, "why.marks", "Show in the picture", ctx.state.window.why_marks);
   tooltip(ctx,
           "Draws the orthosphere (yellow wire, unless it is imaginary) and the nearest other "
@@ -78,7 +78,8 @@ void draw_why(PanelContext& ctx, WhyMemory& memory) {
     memory.shown = nullptr;
     return muted_wrapped(ctx, "Open a molecule: what is selected in it is explained here.");
   }
-  const AskedSimplex asked = asked_simplex(ctx.state.settings.selection.items, *ctx.inputs.atoms);
+  const SelectedSimplex asked =
+      selected_simplex(ctx.state.settings.selection.items, *ctx.inputs.atoms);
   if (!asked.why_not.empty()) {
     memory.shown = nullptr;
     muted_wrapped(ctx, asked.why_not);

@@ -27,13 +27,13 @@ float width(const PanelContext& ctx) {
   return std::min(ctx.px(kWidth), ImGui::GetIO().DisplaySize.x - ctx.px(60));
 }
 
-PaletteMemory& memory(PanelContext& ctx) {
+PaletteState& memory(PanelContext& ctx) {
   return ctx.state.palette;
 }
 
 // Draws the field. Returns whether Enter was pressed in it.
 bool field(PanelContext& ctx, const std::string& hint) {
-  PaletteMemory& p = memory(ctx);
+  PaletteState& p = memory(ctx);
   const std::string before = p.typed;
   // The field gets the focus back after Enter, and after a click on a row that did not run.
   if (on_top(ctx) && !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
@@ -55,7 +55,7 @@ bool field(PanelContext& ctx, const std::string& hint) {
 
 // Moves the choice by Up and Down. Returns whether it moved.
 bool choose_by_keys(PanelContext& ctx, std::size_t count) {
-  PaletteMemory& p = memory(ctx);
+  PaletteState& p = memory(ctx);
   p.chosen = count == 0 ? 0 : std::min(p.chosen, count - 1);
   if (count == 0 || !on_top(ctx)) return false;
   const bool down = ImGui::IsKeyPressed(key::kDown), up = ImGui::IsKeyPressed(key::kUp);
@@ -118,13 +118,13 @@ std::size_t list(PanelContext& ctx, const std::vector<Row>& rows, const char* no
   return clicked;
 }
 
-void ask_for_arguments(PaletteMemory& p, const CommandSpec& spec, std::vector<std::string> words) {
+void ask_for_arguments(PaletteState& p, const CommandSpec& spec, std::vector<std::string> words) {
   p = {.show = true, .asking = spec.id, .words = std::move(words)};
 }
 
 // Runs the command, asks for the next missing argument, or notes an error.
 void submit(PanelContext& ctx, const CommandSpec& spec, const CommandLine& line) {
-  PaletteMemory& p = memory(ctx);
+  PaletteState& p = memory(ctx);
   p.error = line.error.empty() ? spec.reason_against() : line.error;
   if (!p.error.empty()) return;
   const Commands::Reading reading = Commands::read(spec, line.words);
@@ -176,7 +176,7 @@ std::vector<Row> choice_rows(const Parameter& parameter, const std::string& type
 }
 
 void ask(PanelContext& ctx, const CommandSpec& spec, const Parameter& parameter) {
-  PaletteMemory& p = memory(ctx);
+  PaletteState& p = memory(ctx);
   std::string title = spec.title;
   for (const std::string& word : p.words) title += "  " + word;
   strong_text(ctx, title);
@@ -197,7 +197,7 @@ void ask(PanelContext& ctx, const CommandSpec& spec, const Parameter& parameter)
 }
 
 void footer(PanelContext& ctx) {
-  const PaletteMemory& p = memory(ctx);
+  const PaletteState& p = memory(ctx);
   ImGui::PushFont(ctx.fonts.small);
   if (p.error.empty()) {
     muted_text(ctx, p.asking.empty() ? "Up, Down: choose     Enter: run     Esc: close"
@@ -212,7 +212,7 @@ void footer(PanelContext& ctx) {
 }
 
 void close_or_go_back(PanelContext& ctx) {
-  PaletteMemory& p = memory(ctx);
+  PaletteState& p = memory(ctx);
   if (!on_top(ctx)) return;
   const bool outside =
       ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);

@@ -143,7 +143,7 @@ void of_nothing(PanelContext& ctx) {
 }  // namespace
 
 void draw_context_menu(PanelContext& ctx) {
-  ContextMemory& menu = ctx.state.context;
+  ContextState& menu = ctx.state.context;
   if (std::exchange(menu.opens, false)) ImGui::OpenPopup("##context");
   // The view has no padding, and its popups would inherit that.
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ctx.px(10), ctx.px(8)});

@@ -12,7 +12,7 @@ void run_command(PanelContext& ctx, const CommandSpec& spec,
   const bool could = spec.reason_against().empty();
   const Outcome outcome = ctx.commands.run(spec.id, words);
   if (outcome.state == Outcome::State::failed) {
-    ctx.state.tell("“" + spec.title + "” failed", outcome.why);
+    ctx.state.show_error("“" + spec.title + "” failed", outcome.why);
   } else if (could && !outcome.done()) {
     ctx.state.notice = outcome.why;
   }
@@ -78,7 +78,7 @@ bool menu(PanelContext& ctx, std::string_view title) {
 // F10 opens the first menu. Left and Right lead from the open menu to its neighbour, and around the
 // ends.
 void open_by_key(PanelContext& ctx) {
-  KeyMemory& keys = ctx.state.memory.keys;
+  KeyState& keys = ctx.state.memory.keys;
   constexpr int kCount = static_cast<int>(kMenus.size());
   int wanted = std::exchange(keys.open_menu, false) ? 0 : -1;
   if (keys.bar_menu >= 0 && !keys.in_submenu) {
@@ -133,7 +133,7 @@ void draw_menu_bar(PanelContext& ctx) {
   shortcuts(ctx);
   if (!ImGui::BeginMainMenuBar()) return;
   open_by_key(ctx);
-  KeyMemory& keys = ctx.state.memory.keys;
+  KeyState& keys = ctx.state.memory.keys;
   keys.bar_menu = -1;
   keys.in_submenu = false;
   for (std::size_t n = 0; n < kMenus.size(); ++n) {

@@ -77,8 +77,8 @@ void draw_status_bar(PanelContext& ctx) {
     muted_text(ctx, s.molecule.loaded ? "No complex yet" : "No molecule");
     ImGui::SameLine(0, ctx.px(16));
   }
-  if (!s.picked_text.empty()) {
-    item(ctx, "status.selected", "selected", s.picked_text,
+  if (!s.selected_count_text.empty()) {
+    item(ctx, "status.selected", "selected", s.selected_count_text,
          "Atoms and simplices that are selected in the picture. Those that the present complex "
          "lacks stay selected and reappear with it.");
   }

@@ -29,7 +29,7 @@ void fill(ImVec2 corner, const MarkBox& box, ImU32 colour, float rim = 0) {
                                             at(corner, box.x1 + rim, box.y1 + rim), colour);
 }
 
-MarkType mark_type(const PanelContext& ctx) {
+MarkFont mark_type(const PanelContext& ctx) {
   return {ctx.scale, ImGui::GetTextLineHeight(),
           [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }};
 }

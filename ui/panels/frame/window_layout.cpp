@@ -45,7 +45,7 @@ void hairline(PanelContext& ctx, ImVec2 from, ImVec2 to) {
   draw->PopClipRect();
 }
 
-std::vector<PanelSpec> panels_at(Place place) {
+std::vector<PanelSpec> panels_at(PanelPlace place) {
   std::vector<PanelSpec> found;
   for (const PanelSpec& p : panels()) {
     if (p.place == place) found.push_back(p);
@@ -56,7 +56,7 @@ std::vector<PanelSpec> panels_at(Place place) {
 // Buttons for all sections, drawn if the sections do not fit. Arrows mark sections scrolled out of
 // sight.
 void section_buttons(PanelContext& ctx, const WidgetRects& last) {
-  const std::vector<PanelSpec> sections = panels_at(Place::left);
+  const std::vector<PanelSpec> sections = panels_at(PanelPlace::left);
   const float gap = ctx.px(4), count = static_cast<float>(sections.size());
   ImGui::PushFont(ctx.fonts.small);
   // Each button has room for its title with an arrow, drawn or not. All share the remaining width.
@@ -89,7 +89,7 @@ void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float hei
   // The child keeps its width when its scroll bar appears, so nothing beside it jumps.
   ImGui::BeginChild("sections", {0, 0}, false);
   ImGui::PushItemWidth(-1);
-  for (const PanelSpec& s : panels_at(Place::left)) ctx.panels.of(s).draw(ctx);
+  for (const PanelSpec& s : panels_at(PanelPlace::left)) ctx.panels.of(s).draw(ctx);
   ImGui::PopItemWidth();
   // Independent of the buttons, which would otherwise come and go.
   overflow = ImGui::GetCursorPosY() > room;
@@ -104,7 +104,7 @@ float right_panel(PanelContext& ctx, float top, float height) {
   const float width = ctx.px(kRightWidth), left = ImGui::GetIO().DisplaySize.x - width;
   begin("##right", {{left, top}, {width, height}});
   hairline(ctx, {left, top}, {left, top + height});
-  for (const PanelSpec& p : panels_at(Place::right)) ctx.panels.of(p).draw(ctx);
+  for (const PanelSpec& p : panels_at(PanelPlace::right)) ctx.panels.of(p).draw(ctx);
   ImGui::End();
   return width;
 }
@@ -204,7 +204,7 @@ void bottom_panel(PanelContext& ctx, const Area& area) {
   hairline(ctx, {x, y}, {x + width, y});
   ImGui::SetCursorScreenPos({x + ImGui::GetStyle().WindowPadding.x, y + ctx.px(8)});
   ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
-  const std::vector<PanelSpec> pages = panels_at(Place::bottom);
+  const std::vector<PanelSpec> pages = panels_at(PanelPlace::bottom);
   ctx.panels.of(*bottom_tabs(ctx, pages)).draw(ctx);
   // Atoms that line chosen cavities are marked in the picture, whatever page is open.
   if (!ctx.state.settings.selection.cavities.empty()) follow_cavities(ctx);
@@ -224,7 +224,7 @@ void status(PanelContext& ctx, float y, float width, float height) {
   ImGui::PopStyleColor();
 }
 
-void note_mouse(PanelMemory& memory) {
+void note_mouse(SharedPanelState& memory) {
   const ImGuiIO& io = ImGui::GetIO();
   // MouseDelta would be zero when the mouse enters the window.
   const bool moved = io.MousePos.x != memory.mouse_x || io.MousePos.y != memory.mouse_y;

@@ -19,7 +19,7 @@ namespace {
 
 // --- the list
 
-void lesson_row(PanelContext& ctx, const ShelvedLesson& shelved, bool open) {
+void lesson_row(PanelContext& ctx, const ListedLesson& shelved, bool open) {
   const std::string name = "lessons." + shelved.name;
   if (!shelved.lesson) {
     ImGui::TextColored(to_imgui(ctx.palette.error), "%s", shelved.name.c_str());
@@ -43,7 +43,7 @@ void lesson_row(PanelContext& ctx, const ShelvedLesson& shelved, bool open) {
 }
 
 void draw_list(PanelContext& ctx) {
-  const LessonMemory& m = ctx.state.lessons;
+  const LessonState& m = ctx.state.lessons;
   ImGui::BeginChild("list", {0, 0}, false);
   if (!m.shelf) {
     muted_text(ctx, "Reading the lessons…");
@@ -52,7 +52,7 @@ void draw_list(PanelContext& ctx) {
                   "The lessons of the program were not found. Open one by its file: Ctrl+P, "
                   "Lessons, then its path.");
   } else {
-    for (const ShelvedLesson& shelved : *m.shelf) {
+    for (const ListedLesson& shelved : *m.shelf) {
       const bool open = m.open && shelved.lesson && shelved.lesson->file == m.open->file;
       lesson_row(ctx, shelved, open);
     }
@@ -82,7 +82,7 @@ LessonFacts facts_on_screen(PanelContext& ctx) {
 
 std::vector<LessonParagraph> with_facts_in(PanelContext& ctx, const LessonPart& part,
                                            const LessonFacts& facts) {
-  LessonMemory& m = ctx.state.lessons;
+  LessonState& m = ctx.state.lessons;
   std::vector<LessonParagraph> text = part.text;
   for (LessonParagraph& p : text) {
     m.whole = m.whole && has_all_facts(p.text, facts);
@@ -104,7 +104,7 @@ float answer_gap(const PanelContext& ctx) {
 
 // Chooses the largest letters in which the whole text fits, but none too small to read.
 void choose_letters(PanelContext& ctx, const LessonStep& step, const StepText& all, float height) {
-  LessonMemory& m = ctx.state.lessons;
+  LessonState& m = ctx.state.lessons;
   const float width = ImGui::GetContentRegionAvail().x;
   const float button = step.asks() && !m.revealed ? ImGui::GetFrameHeightWithSpacing() : 0;
   const auto needed = [&](float size) {
@@ -140,7 +140,7 @@ void draw_answer(PanelContext& ctx, const LessonStep& step, const StepText& all)
 
 // Draws a button in the last line, which scrolls on if the text goes on below.
 void more_below(PanelContext& ctx, float page) {
-  LessonMemory& m = ctx.state.lessons;
+  LessonState& m = ctx.state.lessons;
   ImGui::BeginDisabled(!m.more_below);
   const bool scrolls =
       button(ctx, "lesson.more", m.more_below ? "More below ↓" : "The end of the step",
@@ -153,7 +153,7 @@ void more_below(PanelContext& ctx, float page) {
 }
 
 void draw_text(PanelContext& ctx, float height) {
-  LessonMemory& m = ctx.state.lessons;
+  LessonState& m = ctx.state.lessons;
   const LessonStep& step = m.open->steps[m.step];
   const LessonFacts facts = facts_on_screen(ctx);
   m.said.clear();
@@ -172,7 +172,7 @@ void draw_text(PanelContext& ctx, float height) {
     warning(ctx, "lesson.left",
             "Another molecule was opened. It stays open when you close the lesson.");
     if (button(ctx, "lesson.again_left", "Back to the lesson's molecule")) {
-      ctx.calls.lessons.again();
+      ctx.calls.lessons.restart_step();
     }
     ImGui::Dummy({0, ctx.px(4)});
   }
@@ -186,7 +186,7 @@ void draw_text(PanelContext& ctx, float height) {
 }
 
 void draw_buttons(PanelContext& ctx) {
-  const LessonMemory& m = ctx.state.lessons;
+  const LessonState& m = ctx.state.lessons;
   LessonCalls& calls = ctx.calls.lessons;
   const LessonStep& step = m.open->steps[m.step];
   const bool last = m.step + 1 == m.open->steps.size() && (!step.asks() || m.revealed);
@@ -196,7 +196,7 @@ void draw_buttons(PanelContext& ctx) {
   ImGui::EndDisabled();
   tooltip(ctx, "Page Up");
   ImGui::SameLine(0, gap);
-  if (button(ctx, "lesson.again", "Again", {width, 0})) calls.again();
+  if (button(ctx, "lesson.again", "Again", {width, 0})) calls.restart_step();
   tooltip(ctx, "Restores the beginning of this step and discards your changes.");
   ImGui::SameLine(0, gap);
   const float right = ImGui::GetContentRegionAvail().x;
@@ -211,7 +211,7 @@ void draw_buttons(PanelContext& ctx) {
 }
 
 void draw_open(PanelContext& ctx) {
-  const LessonMemory& m = ctx.state.lessons;
+  const LessonState& m = ctx.state.lessons;
   const LessonStep& step = m.open->steps[m.step];
   const std::string place =
       "step " + std::to_string(m.step + 1) + " of " + std::to_string(m.open->steps.size());
@@ -232,7 +232,7 @@ void draw_open(PanelContext& ctx) {
 // --- the line on top
 
 void draw_head(PanelContext& ctx) {
-  LessonMemory& m = ctx.state.lessons;
+  LessonState& m = ctx.state.lessons;
   const bool list = !m.open || m.list;
   const char* close = m.open ? "Close the lesson" : "Close";
   const char* other = list ? "Back to the lesson" : "All";
@@ -270,7 +270,7 @@ void draw_head(PanelContext& ctx) {
 }
 
 void draw_lessons(PanelContext& ctx) {
-  const LessonMemory& m = ctx.state.lessons;
+  const LessonState& m = ctx.state.lessons;
   draw_head(ctx);
   if (m.open && !m.list) {
     draw_open(ctx);

@@ -11,15 +11,15 @@
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
-#include "ui/panels/measures/curve_memory.hpp"
+#include "ui/panels/measures/curve_state.hpp"
 #include "ui/panels/measures/curves_plot.hpp"
 #include "ui/panels/measures/lives_view.hpp"
-#include "ui/panels/molecule/begin_anew.hpp"
+#include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/widgets/controls.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
 namespace {
@@ -31,15 +31,15 @@ constexpr double kMostSecondsUnasked = 60;  // on one thread, for one curve
 
 using Curves = Derived<CavityCurves>;
 
-CurveAxis axis_of(const CurveMemory& memory) {
+CurveAxis axis_of(const CurveState& memory) {
   return static_cast<CurveAxis>(memory.axis);
 }
 
-CurveQuantity quantity_of(const CurveMemory& memory) {
+CurveQuantity quantity_of(const CurveState& memory) {
   return static_cast<CurveQuantity>(memory.quantity);
 }
 
-const Definition<CavityCurves>& definition_of(const CurveMemory& memory) {
+const Definition<CavityCurves>& definition_of(const CurveState& memory) {
   const CurveNumbers numbers = numbers_for(quantity_of(memory));
   const CurveAxis axis = axis_of(memory);
   return axis == CurveAxis::alpha     ? curves_over_alpha(numbers)
@@ -50,7 +50,7 @@ const Definition<CavityCurves>& definition_of(const CurveMemory& memory) {
 // --- the chart
 
 // Makes the chart. `lines` is null for the totals.
-void make_chart(CurveMemory& memory, const CavityCurves& curves, const CurveLinks* links,
+void make_chart(CurveState& memory, const CavityCurves& curves, const CurveLinks* links,
                 const CavityLines* lines, const std::vector<std::size_t>& rows) {
   memory.chart_axis = curves.axis;
   memory.colours.clear();
@@ -73,7 +73,7 @@ void make_chart(CurveMemory& memory, const CavityCurves& curves, const CurveLink
 
 // Makes the next chart as soon as it can be made, and keeps the present one until then. Returns
 // whether the chart belongs to the picture.
-bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
+bool follow(PanelContext& ctx, CurveState& memory, const Curves& curves) {
   std::shared_ptr<const CurveLinks> links;
   std::shared_ptr<const CavityLines> lines;
   std::vector<std::size_t> rows;
@@ -87,7 +87,7 @@ bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
     if (!linked.ready()) return false;
     links = linked.value;
     lines = page.rows.lines;
-    rows = page.chosen_rows;
+    rows = page.selected_rows;
     if (rows.size() > kMostLines) rows.resize(kMostLines);
   }
   if (!curves.ready()) return false;
@@ -109,7 +109,7 @@ bool follow(PanelContext& ctx, CurveMemory& memory, const Curves& curves) {
 
 // --- the line above the plot
 
-std::string csv_of(const PanelContext& ctx, const CurveMemory& memory) {
+std::string csv_of(const PanelContext& ctx, const CurveState& memory) {
   std::vector<std::string> comments = comments_on_screen(ctx);
   if (memory.chart_axis != CurveAxis::solvent) {
     comments.push_back("solvent radius: " +
@@ -122,7 +122,7 @@ std::string csv_of(const PanelContext& ctx, const CurveMemory& memory) {
   return chart_csv(memory.chart.chart, comments);
 }
 
-void legend(PanelContext& ctx, const CurveMemory& memory) {
+void legend(PanelContext& ctx, const CurveState& memory) {
   const std::vector<ChartSeries>& series = memory.chart.chart.series;
   for (std::size_t s = 0; s < series.size(); ++s) {
     legend_entry(ctx, memory.colours[s], series[s].name);
@@ -135,7 +135,7 @@ void legend(PanelContext& ctx, const CurveMemory& memory) {
   record(ctx, "curves.legend");
 }
 
-void choices(PanelContext& ctx, CurveMemory& memory) {
+void choices(PanelContext& ctx, CurveState& memory) {
   // Pixels at scale 1, of all choices; the names of the pages stand before them.
   constexpr float kWidth = 570;
   if (ImGui::GetContentRegionAvail().x < ctx.px(kWidth)) ImGui::NewLine();
@@ -147,7 +147,7 @@ void choices(PanelContext& ctx, CurveMemory& memory) {
           "slower. Lives: the range of alpha in which each cavity exists.");
   ImGui::SameLine(0, ctx.px(10));
   ImGui::AlignTextToFramePadding();
-  if (memory.quantity == CurveMemory::kLives) {
+  if (memory.quantity == CurveState::kLives) {
     muted_text(ctx, "against alpha");
     return;
   }
@@ -180,7 +180,7 @@ double shown_at(const PanelContext& ctx, CurveAxis axis) {
   return ctx.state.settings.open.balls.model;
 }
 
-void table_buttons(PanelContext& ctx, const CurveMemory& memory, bool current) {
+void table_buttons(PanelContext& ctx, const CurveState& memory, bool current) {
   ImGui::BeginDisabled(!current || !ctx.state.references);
   if (button(ctx, "curves.copy", "Copy CSV")) {
     ImGui::SetClipboardText(csv_of(ctx, memory).c_str());
@@ -189,21 +189,21 @@ void table_buttons(PanelContext& ctx, const CurveMemory& memory, bool current) {
   tooltip(ctx, "Copies the curves as CSV.");
   ImGui::SameLine(0, ctx.px(4));
   if (button(ctx, "curves.save", "Save…")) {
-    ask_to_save(ctx,
-                {"Curves",
-                 file_name_for(ctx, "curves"),
-                 finished_text(csv_of(ctx, memory)),
-                 {},
-                 {},
-                 false,
-                 {figure_to_save(plot_svg(curves_plot(memory, shown_at(ctx, memory.chart_axis)),
-                                          ctx.state.molecule.name))}});
+    open_save_dialog(
+        ctx, {"Curves",
+              file_name_for(ctx, "curves"),
+              finished_text(csv_of(ctx, memory)),
+              {},
+              {},
+              false,
+              {figure_to_save(plot_svg(curves_plot(memory, shown_at(ctx, memory.chart_axis)),
+                                       ctx.state.molecule.name))}});
   }
   tooltip(ctx, "Saves the curves as a CSV file, or their plot as an SVG file.");
   ImGui::EndDisabled();
 }
 
-void draw_curves_plot(PanelContext& ctx, const CurveMemory& memory) {
+void draw_curves_plot(PanelContext& ctx, const CurveState& memory) {
   auto area = plot_area(ctx, {});
   if (!area) return;
   const Plot plot = curves_plot(memory, shown_at(ctx, memory.chart_axis));
@@ -222,7 +222,7 @@ void draw_curves_plot(PanelContext& ctx, const CurveMemory& memory) {
 
 // --- when there is nothing to plot
 
-std::string waiting_text(const PanelContext& ctx, const CurveMemory& memory, const Curves& curves) {
+std::string waiting_text(const PanelContext& ctx, const CurveState& memory, const Curves& curves) {
   if (!ctx.state.molecule.loaded) return "Open a molecule: curves of its cavities appear here.";
   if (axis_of(memory) == CurveAxis::model) {
     const std::string why = why_no_model_curve(ctx.inputs);
@@ -242,7 +242,7 @@ struct CurveWork {
   double seconds = 0;     // on one thread
 };
 
-CurveWork work_of(const PanelContext& ctx, const CurveMemory& memory) {
+CurveWork work_of(const PanelContext& ctx, const CurveState& memory) {
   constexpr double kSumsPerBall = 1e-5, kExactPerBall = 1.6e-4;  // seconds; measured with 4HHB
   const CurveAxis axis = axis_of(memory);
   const bool exact = numbers_for(quantity_of(memory)) == CurveNumbers::exact;
@@ -255,7 +255,7 @@ CurveWork work_of(const PanelContext& ctx, const CurveMemory& memory) {
 
 // Returns whether the curves may be computed. Curves that take long wait until the user starts
 // them.
-bool is_asked_for(PanelContext& ctx, CurveMemory& memory) {
+bool is_asked_for(PanelContext& ctx, CurveState& memory) {
   const CurveWork work = work_of(ctx, memory);
   const std::pair<int, int> question{memory.axis, memory.quantity};
   if (work.seconds <= kMostSecondsUnasked || memory.asked_for == question) return true;
@@ -269,12 +269,12 @@ bool is_asked_for(PanelContext& ctx, CurveMemory& memory) {
 }
 
 // Draws a button that cancels the computation, or starts it again.
-void cancel_button(PanelContext& ctx, const CurveMemory& memory, const Curves& curves) {
+void cancel_button(PanelContext& ctx, const CurveState& memory, const Curves& curves) {
   const std::string_view id = definition_of(memory).id;
   if (curves.state == DerivedState::running || curves.state == DerivedState::waiting) {
     if (button(ctx, "curves.cancel", "Cancel")) ctx.store.cancel(id);
   } else if (curves.state == DerivedState::cancelled) {
-    if (button(ctx, "curves.again", "Compute")) ctx.store.begin_again(id);
+    if (button(ctx, "curves.again", "Compute")) ctx.store.retry(id);
   }
 }
 
@@ -285,15 +285,15 @@ std::string nothing_text(const PanelContext& ctx) {
                "others on the page Cavities.";
 }
 
-void draw_curves(PanelContext& ctx, CurveMemory& memory) {
+void draw_curves(PanelContext& ctx, CurveState& memory) {
   choices(ctx, memory);
-  begin_anew(memory, ctx.state.molecule.sha256, [](const CurveMemory& old) {
-    CurveMemory fresh;
+  reset_for_molecule(memory, ctx.state.molecule.sha256, [](const CurveState& old) {
+    CurveState fresh;
     fresh.axis = old.axis;
     fresh.quantity = old.quantity;
     return fresh;
   });
-  if (memory.quantity == CurveMemory::kLives) return draw_cavity_lives(ctx, memory.lives);
+  if (memory.quantity == CurveState::kLives) return draw_cavity_lives(ctx, memory.lives);
   const CurveAxis axis = axis_of(memory);
   // Between two pictures the atoms of the balls are unknown.
   const bool unknown = !ctx.inputs.atoms;

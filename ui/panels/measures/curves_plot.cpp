@@ -38,7 +38,7 @@ void set_ranges(Plot& plot, CurveAxis axis, double shown) {
 
 }  // namespace
 
-Plot curves_plot(const CurveMemory& memory, double shown) {
+Plot curves_plot(const CurveState& memory, double shown) {
   const Chart& chart = memory.chart.chart;
   Plot plot;
   plot.x.label = chart.x_label;
@@ -59,12 +59,12 @@ Plot curves_plot(const CurveMemory& memory, double shown) {
     plot.dots.push_back({series.x[mark.sample], *series.values[mark.sample],
                          plot_colour(memory.colours[mark.series]), 3.6f, true});
   }
-  plot.lines.push_back({shown, plot_ink(ChartInk::accent), 1.5f});
+  plot.lines.push_back({shown, plot_ink(ChartColourRole::accent), 1.5f});
   set_ranges(plot, memory.chart_axis, shown);
   return plot;
 }
 
-std::string curves_text(const CurveMemory& memory, std::size_t sample) {
+std::string curves_text(const CurveState& memory, std::size_t sample) {
   const CurveAxis axis = memory.chart_axis;
   const std::vector<ChartSeries>& all = memory.chart.chart.series;
   const std::string unit = unit_of(axis), value_unit = memory.chart_quantity == 1 ? "Å²" : "Å³";

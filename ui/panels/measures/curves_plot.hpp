@@ -5,13 +5,13 @@
 #include <string>
 
 #include "core/chart/plot.hpp"
-#include "ui/panels/measures/curve_memory.hpp"
+#include "ui/panels/measures/curve_state.hpp"
 
 namespace alphascope {
 
 // `shown` is the present setting on the x axis.
-Plot curves_plot(const CurveMemory& memory, double shown);
+Plot curves_plot(const CurveState& memory, double shown);
 // The values of all curves at a sample, for the tooltip.
-std::string curves_text(const CurveMemory& memory, std::size_t sample);
+std::string curves_text(const CurveState& memory, std::size_t sample);
 
 }  // namespace alphascope

@@ -1,6 +1,6 @@
 // Draws the lives of cavities as bars, and takes clicks and drags on them.
 #include "ui/panels/measures/lives_view.hpp"
-#include "ui/panels/measures/curve_memory.hpp"
+#include "ui/panels/measures/curve_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,14 @@
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
-#include "ui/widgets/controls.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
 namespace {
 
-using Lives = CurveMemory::Lives;
+using Lives = CurveState::Lives;
 
 constexpr double kStep = 0.01;  // Å², as the slider's step
 constexpr std::size_t kMostBars = 100;
@@ -156,17 +156,18 @@ void add_bars(PanelContext& ctx, BarsPlot& bars, const Lives& memory, const Cavi
     const CavityBar& bar = memory.bars.longest[k];
     const std::size_t row = row_of(memory, page, k);
     const bool there = row != Lives::kNoRow;
-    add_bar(bars, bar, k,
-            there ? plot_colour(cavity_colour(page, row)) : plot_ink(ChartInk::muted, 0.45f));
+    add_bar(
+        bars, bar, k,
+        there ? plot_colour(cavity_colour(page, row)) : plot_ink(ChartColourRole::muted, 0.45f));
     const auto top = static_cast<double>(k);
     ctx.rects["curves.life." + std::to_string(k + 1)] = {
         area.x_of(std::max(bar.born_angstrom2, area.x.low)), area.y_of(top),
         area.x_of(bar.gone_angstrom2), area.y_of(top + 1)};
-    const auto& chosen = page.chosen_rows;
+    const auto& chosen = page.selected_rows;
     if (!there || !std::binary_search(chosen.begin(), chosen.end(), row)) continue;
     bars.plot.boxes.push_back({std::max(bar.born_angstrom2, area.x.low) - edge,
-                               bar.gone_angstrom2 + edge, top, top + 1, plot_ink(ChartInk::text),
-                               false});
+                               bar.gone_angstrom2 + edge, top, top + 1,
+                               plot_ink(ChartColourRole::text), false});
   }
 }
 
@@ -190,13 +191,13 @@ void table_buttons(PanelContext& ctx, const Lives& memory, const Known& known) {
       add_bars(ctx, *bars, memory, *known.page);
       figure.push_back(figure_to_save(plot_svg(bars->plot, ctx.state.molecule.name)));
     }
-    ask_to_save(ctx, {"Lives of cavities",
-                      file_name_for(ctx, "lives"),
-                      finished_text(csv()),
-                      {},
-                      {},
-                      false,
-                      std::move(figure)});
+    open_save_dialog(ctx, {"Lives of cavities",
+                           file_name_for(ctx, "lives"),
+                           finished_text(csv()),
+                           {},
+                           {},
+                           false,
+                           std::move(figure)});
   }
   tooltip(ctx, "The same as a CSV file, or the drawn bars as an SVG file.");
   ImGui::EndDisabled();
@@ -224,7 +225,7 @@ void set_alpha_to(PanelContext& ctx, double wanted) {
 // it after alpha has changed.
 void choose(PanelContext& ctx, const Lives& memory, const Known& known, std::size_t bar) {
   const std::size_t row = row_of(memory, *known.page, bar);
-  if (row != Lives::kNoRow) return choose_cavity(ctx, *known.page, row, HowChosen::alone);
+  if (row != Lives::kNoRow) return select_cavity(ctx, *known.page, row, HowSelected::alone);
   const auto& sink = known.ground->triangulation->tetrahedra[memory.bars.longest[bar].sink];
   ctx.state.settings.selection.cavities =
       RefSet(std::vector<Ref>{ctx.inputs.atoms->reference(sink)});
@@ -265,7 +266,7 @@ std::string waiting_text(const PanelContext& ctx, const Derived<CavityLives>& li
 
 }  // namespace
 
-void draw_cavity_lives(PanelContext& ctx, CurveMemory::Lives& memory) {
+void draw_cavity_lives(PanelContext& ctx, CurveState::Lives& memory) {
   const FollowedCavities followed = follow_cavities(ctx);
   Known known;
   known.page = ctx.state.cavities.page.get();
@@ -293,7 +294,7 @@ void draw_cavity_lives(PanelContext& ctx, CurveMemory::Lives& memory) {
     legend(ctx, memory, bars->drawn);
     ImGui::PushFont(ctx.fonts.small);
     add_bars(ctx, *bars, memory, *known.page);
-    bars->plot.lines.push_back({shown, plot_ink(ChartInk::accent), 1.5f});
+    bars->plot.lines.push_back({shown, plot_ink(ChartColourRole::accent), 1.5f});
     draw_plot(ctx, bars->plot, bars->area);
     take_mouse(ctx, *bars, memory, known);
     ImGui::PopFont();

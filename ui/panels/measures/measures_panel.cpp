@@ -9,8 +9,8 @@
 #include "core/document/measures/measure_records.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
-#include "ui/panels/measures/measure_memory.hpp"
-#include "ui/panels/molecule/begin_anew.hpp"
+#include "ui/panels/measures/measure_state.hpp"
+#include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -23,8 +23,8 @@ std::string number(std::size_t n) {
   return with_separators(static_cast<long long>(n));
 }
 
-constexpr MeasuredPer kPer[] = {MeasuredPer::component, MeasuredPer::chain, MeasuredPer::residue,
-                                MeasuredPer::atom};
+constexpr MeasureGrouping kPer[] = {MeasureGrouping::component, MeasureGrouping::chain,
+                                    MeasureGrouping::residue, MeasureGrouping::atom};
 constexpr const char* kPlural[] = {"components", "chains", "residues", "atoms"};
 
 // --- columns
@@ -59,11 +59,11 @@ const Column<MeasuredRow>& column_at(const ColumnPlace& place) {
 
 // --- choosing
 
-bool is_chosen(const MeasureMemory& memory, const AtomRef& first) {
+bool is_chosen(const MeasureState& memory, const AtomRef& first) {
   return std::find(memory.chosen.begin(), memory.chosen.end(), first) != memory.chosen.end();
 }
 
-void choose(MeasureMemory& memory, const AtomRef& first, bool add) {
+void choose(MeasureState& memory, const AtomRef& first, bool add) {
   const auto at = std::find(memory.chosen.begin(), memory.chosen.end(), first);
   if (!add) {
     memory.chosen = {first};
@@ -75,7 +75,7 @@ void choose(MeasureMemory& memory, const AtomRef& first, bool add) {
 }
 
 // Makes the atoms of the chosen rows the selection, and moves the camera there.
-void select_chosen(PanelContext& ctx, const MeasureMemory& memory, const BallReferences& atoms) {
+void select_chosen(PanelContext& ctx, const MeasureState& memory, const BallReferences& atoms) {
   const std::vector<std::uint32_t>& group = memory.rows->group_of_ball;
   std::vector<std::uint32_t> groups;
   for (const AtomRef& first : memory.chosen) {
@@ -98,7 +98,7 @@ void select_chosen(PanelContext& ctx, const MeasureMemory& memory, const BallRef
 
 // --- drawing
 
-void totals_line(PanelContext& ctx, const MeasureMemory& memory) {
+void totals_line(PanelContext& ctx, const MeasureState& memory) {
   const UnionMeasures& m = memory.measured->measures();
   const auto total = [&](const char* name, const std::string& text, const char* help) {
     ImGui::AlignTextToFramePadding();
@@ -122,7 +122,7 @@ void totals_line(PanelContext& ctx, const MeasureMemory& memory) {
           "solvent radius 1.4 Å (water): solvent-accessible surface.");
 }
 
-std::string shown_text(const MeasureMemory& memory) {
+std::string shown_text(const MeasureState& memory) {
   const MeasureRows& rows = *memory.rows;
   std::string text = number(rows.rows.size());
   if (rows.rows.size() < rows.all) text += " of " + number(rows.all);
@@ -147,19 +147,19 @@ bool fits(const PanelContext& ctx) {
          &atoms->prepared() == answer->prepared.get();
 }
 
-void save_button(PanelContext& ctx, const MeasureMemory& memory) {
+void save_button(PanelContext& ctx, const MeasureState& memory) {
   ImGui::BeginDisabled(!memory.rows || !ctx.inputs.atoms || !fits(ctx));
   if (button(ctx, "measures.save", "Save…")) {
     const RecordSource source = source_on_screen(ctx);
-    ask_to_save(ctx, {"Areas and volumes", file_name_for(ctx, "measures"),
-                      measure_csv(memory.query, source, ctx.state.result),
-                      measure_json(memory.query, source, ctx.state.result), ctx.inputs});
+    open_save_dialog(ctx, {"Areas and volumes", file_name_for(ctx, "measures"),
+                           measure_csv(memory.query, source, ctx.state.result),
+                           measure_json(memory.query, source, ctx.state.result), ctx.inputs});
   }
   ImGui::EndDisabled();
   tooltip(ctx, "Saves the listed rows as CSV or JSON.");
 }
 
-void controls_line(PanelContext& ctx, MeasureMemory& memory) {
+void controls_line(PanelContext& ctx, MeasureState& memory) {
   const int before = memory.per;
   choice(ctx, "measures.per", {"components", "chains", "residues", "atoms"}, memory.per,
          ctx.px(340));
@@ -168,7 +168,7 @@ void controls_line(PanelContext& ctx, MeasureMemory& memory) {
   ImGui::SetNextItemWidth(ctx.px(130));
   text_field(ctx, "measures.filter", memory.query.filter, "name contains…");
   ImGui::SameLine(0, ctx.px(12));
-  ImGui::BeginDisabled(kPer[memory.per] != MeasuredPer::atom);
+  ImGui::BeginDisabled(kPer[memory.per] != MeasureGrouping::atom);
   checkbox(ctx, "measures.changes", "Changes", memory.changes);
   ImGui::EndDisabled();
   tooltip(
@@ -239,7 +239,7 @@ bool draw_row(PanelContext& ctx, const MeasureRows& rows, const MeasureRow& row,
 
 // Draws the table. `atoms` is null while the rows do not belong to the picture; then clicks do
 // nothing.
-void table_of_rows(PanelContext& ctx, MeasureMemory& memory, const BallReferences* atoms) {
+void table_of_rows(PanelContext& ctx, MeasureState& memory, const BallReferences* atoms) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable;
   const MeasureRows& rows = *memory.rows;
@@ -264,12 +264,12 @@ void table_of_rows(PanelContext& ctx, MeasureMemory& memory, const BallReference
   select_chosen(ctx, memory, *atoms);
 }
 
-void copy_when_there(PanelContext& ctx, MeasureMemory& memory) {
+void copy_when_there(PanelContext& ctx, MeasureState& memory) {
   const Derived<std::string> csv = ctx.store.want(
       measure_csv(memory.query, source_on_screen(ctx), ctx.state.result), ctx.inputs);
   if (csv.state == DerivedState::failed || csv.state == DerivedState::no_room) {
     memory.copying = false;
-    ctx.state.tell("Cannot copy the table", csv.why);
+    ctx.state.show_error("Cannot copy the table", csv.why);
   }
   if (!csv.ready()) return;
   ImGui::SetClipboardText(csv.value->c_str());
@@ -300,15 +300,15 @@ bool of_the_picture(const Derived<MeasureRows>& rows) {
   return rows.value && rows.have.balls == rows.wanted.balls && rows.have.alpha == rows.wanted.alpha;
 }
 
-void take_measures(PanelContext& ctx, MeasureMemory& memory,
+void take_measures(PanelContext& ctx, MeasureState& memory,
                    const Derived<MeasuredComplex>& measured) {
   if (!measured.ready() || memory.measured == measured.value) return;
   memory.measured = measured.value;
   memory.surface = surface_name(ctx.state.result->request);
 }
 
-void draw_measures(PanelContext& ctx, MeasureMemory& memory) {
-  begin_anew(memory, ctx.state.molecule.sha256);
+void draw_measures(PanelContext& ctx, MeasureState& memory) {
+  reset_for_molecule(memory, ctx.state.molecule.sha256);
   ctx.state.measures_wanted = true;
   const bool whole = !ctx.inputs.complex || !ctx.inputs.complex->tetrahedra_only;
   Derived<MeasuredComplex> measured;

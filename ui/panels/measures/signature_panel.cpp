@@ -17,9 +17,9 @@
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/widgets/controls.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
+#include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
 namespace {
@@ -157,7 +157,7 @@ Plot plot_of_euler(const Signature& signature, const PlotRange& alpha,
   plot.x = {.range = alpha, .unit = "Å²"};
   plot.y = {.label = "Euler χ", .whole = true};
   plot.curves.push_back(sampled(alphas, [&](double at) { return signature.euler(at); }));
-  plot.curves.back().paint = plot_ink(ChartInk::text);
+  plot.curves.back().paint = plot_ink(ChartColourRole::text);
   take_values(plot);
   return plot;
 }
@@ -202,7 +202,7 @@ void save_button(PanelContext& ctx, const Signature& signature) {
   ImGui::BeginDisabled(!ctx.state.references);
   if (button(ctx, "signature.save", "Save…")) {
     const Plot plot = plot_of_all(signature, alpha_range(ctx, signature));
-    ask_to_save(
+    open_save_dialog(
         ctx,
         {"Signature",
          file_name_for(ctx, "signature"),
@@ -230,7 +230,7 @@ void plots(PanelContext& ctx, const Signature& signature) {
   Plot counts = plot_of_counts(signature, alpha, alphas);
   Plot euler = plot_of_euler(signature, alpha, alphas);
   for (Plot* plot : {&counts, &euler}) {
-    plot->lines.push_back({shown, plot_ink(ChartInk::accent), 1.5f});
+    plot->lines.push_back({shown, plot_ink(ChartColourRole::accent), 1.5f});
   }
   draw_plot(ctx, counts, above);
   draw_plot(ctx, euler, below);

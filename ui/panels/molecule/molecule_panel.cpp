@@ -1,6 +1,6 @@
 // The section on the molecule: opens files, and shows the name, dropped atoms and notes. It also
 // draws the rows of the other sources of this folder.
-#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -62,7 +62,7 @@ void notes(PanelContext& ctx) {
   ImGui::TreePop();
 }
 
-void draw_molecule(PanelContext& ctx, MoleculeMemory& memory) {
+void draw_molecule(PanelContext& ctx, MoleculeState& memory) {
   if (!section(ctx, "molecule", "Molecule")) return;
   open_buttons(ctx);
   const MoleculeInfo& m = ctx.state.molecule;

@@ -8,7 +8,7 @@
 
 #include "core/document/commands/number_input.hpp"
 #include "core/document/settings/radius_edits.hpp"
-#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -101,15 +101,15 @@ std::string title(const std::vector<RadiusRow>& rows) {
   return "Radii: " + text;
 }
 
-void apply(ViewState& s, MoleculeMemory& m, const RadiusRow& row, const std::string& text) {
+void apply(ViewState& s, MoleculeState& m, const RadiusRow& row, const std::string& text) {
   const NumberInput input = read_number(text, kBallRadiusRule);
   m.radius_error = input.error;
   if (input.value) set_radius(s.settings.open.balls.overrides, row.radius.group, *input.value);
 }
 
-void radius_field(PanelContext& ctx, MoleculeMemory& memory, const RadiusRow& row, int index) {
+void radius_field(PanelContext& ctx, MoleculeState& memory, const RadiusRow& row, int index) {
   ViewState& s = ctx.state;
-  MoleculeMemory& m = memory;
+  MoleculeState& m = memory;
   const std::string shown =
       row.kind == Kind::none ? "" : short_number_text(row.radius.radius_angstrom, 6);
   std::string text = m.radius_editing == index ? m.radius_typed : shown;
@@ -134,7 +134,7 @@ void radius_field(PanelContext& ctx, MoleculeMemory& memory, const RadiusRow& ro
   }
 }
 
-void radius_line(PanelContext& ctx, MoleculeMemory& memory, const RadiusRow& row, int index) {
+void radius_line(PanelContext& ctx, MoleculeState& memory, const RadiusRow& row, int index) {
   ViewState& s = ctx.state;
   const AtomGroup& atoms = row.radius.group;
   const std::string element(element_symbol(atoms.element));
@@ -163,7 +163,7 @@ void radius_line(PanelContext& ctx, MoleculeMemory& memory, const RadiusRow& row
   ImGui::PopID();
 }
 
-void radius_table(PanelContext& ctx, MoleculeMemory& memory) {
+void radius_table(PanelContext& ctx, MoleculeState& memory) {
   const auto& rows = ctx.state.molecule.radius_rows;
   const float row_height = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const float height = row_height * static_cast<float>(std::min<std::size_t>(rows.size(), 8) + 1);
@@ -187,7 +187,7 @@ void radius_table(PanelContext& ctx, MoleculeMemory& memory) {
   ImGui::EndTable();
 }
 
-void radius_list(PanelContext& ctx, MoleculeMemory& memory) {
+void radius_list(PanelContext& ctx, MoleculeState& memory) {
   ViewState& s = ctx.state;
   const auto& rows = s.molecule.radius_rows;
   const bool edited = !s.settings.open.balls.overrides.empty();
@@ -223,7 +223,7 @@ void radius_list(PanelContext& ctx, MoleculeMemory& memory) {
 
 }  // namespace
 
-void draw_radii_rows(PanelContext& ctx, MoleculeMemory& memory) {
+void draw_radii_rows(PanelContext& ctx, MoleculeState& memory) {
   set_row(ctx);
   radius_list(ctx, memory);
 }

@@ -6,7 +6,7 @@
 
 #include "core/selection/residue_groups.hpp"
 #include "core/text/grouped_number.hpp"
-#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -40,11 +40,11 @@ std::string why_not_treated(const ResidueGroup& group) {
          "the command line.";
 }
 
-void kind_entry(PanelContext& ctx, const ResidueGroup& group, AtomKind kind) {
+void kind_entry(PanelContext& ctx, const ResidueGroup& group, ResidueKind kind) {
   const bool on = group.why == ResidueReason::by_hand && group.kind == kind;
   const auto flags = group.called.empty() ? ImGuiSelectableFlags_Disabled : 0;
   if (ImGui::Selectable(kind_name(kind), on, flags)) {
-    treat_group(ctx.state.settings.open.balls.treated, group, kind);
+    set_group_kind(ctx.state.settings.open.balls.treated, group, kind);
   }
   record(ctx, (std::string("residue.as.") + kind_name(kind)).c_str());
 }
@@ -53,7 +53,7 @@ void file_entry(PanelContext& ctx, const ResidueGroup& group) {
   const bool treated = !group.treated.empty();
   const std::string label = std::string("as the file says: ") + kind_name(group.file_kind);
   if (ImGui::Selectable(label.c_str(), !treated, treated ? 0 : ImGuiSelectableFlags_Disabled)) {
-    take_back(ctx.state.settings.open.balls.treated, group);
+    remove_treatments(ctx.state.settings.open.balls.treated, group);
   }
   record(ctx, "residue.as.file");
   if (!treated) return;
@@ -75,8 +75,8 @@ void treat_as(PanelContext& ctx, const ResidueGroup& group, float width) {
   if (!open) return tooltip(ctx, "Sets the kind of these residues, whatever the file says.");
   file_entry(ctx, group);
   ImGui::Separator();
-  for (const AtomKind kind :
-       {AtomKind::polymer, AtomKind::ligand, AtomKind::ion, AtomKind::water, AtomKind::dummy}) {
+  for (const ResidueKind kind : {ResidueKind::polymer, ResidueKind::ligand, ResidueKind::ion,
+                                 ResidueKind::water, ResidueKind::dummy}) {
     kind_entry(ctx, group, kind);
   }
   ImGui::EndCombo();
@@ -142,7 +142,7 @@ void group_lines(PanelContext& ctx, const std::vector<ResidueGroup>& groups) {
 
 }  // namespace
 
-void draw_residue_rows(PanelContext& ctx, MoleculeMemory& memory) {
+void draw_residue_rows(PanelContext& ctx, MoleculeState& memory) {
   ViewState& s = ctx.state;
   const std::shared_ptr<const ResidueGroups> groups = s.molecule.residues;
   if (!groups || groups->of.empty()) return nothing_to_disclose(ctx, "Residues: none are known.");

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/text/grouped_number.hpp"
-#include "ui/panels/molecule/molecule_memory.hpp"
+#include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
@@ -31,18 +31,18 @@ void kinds(PanelContext& ctx) {
   const KindCounts& k = ctx.state.molecule.contents.kinds;
   row_label(ctx, "Keep");
   const float column = ImGui::GetCursorPosX() + ctx.px(96);
-  kind_toggle(ctx, "molecule.polymers", "Polymers", c.polymers, of_kind(k, AtomKind::polymer),
+  kind_toggle(ctx, "molecule.polymers", "Polymers", c.polymers, of_kind(k, ResidueKind::polymer),
               "Proteins and nucleic acids, with their modified residues.");
   ImGui::SameLine(column);
-  kind_toggle(ctx, "molecule.waters", "Waters", c.waters, of_kind(k, AtomKind::water),
+  kind_toggle(ctx, "molecule.waters", "Waters", c.waters, of_kind(k, ResidueKind::water),
               "HOH, DOD, WAT, SOL, TIP3 …");
   row_label(ctx, "");
-  kind_toggle(ctx, "molecule.ligands", "Ligands", c.ligands, of_kind(k, AtomKind::ligand),
+  kind_toggle(ctx, "molecule.ligands", "Ligands", c.ligands, of_kind(k, ResidueKind::ligand),
               "Residues that are not polymer, water, ion or dummy.");
   ImGui::SameLine(column);
-  kind_toggle(ctx, "molecule.ions", "Ions", c.ions, of_kind(k, AtomKind::ion),
+  kind_toggle(ctx, "molecule.ions", "Ions", c.ions, of_kind(k, ResidueKind::ion),
               "Metal and halide atoms that are a residue of their own.");
-  const std::size_t dummies = of_kind(k, AtomKind::dummy);
+  const std::size_t dummies = of_kind(k, ResidueKind::dummy);
   if (dummies == 0 && !c.dummies) return;
   row_label(ctx, "");
   kind_toggle(ctx, "molecule.dummies", "Dummy atoms", c.dummies, dummies,
@@ -116,7 +116,7 @@ void chain_line(PanelContext& ctx, const ChainContents& chain, float width) {
 }
 
 // Draws the lines in sight only, since an assembly can have thousands of chains.
-void chain_lines(PanelContext& ctx, MoleculeMemory& memory) {
+void chain_lines(PanelContext& ctx, MoleculeState& memory) {
   const ViewState& s = ctx.state;
   const std::string& filter = memory.chain_filter;
   std::vector<const ChainContents*> shown;
@@ -138,7 +138,7 @@ void chain_lines(PanelContext& ctx, MoleculeMemory& memory) {
   ImGui::EndChild();
 }
 
-void chain_popup(PanelContext& ctx, MoleculeMemory& memory) {
+void chain_popup(PanelContext& ctx, MoleculeState& memory) {
   ViewState& s = ctx.state;
   constexpr std::size_t kFilterFrom = 10;
   if (button(ctx, "molecule.chains.all", "All")) switch_all(s, true);
@@ -154,7 +154,7 @@ void chain_popup(PanelContext& ctx, MoleculeMemory& memory) {
   chain_lines(ctx, memory);
 }
 
-void chains(PanelContext& ctx, MoleculeMemory& memory) {
+void chains(PanelContext& ctx, MoleculeState& memory) {
   const ViewState& s = ctx.state;
   const std::size_t all = s.molecule.contents.chains.size();
   const auto off = static_cast<std::size_t>(std::count_if(
@@ -217,7 +217,7 @@ void expression_message(PanelContext& ctx, bool pending) {
 
 void expression(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  PanelMemory& m = s.memory;
+  SharedPanelState& m = s.memory;
   // The file is another, or the user took the expression back.
   if (s.settings.open.balls.selection != m.expression_shown) {
     m.expression_shown = m.expression_typed = s.settings.open.balls.selection;
@@ -243,7 +243,7 @@ void expression(PanelContext& ctx) {
 
 }  // namespace
 
-void draw_selection_rows(PanelContext& ctx, MoleculeMemory& memory) {
+void draw_selection_rows(PanelContext& ctx, MoleculeState& memory) {
   kinds(ctx);
   hydrogens_and_altlocs(ctx);
   chains(ctx, memory);

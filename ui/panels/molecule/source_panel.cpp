@@ -131,7 +131,7 @@ void speed_drag(PanelContext& ctx) {
   float& speed = ctx.state.playback.models_per_second;
   double value = speed;
   bool changed = false;
-  if (typed_instead(ctx, "molecule.speed", value, kModelSpeedRule, changed)) {
+  if (draw_typed_number(ctx, "molecule.speed", value, kModelSpeedRule, changed)) {
     if (changed) speed = static_cast<float>(value);
     return;
   }

@@ -18,7 +18,7 @@ constexpr float kReach = 7;
 constexpr double kZoomStep = 1.15;                          // factor for a notch of the wheel
 constexpr double kLeastPixels = 0.05, kMostPixels = 20000;  // pixels for 1 Å
 
-ImU32 colour(const FlatInk& ink) {
+ImU32 colour(const FlatColour& ink) {
   return IM_COL32(ink.r, ink.g, ink.b, static_cast<int>(std::lround(255 * ink.opacity)));
 }
 
@@ -62,7 +62,7 @@ class Paper {
   }
 
  private:
-  SandboxMemory& memory_;
+  SandboxState& memory_;
   ImVec2 corner_, size_;
 };
 
@@ -77,14 +77,14 @@ bool same(const FlatContent& a, const FlatContent& b) {
 // Makes the shapes if the result on screen is flat. For a moment after the sandbox became flat, it
 // is not.
 void make_shapes(ViewState& state, const FlatBox& box) {
-  SandboxMemory& m = state.memory.sandbox;
+  SandboxState& m = state.memory.sandbox;
   if (!state.result || !is_flat(*state.result->balls)) {
     m.shapes.clear();
     m.shapes_of = nullptr;
     return;
   }
   FlatContent content = m.content;
-  content.chosen = chosen_balls(state);
+  content.chosen = selected_balls(state);
   const std::size_t balls = state.result->balls->size();
   std::erase_if(content.chosen, [balls](BallIndex ball) { return ball >= balls; });
   const bool known =
@@ -188,7 +188,7 @@ double solvent(const ViewState& state) {
 
 // Finds the centre or rim under the mouse. A centre precedes a rim, and the nearest wins.
 void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
-  SandboxMemory& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.memory.sandbox;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   m.hovered = FlatPart::paper;
   float nearest = ctx.px(kReach);
@@ -211,7 +211,7 @@ void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
 // Finds the smallest ball that contains the mouse, if no centre or rim is near. The mouse takes it
 // like its centre.
 void look_inside(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
-  SandboxMemory& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.memory.sandbox;
   if (m.hovered != FlatPart::paper) return;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   const FlatPoint p = paper.place(mouse);
@@ -227,20 +227,20 @@ void look_inside(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
 }
 
 void take_hold(PanelContext& ctx, const FlatPoint& mouse) {
-  SandboxMemory& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.memory.sandbox;
   m.held = m.hovered;
   if (m.held == FlatPart::paper) {
     m.grip = mouse;
     return;
   }
   if (m.held == FlatPart::none) return;
-  choose_ball(ctx.state, m.ball, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
+  select_ball(ctx.state, m.ball, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
   const SandboxPlace at = centre_of(*ctx.state.settings.open.sandbox, m.ball);
   m.grip = {at[0] - mouse[0], at[1] - mouse[1]};
 }
 
 void drag(PanelContext& ctx, const FlatPoint& mouse) {
-  SandboxMemory& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.memory.sandbox;
   Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   if (m.held == FlatPart::paper) {
     for (int d = 0; d < 2; ++d) m.middle[d] -= mouse[d] - m.grip[d];
@@ -264,19 +264,19 @@ void drag(PanelContext& ctx, const FlatPoint& mouse) {
 void add_at(PanelContext& ctx, const FlatPoint& mouse) {
   ViewState& s = ctx.state;
   Sandbox& sandbox = *s.settings.open.sandbox;
-  const SandboxMemory& m = s.memory.sandbox;
+  const SandboxState& m = s.memory.sandbox;
   if (sandbox.balls.size() >= kMostSandboxBalls) {
-    s.tell("There is no room for another ball", why_no_sandbox(sandbox.balls.size() + 1));
+    s.show_error("There is no room for another ball", why_no_sandbox(sandbox.balls.size() + 1));
     return;
   }
   const double step = ImGui::GetIO().KeyAlt ? 0 : m.snap_angstrom;
-  choose_ball(s, add_ball(sandbox, {snapped(mouse[0], step), snapped(mouse[1], step), 0},
+  select_ball(s, add_ball(sandbox, {snapped(mouse[0], step), snapped(mouse[1], step), 0},
                           m.next_radius_angstrom));
 }
 
 void mouse_on_paper(PanelContext& ctx, Paper& paper, ImVec2 corner, ImVec2 size) {
   ViewState& s = ctx.state;
-  SandboxMemory& m = s.memory.sandbox;
+  SandboxState& m = s.memory.sandbox;
   ImGui::SetCursorScreenPos(corner);
   ImGui::InvisibleButton("##flat", size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -317,7 +317,7 @@ void draw_moved(PanelContext& ctx, const Paper& paper) {
 }
 
 void draw_marks(PanelContext& ctx, const Paper& paper) {
-  const SandboxMemory& m = ctx.state.memory.sandbox;
+  const SandboxState& m = ctx.state.memory.sandbox;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const auto ring = [&](std::size_t ball, ImU32 ink, float width) {
@@ -326,7 +326,7 @@ void draw_marks(PanelContext& ctx, const Paper& paper) {
                     paper.pixels(radius_of(sandbox, ball) + solvent(ctx.state)), ink, 96,
                     ctx.px(width));
   };
-  for (const BallIndex ball : chosen_balls(ctx.state)) {
+  for (const BallIndex ball : selected_balls(ctx.state)) {
     ring(ball, to_u32(ctx.palette.selected), 2.5f);
   }
   const FlatPart part = m.held != FlatPart::none ? m.held : m.hovered;
@@ -369,7 +369,7 @@ double flat_angstrom_per_pixel(const ViewState& state) {
 
 void draw_flat_view(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ViewState& s = ctx.state;
-  SandboxMemory& m = s.memory.sandbox;
+  SandboxState& m = s.memory.sandbox;
   s.viewport.hovered = false;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};

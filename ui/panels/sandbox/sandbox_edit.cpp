@@ -8,7 +8,7 @@
 
 namespace alphascope {
 
-std::string why_not_by_hand(const ViewState& state) {
+std::string why_not_editable(const ViewState& state) {
   if (state.settings.open.sandbox) return {};
   if (!state.result || !state.result->prepared) {
     return "There are no balls yet. Open a molecule or a preset first.";
@@ -17,12 +17,12 @@ std::string why_not_by_hand(const ViewState& state) {
 }
 
 void start_sandbox(ViewState& state) {
-  if (state.settings.open.sandbox || !why_not_by_hand(state).empty()) return;
+  if (state.settings.open.sandbox || !why_not_editable(state).empty()) return;
   state.settings.open.sandbox = sandbox_of(*state.result->prepared->balls);
   state.settings.selection.clear();  // it holds atoms of the file, whose numbers differ
 }
 
-std::vector<BallIndex> chosen_balls(const ViewState& state) {
+std::vector<BallIndex> selected_balls(const ViewState& state) {
   std::vector<BallIndex> balls;
   if (!state.settings.open.sandbox) return balls;
   const auto add = [&](const AtomRef& atom) {
@@ -40,15 +40,15 @@ std::vector<BallIndex> chosen_balls(const ViewState& state) {
   return balls;
 }
 
-void choose_ball(ViewState& state, std::size_t ball, bool more) {
+void select_ball(ViewState& state, std::size_t ball, bool more) {
   const Ref ref = AtomRef{static_cast<std::uint32_t>(ball), 0};
   state.settings.selection.cavities = {};
   state.settings.selection.items =
       more ? state.settings.selection.items.toggled(ref) : RefSet({ref});
 }
 
-void remove_chosen(ViewState& state) {
-  const std::vector<BallIndex> balls = chosen_balls(state);
+void remove_selected_balls(ViewState& state) {
+  const std::vector<BallIndex> balls = selected_balls(state);
   for (auto ball = balls.rbegin(); ball != balls.rend(); ++ball) {
     remove_ball(*state.settings.open.sandbox, *ball);
   }

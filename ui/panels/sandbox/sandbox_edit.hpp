@@ -12,16 +12,16 @@ namespace alphascope {
 
 // Says why the balls on screen cannot be changed by hand; empty if they can, or are a sandbox
 // already.
-std::string why_not_by_hand(const ViewState& state);
+std::string why_not_editable(const ViewState& state);
 // Makes a sandbox of the balls on screen. Nothing happens if there is one already, or none can be
 // made.
 void start_sandbox(ViewState& state);
 
 // Returns indices of balls in the sandbox, ascending: selected balls, and corners of selected
 // simplices.
-std::vector<BallIndex> chosen_balls(const ViewState& state);
-void choose_ball(ViewState& state, std::size_t ball, bool more = false);
-void remove_chosen(ViewState& state);
+std::vector<BallIndex> selected_balls(const ViewState& state);
+void select_ball(ViewState& state, std::size_t ball, bool more = false);
+void remove_selected_balls(ViewState& state);
 
 // Returns the nearest multiple of the step, without minus zero. `step` 0 changes nothing.
 double snapped(double angstrom, double step);

@@ -38,7 +38,7 @@ void presets(PanelContext& ctx) {
 void begin_row(PanelContext& ctx) {
   presets(ctx);
   ImGui::SameLine(0, ctx.px(8));
-  const std::string why = why_not_by_hand(ctx.state);
+  const std::string why = why_not_editable(ctx.state);
   ImGui::BeginDisabled(!why.empty());
   bool by_hand = ctx.state.settings.open.sandbox.has_value();
   if (checkbox(ctx, "sandbox.by_hand", "Balls by hand", by_hand)) {
@@ -59,7 +59,7 @@ void begin_row(PanelContext& ctx) {
 
 void edit_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  SandboxMemory& m = s.memory.sandbox;
+  SandboxState& m = s.memory.sandbox;
   if (button(ctx, "sandbox.add", "Add a ball")) {
     const FlatPoint middle = m.pixels_per_angstrom > 0 ? m.middle : FlatPoint{};
     ctx.commands.run("sandbox.add", {shortest_number(snapped(middle[0], m.snap_angstrom)),
@@ -69,8 +69,8 @@ void edit_row(PanelContext& ctx) {
       ctx,
       "Adds a ball in the middle of the drawing. A double-click in the drawing adds one there.");
   ImGui::SameLine(0, ctx.px(6));
-  ImGui::BeginDisabled(chosen_balls(s).empty());
-  if (button(ctx, "sandbox.remove", "Remove")) remove_chosen(s);
+  ImGui::BeginDisabled(selected_balls(s).empty());
+  if (button(ctx, "sandbox.remove", "Remove")) remove_selected_balls(s);
   ImGui::EndDisabled();
   tooltip(ctx, "Removes the selected balls (Delete).");
   ImGui::SameLine(0, ctx.px(16));
@@ -89,7 +89,7 @@ void edit_row(PanelContext& ctx) {
 }
 
 void drawing_row(PanelContext& ctx) {
-  SandboxMemory& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.memory.sandbox;
   ImGui::SameLine(0, ctx.px(10));
   checkbox(ctx, "sandbox.discs", "Grown discs", m.content.discs);
   tooltip(ctx, "Each ball with the radius √(r² + α).");
@@ -151,7 +151,7 @@ void table(PanelContext& ctx) {
   ImGui::TableSetupColumn("Ball", ImGuiTableColumnFlags_WidthFixed, ctx.px(64));
   for (const char* title : {"x, Å", "y, Å", "z, Å", "Radius, Å"}) ImGui::TableSetupColumn(title);
   ImGui::TableHeadersRow();
-  const std::vector<BallIndex> chosen = chosen_balls(s);
+  const std::vector<BallIndex> chosen = selected_balls(s);
   for (std::size_t i = 0; i < s.settings.open.sandbox->balls.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     ImGui::TableNextRow();
@@ -159,7 +159,7 @@ void table(PanelContext& ctx) {
     ImGui::AlignTextToFramePadding();
     const bool is_chosen = std::binary_search(chosen.begin(), chosen.end(), i);
     if (ImGui::Selectable(std::to_string(i + 1).c_str(), is_chosen)) {
-      choose_ball(s, i, ImGui::GetIO().KeyCtrl);
+      select_ball(s, i, ImGui::GetIO().KeyCtrl);
     }
     record(ctx, ("sandbox.ball." + std::to_string(i)).c_str());
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,4 @@
-// Changes VTK's sphere shaders for each BallLook, and makes the bounds include the radii.
+// Changes VTK's sphere shaders for each BallRendering, and makes the bounds include the radii.
 #include "ui/scene/gl/ball_mapper.hpp"
 
 #include <vtkDataArray.h>
@@ -28,7 +28,7 @@ void BallMapper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders
                                    vtkRenderer* renderer, vtkActor* actor) {
   this->Superclass::GetShaderTemplate(shaders, renderer, actor);
   shaders.at(vtkShader::Geometry)->SetSource(kBallGeometry);
-  if (look_ == BallLook::usual) return;
+  if (look_ == BallRendering::usual) return;
   vtkShader* fragment = shaders.at(vtkShader::Fragment);
   std::string source = fragment->GetSource();
   // VTK's lines keep their place; cut_shader.cpp replaces the same marks, and its lines come before
@@ -36,7 +36,7 @@ void BallMapper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders
   const auto append = [&source](const char* mark, const char* lines) {
     vtkShaderProgram::Substitute(source, mark, std::string(mark) + lines, false);
   };
-  if (look_ == BallLook::outline) {
+  if (look_ == BallRendering::outline) {
     append("//VTK::Depth::Impl", kOnlyRim);
   } else {
     append("//VTK::Depth::Impl", kInFront);
@@ -45,7 +45,7 @@ void BallMapper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders
   fragment->SetSource(source);
 }
 
-void BallMapper::set_look(BallLook look) {
+void BallMapper::set_look(BallRendering look) {
   if (look_ == look) return;
   look_ = look;
   this->Modified();

@@ -13,14 +13,14 @@ namespace alphascope {
 // usual: balls are hidden by things in front of them, as everything else is.
 // outline: only the rims of balls are drawn, around other things.
 // in_front: whole balls in front of everything else, with a dark rim.
-enum class BallLook : std::uint8_t { usual, outline, in_front };
+enum class BallRendering : std::uint8_t { usual, outline, in_front };
 
 class BallMapper : public vtkOpenGLSphereMapper {
  public:
   static BallMapper* New();
   vtkTypeMacro(BallMapper, vtkOpenGLSphereMapper);
 
-  void set_look(BallLook look);
+  void set_look(BallRendering look);
 
  protected:
   BallMapper();
@@ -31,7 +31,7 @@ class BallMapper : public vtkOpenGLSphereMapper {
   void ComputeBounds() override;
 
  private:
-  BallLook look_ = BallLook::usual;
+  BallRendering look_ = BallRendering::usual;
 
   BallMapper(const BallMapper&) = delete;
   void operator=(const BallMapper&) = delete;

@@ -83,7 +83,7 @@ void ShaderBuffer::set(const void* content, std::size_t count, std::size_t bytes
   uploaded_ = false;
 }
 
-void ShaderBuffer::upload(vtkOpenGLRenderWindow* window, UploadRoom& room) {
+void ShaderBuffer::upload(vtkOpenGLRenderWindow* window, UploadBuffer& room) {
   if (uploaded_ || count_ == 0) return;
   buffer_->SetType(vtkOpenGLBufferObject::TextureBuffer);
   const auto* const content = static_cast<const unsigned char*>(content_);
@@ -99,8 +99,9 @@ void ShaderBuffer::upload(vtkOpenGLRenderWindow* window, UploadRoom& room) {
 }
 
 // Returns false if the upload failed. Several threads copy, because the driver's own copy uses one
-// thread. Software OpenGL reads the driver's memory itself, so UploadRoom would only add a copy.
-bool ShaderBuffer::upload_large(const unsigned char* content, std::size_t bytes, UploadRoom& room) {
+// thread. Software OpenGL reads the driver's memory itself, so UploadBuffer would only add a copy.
+bool ShaderBuffer::upload_large(const unsigned char* content, std::size_t bytes,
+                                UploadBuffer& room) {
   if (!buffer_->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer) || !buffer_->Bind()) {
     return false;
   }
@@ -264,7 +265,7 @@ void CellMapper::ReplaceShaderValues(Sources shaders, vtkRenderer* renderer, vtk
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
 }
 
-void CellMapper::give_camera(vtkShaderProgram* program, vtkRenderer* renderer) {
+void CellMapper::set_camera_uniforms(vtkShaderProgram* program, vtkRenderer* renderer) {
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
   vtkMatrix4x4 *to_camera, *to_picture, *whole_way;
   vtkMatrix3x3* turn;
@@ -286,7 +287,7 @@ void CellMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer*
   program->SetUniformi(kCellsName, cells);
   const int places = places_->buffer.activate();
   program->SetUniformi(kPlacesName, places);
-  give_camera(program, renderer);
+  set_camera_uniforms(program, renderer);
   if (kind_ == Kind::edges) {
     program->SetUniformf("radius", lines_.rod_radius);
     program->SetUniformf("radiusPerDepth", lines_.rod_radius_per_depth);

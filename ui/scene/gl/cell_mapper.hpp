@@ -14,7 +14,7 @@
 #include <memory>
 #include <utility>
 
-#include "ui/scene/gl/upload_room.hpp"
+#include "ui/scene/gl/upload_buffer.hpp"
 #include "ui/scene/mesh/complex_mesh.hpp"
 
 namespace alphascope {
@@ -26,7 +26,7 @@ class ShaderBuffer {
   // The content must stay in place until upload().
   void set(const void* content, std::size_t count, std::size_t bytes, unsigned format);
   // Uploads new content, at most Scene::most_cells() texels. Large content goes through `room`.
-  void upload(vtkOpenGLRenderWindow* window, UploadRoom& room);
+  void upload(vtkOpenGLRenderWindow* window, UploadBuffer& room);
   void release(vtkWindow* window);
   bool is_uploaded() const { return uploaded_ || count_ == 0; }
   std::size_t count() const { return count_; }
@@ -34,7 +34,7 @@ class ShaderBuffer {
   void deactivate();
 
  private:
-  bool upload_large(const unsigned char* content, std::size_t bytes, UploadRoom& room);
+  bool upload_large(const unsigned char* content, std::size_t bytes, UploadBuffer& room);
   static bool map_and_copy(const unsigned char* content, std::size_t bytes);
 
   const void* content_ = nullptr;
@@ -50,7 +50,7 @@ struct BallPlaces {
   void set(std::shared_ptr<const BallGeometry> new_balls);
   std::shared_ptr<const BallGeometry> balls;
   ShaderBuffer buffer;
-  UploadRoom room;
+  UploadBuffer room;
 };
 
 // Widths of lines; changing them needs no new cells.
@@ -107,7 +107,7 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
 
   enum class Kind : std::uint8_t { faces, tetrahedra, edges };
 
-  void give_camera(vtkShaderProgram* program, vtkRenderer* renderer);
+  void set_camera_uniforms(vtkShaderProgram* program, vtkRenderer* renderer);
 
   std::shared_ptr<BallPlaces> places_;  // shared, because VTK may keep a mapper longer than the
                                         // scene lives

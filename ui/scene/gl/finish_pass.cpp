@@ -28,7 +28,8 @@ constexpr double kCueFrom = 0.25;
 
 }  // namespace
 
-void FinishPass::give(vtkOpenGLRenderer* renderer, const Finish& f, vtkShaderProgram* program) {
+void FinishPass::give(vtkOpenGLRenderer* renderer, const FinishSettings& f,
+                      vtkShaderProgram* program) {
   vtkCamera* camera = renderer->GetActiveCamera();
   const vtkMatrix4x4* p =
       camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
@@ -64,15 +65,15 @@ void FinishPass::give(vtkOpenGLRenderer* renderer, const Finish& f, vtkShaderPro
   program->SetUniform3f("lineColour", line);
 }
 
-void FinishPass::apply(vtkOpenGLRenderer* renderer, const Finish& finish) {
+void FinishPass::apply(vtkOpenGLRenderer* renderer, const FinishSettings& finish) {
   pass(renderer, finish, false);
 }
 
-void FinishPass::apply_to_translucent(vtkOpenGLRenderer* renderer, const Finish& finish) {
+void FinishPass::apply_to_translucent(vtkOpenGLRenderer* renderer, const FinishSettings& finish) {
   pass(renderer, finish, true);
 }
 
-void FinishPass::draw_fronts(vtkOpenGLRenderer* renderer, const Finish& finish, int width,
+void FinishPass::draw_fronts(vtkOpenGLRenderer* renderer, const FinishSettings& finish, int width,
                              int height) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
@@ -95,7 +96,7 @@ void FinishPass::draw_fronts(vtkOpenGLRenderer* renderer, const Finish& finish, 
   state->PopFramebufferBindings();
 }
 
-void FinishPass::pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool translucent) {
+void FinishPass::pass(vtkOpenGLRenderer* renderer, const FinishSettings& finish, bool translucent) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLFramebufferObject* drawn = window->GetRenderFramebuffer();
   vtkTextureObject* colours = drawn->GetColorAttachmentAsTextureObject(0);

@@ -13,7 +13,7 @@
 
 namespace alphascope {
 
-struct Finish {
+struct FinishSettings {
   int occlusion_taps = 0;                     // on each scale; 0: no occlusion
   float occlusion_strength = 1;               // 0 to 1
   float near_radius = 5.5f, far_radius = 15;  // reach of both scales of occlusion, Å
@@ -36,16 +36,17 @@ struct Finish {
 class FinishPass {
  public:
   // Applies the steps to the picture that `renderer` has just drawn into its window's framebuffer.
-  void apply(vtkOpenGLRenderer* renderer, const Finish& finish);
+  void apply(vtkOpenGLRenderer* renderer, const FinishSettings& finish);
   // Applies them to fronts of translucent things, after those were drawn exactly over the same
   // picture.
-  void apply_to_translucent(vtkOpenGLRenderer* renderer, const Finish& finish);
+  void apply_to_translucent(vtkOpenGLRenderer* renderer, const FinishSettings& finish);
   void release(vtkWindow* window);
 
  private:
-  void give(vtkOpenGLRenderer* renderer, const Finish& finish, vtkShaderProgram* program);
-  void draw_fronts(vtkOpenGLRenderer* renderer, const Finish& finish, int width, int height);
-  void pass(vtkOpenGLRenderer* renderer, const Finish& finish, bool translucent);
+  void give(vtkOpenGLRenderer* renderer, const FinishSettings& finish, vtkShaderProgram* program);
+  void draw_fronts(vtkOpenGLRenderer* renderer, const FinishSettings& finish, int width,
+                   int height);
+  void pass(vtkOpenGLRenderer* renderer, const FinishSettings& finish, bool translucent);
 
   DrawnTexture result_;
   DrawnDepths fronts_;  // of translucent things

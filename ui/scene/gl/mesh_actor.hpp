@@ -22,7 +22,7 @@ inline constexpr double kBeforeFaces = -4;
 // Depth offsets in a cap: the balls' caps win, then edges of tetrahedra, then their faces.
 inline constexpr double kBehindCapsOfBalls = 4, kBehindEdges = 8;
 
-inline void look_like_a_mesh(vtkActor* actor) {
+inline void set_mesh_look(vtkActor* actor) {
   actor->VisibilityOff();
   vtkProperty* property = actor->GetProperty();
   property->SetInterpolationToFlat();
@@ -39,7 +39,7 @@ struct CellActor {
 
   CellActor() {
     actor->SetMapper(mapper);
-    look_like_a_mesh(actor);
+    set_mesh_look(actor);
   }
   void show(const EdgeCells& edges, vtkWindow* window) {
     mapper->show_edges(&edges);
@@ -63,7 +63,7 @@ struct MeshActor {
     mapper->SetColorModeToDirectScalars();
     mapper->SetScalarModeToUsePointData();
     actor->SetMapper(mapper);
-    look_like_a_mesh(actor);
+    set_mesh_look(actor);
   }
   void show(vtkPolyData* data, vtkWindow* window) {  // null: nothing
     if (data == nullptr) {

@@ -42,7 +42,7 @@ double AlphaScale::alpha_at(double share) const {
   return scale_.value(share);
 }
 
-PaintKey AlphaScale::key() const {
+ColourMeaning AlphaScale::key() const {
   return {quantity_title(scheme_info(ColourBy::alpha)), scale_, {}};
 }
 

@@ -26,7 +26,7 @@ class AlphaScale {
   Rgb8 colour(float alpha_value) const;  // square lattice units
   Rgb8 colour_at(double share) const;    // by share of the colour map, 0 to 1
   double alpha_at(double share) const;   // Å², at that share
-  PaintKey key() const;
+  ColourMeaning key() const;
 
  private:
   ColourScale scale_;     // Å²

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/run/parallel.hpp"
-#include "core/triangulation/chosen_places.hpp"
+#include "core/triangulation/indices_where.hpp"
 #include "ui/scene/mesh/simplex_colours.hpp"
 
 namespace alphascope {
@@ -179,7 +179,7 @@ class MeshBuilder {
     const auto singular = [&](std::size_t i) {
       return largest || list.classes[i] == SimplexClass::singular;
     };
-    ResultArray<std::uint32_t> places = chosen_places(list.size(), singular, cancel_);
+    ResultArray<std::uint32_t> places = indices_where(list.size(), singular, cancel_);
     prepare(places.size());
     parallel_many(places.size(), cancel_, [&](std::size_t n) { body(n, places[n]); });
     return places;

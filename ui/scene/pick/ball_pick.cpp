@@ -10,7 +10,7 @@ namespace {
 
 // Where the ray enters the kept part of a ball, ahead of the ray's start; infinity: it does not.
 double entry(const std::array<float, 3>& centre, float radius, const Ray& ray,
-             const Stretch& kept) {
+             const RayInterval& kept) {
   constexpr double kNowhere = std::numeric_limits<double>::infinity();
   const auto& d = ray.direction;
   const double length2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
@@ -49,7 +49,7 @@ struct Nearest {
 }  // namespace
 
 std::optional<BallHit> pick_ball(const BallGeometry& balls, const std::vector<float>& radii,
-                                 const Ray& ray, const Stretch& kept) {
+                                 const Ray& ray, const RayInterval& kept) {
   if (radii.size() != balls.centres.size()) return std::nullopt;
   Nearest nearest;
   for (std::size_t i = 0; i < radii.size(); ++i) {
@@ -77,7 +77,7 @@ double BallPicker::margin(const std::vector<float>& radii) const {
 }
 
 std::optional<BallHit> BallPicker::pick(const std::vector<float>& radii, double margin,
-                                        const Ray& ray, const Stretch& kept) const {
+                                        const Ray& ray, const RayInterval& kept) const {
   if (radii.size() != tree_.size()) return std::nullopt;
   Nearest nearest;
   tree_.visit(

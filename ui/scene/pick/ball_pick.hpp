@@ -23,7 +23,7 @@ struct BallHit {
 // The first ball that the ray enters ahead of its start. `radii` are those drawn (Å; 0: not drawn).
 // Only the interval `kept` of the ray counts. Tries all balls one by one.
 std::optional<BallHit> pick_ball(const BallGeometry& balls, const std::vector<float>& radii,
-                                 const Ray& ray, const Stretch& kept = {});
+                                 const Ray& ray, const RayInterval& kept = {});
 
 // Picks like pick_ball(), with boxes. The boxes are made once for a set of balls and serve for any
 // radii.
@@ -35,7 +35,7 @@ class BallPicker {
   // it is computed once for all rays.
   double margin(const std::vector<float>& radii) const;
   std::optional<BallHit> pick(const std::vector<float>& radii, double margin, const Ray& ray,
-                              const Stretch& kept = {}) const;
+                              const RayInterval& kept = {}) const;
 
  private:
   std::shared_ptr<const BallGeometry> balls_;

@@ -22,7 +22,7 @@ namespace alphascope {
 struct PickLine {
   Ray ray;
   double spread = 0;
-  Stretch kept = {};      // interval that the cut keeps; nothing is hit outside it
+  RayInterval kept = {};  // interval that the cut keeps; nothing is hit outside it
   double rod_radius = 0;  // Å, radius of edges; counts where it exceeds the spread
 };
 

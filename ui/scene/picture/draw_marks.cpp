@@ -145,7 +145,7 @@ class MarkMaker {
 
   const float width_, height_, unit_;
   const MarkLetters texts_;
-  const MarkType type_;
+  const MarkFont type_;
 };
 
 }  // namespace
@@ -154,7 +154,7 @@ void blend(Image& image, const MarkMask& mask, const Colour& colour) {
   blend(image, mask, [&colour](int) { return colour; });
 }
 
-MarkInk mark_ink(Theme theme, bool transparent) {
+MarkColours mark_colours(Theme theme, bool transparent) {
   const Palette& p = palette(transparent ? Theme::light : theme);
   return {p.text, p.scene};
 }
@@ -164,7 +164,7 @@ float mark_unit(int width, int height) {
                                        static_cast<float>(height) / kHeightAtScale1));
 }
 
-std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& ink) {
+std::string draw_marks(Image& image, const PictureMarks& marks, const MarkColours& ink) {
   if (marks.legends.empty() && !marks.angstrom_per_pixel && marks.labels.empty() &&
       marks.caption.empty()) {
     return {};
@@ -194,7 +194,7 @@ Image marked_image(Scene& scene, const MarkedPicture& picture, std::string& left
       labels_seen(picture.labels, scene.sight(), picture.cut, picture.width, picture.height),
       picture.caption};
   if (picture.scale_bar) marks.angstrom_per_pixel = scene.angstrom_per_pixel();
-  left_out += draw_marks(image, marks, mark_ink(picture.theme, picture.transparent));
+  left_out += draw_marks(image, marks, mark_colours(picture.theme, picture.transparent));
   return image;
 }
 

@@ -23,18 +23,18 @@ struct PictureMarks {
 };
 
 // Colours of marks and of the rims that keep them readable on any background.
-struct MarkInk {
+struct MarkColours {
   Colour mark, rim;
 };
 // Colours for a picture of this theme. A transparent picture gets the light theme's, since it is
 // mostly put on paper.
-MarkInk mark_ink(Theme theme, bool transparent);
+MarkColours mark_colours(Theme theme, bool transparent);
 
 // Pixels of the picture for each pixel of the window at scale 1. Marks grow with the picture.
 float mark_unit(int width, int height);
 
 // Returns a sentence for each mark that has no room in the picture; empty: all are drawn.
-std::string draw_marks(Image& image, const PictureMarks& marks, const MarkInk& ink);
+std::string draw_marks(Image& image, const PictureMarks& marks, const MarkColours& ink);
 
 // Blends the colour over the image, in proportion to the mask's coverage.
 struct MarkMask;

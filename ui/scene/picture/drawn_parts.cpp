@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/complex/own_dimension.hpp"
-#include "core/run/freed_elsewhere.hpp"
+#include "core/run/freed_on_other_thread.hpp"
 #include "ui/caption.hpp"
 #include "ui/scene/display_style.hpp"
 #include "ui/scene/mesh/visible_mesh.hpp"
@@ -33,7 +33,7 @@ void make_mesh_of(const PartsTask& task, const Paintings& earlier, const MeshMak
       painted((made.simplices ? made.simplices : made.balls)->balls.colours, parts.looks.get()));
   const InOwnDimension own(*task.answer->balls, task.answer->complex);
   parts.options = task.mesh;
-  parts.mesh = freed_elsewhere(build_visible_mesh(
+  parts.mesh = freed_on_other_thread(build_visible_mesh(
       own.complex(), hidden_of(parts.looks.get()), [&](const AlphaComplex& part) {
         return make_mesh(*task.molecule->geometry, *parts.simplex_colours, part, task.mesh,
                          context.cancel);
@@ -44,8 +44,8 @@ void make_mesh_of(const PartsTask& task, const Paintings& earlier, const MeshMak
 
 }  // namespace
 
-std::shared_ptr<const BallAppearance> make_looks(const PicturedMolecule& molecule,
-                                                 const Appearance& appearance) {
+std::shared_ptr<const BallAppearance> make_ball_appearance(const PicturedMolecule& molecule,
+                                                           const Appearance& appearance) {
   if (appearance.plain()) return nullptr;
   return std::make_shared<const BallAppearance>(
       ball_appearance(*molecule.molecule, molecule.prepared->atom_of_ball, appearance));
@@ -57,10 +57,10 @@ std::vector<Rgb8> DrawnParts::ball_colours(std::size_t balls) const {
       looks.get());
 }
 
-std::optional<PaintKey> DrawnParts::simplex_key() const {
+std::optional<ColourMeaning> DrawnParts::simplex_key() const {
   if (!mesh) return std::nullopt;
-  return mesh_key(*mesh, options,
-                  paintings.simplices ? paintings.simplices->balls.key : std::nullopt);
+  return mesh_colour_meaning(*mesh, options,
+                             paintings.simplices ? paintings.simplices->balls.key : std::nullopt);
 }
 
 std::vector<std::string> DrawnParts::missing_colours(bool with_balls) const {
@@ -91,7 +91,7 @@ DrawnParts make_parts(const PartsTask& task, const Paintings& earlier, const Mes
 }
 
 void set_radii(DrawnParts& parts, const PicturedMolecule& molecule, const EngineAnswer* answer,
-               const DisplayControls& display) {
+               const DisplaySettings& display) {
   parts.ball_scale = display.ball_scale;
   parts.grown_balls = display.grown_balls;
   const BallStyle style = ball_style(display, answer ? &answer->request : nullptr);

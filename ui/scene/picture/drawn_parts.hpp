@@ -29,8 +29,8 @@ using MeshMaker = std::function<ComplexMesh(
     const MeshOptions& options, const CancelToken& cancel)>;
 
 // Hidden balls and chosen colours for each ball; null if there are none.
-std::shared_ptr<const BallAppearance> make_looks(const PicturedMolecule& molecule,
-                                                 const Appearance& appearance);
+std::shared_ptr<const BallAppearance> make_ball_appearance(const PicturedMolecule& molecule,
+                                                           const Appearance& appearance);
 
 struct Paintings {
   std::shared_ptr<const Painting> balls;      // null: no ball is drawn
@@ -40,7 +40,7 @@ struct Paintings {
 struct PartsTask {
   std::shared_ptr<const PicturedMolecule> molecule;
   std::shared_ptr<const EngineAnswer> answer;  // null: there is no complex
-  DisplayControls display;
+  DisplaySettings display;
   std::shared_ptr<const BallAppearance> looks;  // null: as made by the display controls
   MeshOptions mesh;                             // of the controls, less what memory does not allow
   Clip clip;
@@ -64,7 +64,7 @@ struct DrawnParts {
   // The colours of the balls, chosen colours included. `balls` is their number.
   std::vector<Rgb8> ball_colours(std::size_t balls) const;
   // The meaning of the colours of simplices; none: they have no meaning.
-  std::optional<PaintKey> simplex_key() const;
+  std::optional<ColourMeaning> simplex_key() const;
   // Sentences on colours that have no values, each once. `with_balls`: balls are drawn.
   std::vector<std::string> missing_colours(bool with_balls) const;
 };
@@ -77,7 +77,7 @@ DrawnParts make_parts(const PartsTask& task, const Paintings& earlier, const Mes
 // Sets the radii, and the settings that they come from, in `parts`, which need looks. `answer` may
 // be null; no ball is grown then.
 void set_radii(DrawnParts& parts, const PicturedMolecule& molecule, const EngineAnswer* answer,
-               const DisplayControls& display);
+               const DisplaySettings& display);
 
 // The caps of a mesh at another clip. `parts` need looks, mesh, options and colours of simplices.
 // Null if the clip cuts nothing that has caps.

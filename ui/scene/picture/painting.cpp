@@ -21,7 +21,7 @@ std::shared_ptr<const Painting> make_painting(const PaintTask& task,
     painting->measures = known ? earlier->measures : answer->measures;
     if (!painting->measures) {
       painting->measures = std::make_shared<const MeasuredUnion>(
-          measure_here(*answer->balls, answer->complex, context));
+          measure_on_calling_threads(*answer->balls, answer->complex, context));
     }
   }
   context.cancel.throw_if_cancelled();

@@ -34,7 +34,8 @@ struct Painting {
   PaintedBalls balls;
 };
 
-// Returns `earlier`, which may be null, if its colours are the same. Throws as measure_here() does.
+// Returns `earlier`, which may be null, if its colours are the same. Throws as
+// measure_on_calling_threads() does.
 std::shared_ptr<const Painting> make_painting(const PaintTask& task,
                                               std::shared_ptr<const Painting> earlier,
                                               const RunContext& context);

@@ -58,7 +58,7 @@ void PictureMaker::make_molecule(const RunContext& context) {
     molecule_ = std::make_shared<const PicturedMolecule>(std::move(made));
   }
   const PicturedMolecule& m = *molecule_;
-  looks_ = make_looks(m, settings_.appearance);
+  looks_ = make_ball_appearance(m, settings_.appearance);
   beside_body_ =
       build_beside_body(*m.geometry, *m.molecule,
                         left_out_and_shown(*m.molecule, *m.prepared, settings_.appearance.hidden),

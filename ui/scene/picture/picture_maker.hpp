@@ -16,7 +16,7 @@
 namespace alphascope {
 
 struct PictureSettings {
-  DisplayControls display;
+  DisplaySettings display;
   Theme theme = Theme::dark;
   float line_scale = 1;  // as in SceneStyle
   Appearance appearance;

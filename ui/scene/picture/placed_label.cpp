@@ -7,12 +7,13 @@
 
 namespace alphascope {
 
-std::vector<PictureLabel> labels_seen(const std::vector<PlacedLabel>& labels, const Sight& sight,
-                                      const Cut& cut, int width, int height) {
+std::vector<PictureLabel> labels_seen(const std::vector<PlacedLabel>& labels,
+                                      const ViewFrustum& sight, const Cut& cut, int width,
+                                      int height) {
   std::vector<std::pair<double, PictureLabel>> seen;
   for (const PlacedLabel& label : labels) {
     if (!cut.keeps(label.at)) continue;
-    const auto place = seen_at(sight, label.at, width, height);
+    const auto place = project_point(sight, label.at, width, height);
     if (!place) continue;
     const double ahead =
         std::hypot(label.at[0] - sight.position[0], label.at[1] - sight.position[1],

@@ -18,7 +18,8 @@ struct PlacedLabel {
 
 // The labels in front of the viewer that the cut keeps, nearest first. They may lie outside a
 // picture of this size (pixels).
-std::vector<PictureLabel> labels_seen(const std::vector<PlacedLabel>& labels, const Sight& sight,
-                                      const Cut& cut, int width, int height);
+std::vector<PictureLabel> labels_seen(const std::vector<PlacedLabel>& labels,
+                                      const ViewFrustum& sight, const Cut& cut, int width,
+                                      int height);
 
 }  // namespace alphascope

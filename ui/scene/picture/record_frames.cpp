@@ -57,7 +57,7 @@ void report_frame(const RunContext& context, int frame, int frames, Clock::time_
 }
 
 PictureTexts frame_texts(const Picture& picture, const Recording& recording,
-                         const FrameNews& news) {
+                         const FrameReport& news) {
   PictureTexts texts = picture.texts;
   texts.emplace_back("alphascope:frame",
                      std::to_string(news.number) + " of " + std::to_string(news.of));
@@ -91,7 +91,7 @@ std::string record_frames(Scene& scene, const Recording& recording, const FrameS
   for (int frame = 0; frame < frames; ++frame) {
     context.cancel.throw_if_cancelled();
     report_frame(context, frame, frames, begun);
-    FrameNews news{frame + 1, frames};
+    FrameReport news{frame + 1, frames};
     Clock::time_point since = Clock::now();
     if (sweep) {
       news.alpha_angstrom2 = alpha_of_frame(recording, frame);

@@ -12,7 +12,7 @@
 namespace alphascope {
 
 // Facts about a written frame.
-struct FrameNews {
+struct FrameReport {
   int number = 0, of = 0;      // number counts from 1
   double alpha_angstrom2 = 0;  // of a sweep
   double degrees = 0;          // of a turntable
@@ -25,7 +25,7 @@ struct FrameSource {
   // Makes the picture for this alpha (Å²). A turntable calls it once, without alpha. Throws
   // whatever an engine throws.
   std::function<Picture(std::optional<double> alpha, const RunContext& context)> picture;
-  std::function<void(const FrameNews& news)> on_frame = {};  // may be empty
+  std::function<void(const FrameReport& news)> on_frame = {};  // may be empty
 };
 
 // Draws all frames and adds them to `sink`, without commit(). The camera stays in place in a sweep,

@@ -25,19 +25,19 @@ std::vector<AlphaSlider> sliders() {
 TEST(AlphaSlider, PlacesGrowWithAlphaAndComeBack) {
   ASSERT_FALSE(sliders().empty());
   for (const AlphaSlider& s : sliders()) {
-    EXPECT_EQ(place_of_alpha(s, s.low), 0);
-    EXPECT_EQ(place_of_alpha(s, s.high), 1);
-    EXPECT_EQ(place_of_alpha(s, s.low - 1), 0);
-    EXPECT_EQ(place_of_alpha(s, 2 * std::fabs(s.high) + 1), 1);
-    EXPECT_EQ(alpha_at_place(s, 0, 0.01), s.low);
-    EXPECT_EQ(alpha_at_place(s, 1, 0.01), s.high);
+    EXPECT_EQ(slider_position_of_alpha(s, s.low), 0);
+    EXPECT_EQ(slider_position_of_alpha(s, s.high), 1);
+    EXPECT_EQ(slider_position_of_alpha(s, s.low - 1), 0);
+    EXPECT_EQ(slider_position_of_alpha(s, 2 * std::fabs(s.high) + 1), 1);
+    EXPECT_EQ(alpha_at_slider_position(s, 0, 0.01), s.low);
+    EXPECT_EQ(alpha_at_slider_position(s, 1, 0.01), s.high);
     constexpr int kSteps = 230;
     double before = s.low;
     for (int i = 1; i < kSteps; ++i) {
       const double place = i / static_cast<double>(kSteps);
-      const double alpha = alpha_at_place(s, place, 1.0 / kSteps);
+      const double alpha = alpha_at_slider_position(s, place, 1.0 / kSteps);
       EXPECT_GE(alpha, before) << static_cast<int>(s.scaling) << " " << s.high << " " << place;
-      EXPECT_NEAR(place_of_alpha(s, alpha), place, 1.0 / kSteps);
+      EXPECT_NEAR(slider_position_of_alpha(s, alpha), place, 1.0 / kSteps);
       before = alpha;
     }
   }
@@ -45,18 +45,21 @@ TEST(AlphaSlider, PlacesGrowWithAlphaAndComeBack) {
 
 TEST(AlphaSlider, AlphaIsRoundedToWhatAPixelCanTell) {
   const AlphaSlider usual;
-  const double alpha = alpha_at_place(usual, place_of_alpha(usual, 1.4), 1.0 / 230);
+  const double alpha =
+      alpha_at_slider_position(usual, slider_position_of_alpha(usual, 1.4), 1.0 / 230);
   EXPECT_EQ(alpha, 1.4);
-  const double fine = alpha_at_place(usual, place_of_alpha(usual, 1.437), 0.1 / 230);
+  const double fine =
+      alpha_at_slider_position(usual, slider_position_of_alpha(usual, 1.437), 0.1 / 230);
   EXPECT_EQ(fine, 1.437);
-  EXPECT_FALSE(std::signbit(alpha_at_place(usual, place_of_alpha(usual, -1e-9), 1.0 / 230)));
+  EXPECT_FALSE(std::signbit(
+      alpha_at_slider_position(usual, slider_position_of_alpha(usual, -1e-9), 1.0 / 230)));
 }
 
 // One extreme value. A linear slider up to it leaves no room for small alphas; the other maps do.
 TEST(AlphaSlider, AnExtremeEndLeavesRoomForSmallAlphas) {
   const auto room = [](AlphaScaling scaling) {
     const AlphaSlider s{scaling, -3, 1e6};
-    return place_of_alpha(s, 10) - place_of_alpha(s, 0);
+    return slider_position_of_alpha(s, 10) - slider_position_of_alpha(s, 0);
   };
   EXPECT_LT(room(AlphaScaling::linear), 1e-4);
   EXPECT_GT(room(AlphaScaling::root), 20 * room(AlphaScaling::linear));

@@ -66,7 +66,7 @@ TEST(CavityContents, EachHaemIsInThePocketOfItsProximalHistidine) {
                                                         {"D:HEM 148", "D:HIS 92"}};
   std::vector<std::uint32_t> cavities;
   std::size_t waters = 0;
-  for (const HeldResidue& residue : contents.residues) {
+  for (const ContainedResidue& residue : contents.residues) {
     waters += residue.kind == DropReason::water;
     const auto site = histidine.find(residue_address(body.atoms->molecule(), residue.atom));
     if (site == histidine.end()) continue;
@@ -101,7 +101,8 @@ TEST(CavityContents, EveryAtomIsInTheCavityOfTheTetrahedronThatHoldsIt) {
     }
   }
   std::size_t none = 0;
-  for (const HeldResidue& residue : contents.residues) none += residue.cavity == Cavities::kNone;
+  for (const ContainedResidue& residue : contents.residues)
+    none += residue.cavity == Cavities::kNone;
   EXPECT_EQ(listed + none, contents.residues.size());
   EXPECT_GT(listed, 60u);
   EXPECT_GT(none, 60u);
@@ -153,7 +154,7 @@ TEST(CavityContents, AtomsAreCountedByResidueAndTiesGoToTheLargerCavity) {
   ASSERT_EQ(body.table->voids, 2u);
   const CavityContents contents = find_contents(*body.atoms, *body.table);
   const std::uint32_t larger = body.table->order[0], smaller = body.table->order[1];
-  using R = HeldResidue;
+  using R = ContainedResidue;
   const auto ligand = DropReason::ligand, water = DropReason::water;
   EXPECT_EQ(contents.residues, (std::vector<R>{{12, ligand, larger, 2, 1},
                                                {14, ligand, smaller, 4, 2},

@@ -78,7 +78,7 @@ TEST(CavityCurves, ExactVolumesAreThoseOfEachTable) {
   const CavityCurves curves = curves_against_solvent(balls, 0, {0.6, 1}, {}, CurveNumbers::exact);
   const auto ground = ground_of(with_solvent(balls, 1));
   const CavityTable table = make_cavity_table(ground, {0, 1});
-  const std::vector<ClippedMeasures> exact = clip_all(table);
+  const std::vector<ExactCavityMeasures> exact = measure_all_exactly(table);
   ASSERT_GT(table.pockets, 0u);
   ASSERT_EQ(curves.samples[1].cavities.size(), exact.size());
   bool differs = false;  // else it could be the other number

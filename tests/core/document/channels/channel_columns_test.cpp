@@ -18,7 +18,7 @@ FoundChannel way() {
   found.channel->bottleneck = 1;
   found.channel->widest_angstrom = 1.5;
   found.channel->length_angstrom = 12.345;
-  found.way = WayNote{.number = 2, .through = "chain A", .axis = {}, .lining_chains = {}};
+  found.way = WayFacts{.number = 2, .through = "chain A", .axis = {}, .lining_chains = {}};
   return found;
 }
 

@@ -50,13 +50,13 @@ TEST(LessonNumbers, ExactArithmetic) {
   const std::string text = text_of("10_exact_arithmetic.md");
   const std::vector<BallIndex> four{0, 1, 2, 3};
   const Explanation apart = explain(*balls_of("near_tie_apart.xyzr"), four, std::nullopt);
-  ASSERT_EQ(apart.absence, Absence::none);
+  ASSERT_EQ(apart.absence, AbsenceReason::none);
   ASSERT_EQ(apart.nearest.at(0).sign, 1);
   expect_said(text, "0.00485 Å²");
   EXPECT_EQ(decimals(apart.nearest[0].margin_angstrom2, 5), "0.00485");
 
   const Explanation tie = explain(*balls_of("near_tie.xyzr"), four, std::nullopt);
-  ASSERT_NE(tie.absence, Absence::none);
+  ASSERT_NE(tie.absence, AbsenceReason::none);
   const BallMargin& margin = tie.nearest.at(0);
   EXPECT_EQ(margin.ball, 4u);
   EXPECT_EQ(margin.sign, -1);

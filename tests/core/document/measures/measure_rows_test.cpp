@@ -58,8 +58,9 @@ constexpr double kCap = 2 * kPi * 1.7 * 0.7, kSphere = 4 * kPi * 1.7 * 1.7;  // 
 
 TEST_F(MeasureRowsTest, AddUpByAtomResidueChainAndComponent) {
   const double whole = 3 * kSphere - 2 * kCap;
-  for (const MeasuredPer per : {MeasuredPer::all, MeasuredPer::atom, MeasuredPer::residue,
-                                MeasuredPer::chain, MeasuredPer::component}) {
+  for (const MeasureGrouping per :
+       {MeasureGrouping::all, MeasureGrouping::atom, MeasureGrouping::residue,
+        MeasureGrouping::chain, MeasureGrouping::component}) {
     double area = 0, shares = 0;
     for (const MeasureRow& row : rows({.per = per}).rows) {
       area += row.area_angstrom2;
@@ -68,15 +69,15 @@ TEST_F(MeasureRowsTest, AddUpByAtomResidueChainAndComponent) {
     EXPECT_NEAR(area, whole, 1e-10);
     EXPECT_NEAR(shares, 1, 1e-14);
   }
-  const MeasureRows chains = rows({.per = MeasuredPer::chain});
+  const MeasureRows chains = rows({.per = MeasureGrouping::chain});
   EXPECT_EQ(names(chains), "A B");
   EXPECT_EQ(chains.rows[0].atoms, 2u);
   EXPECT_NEAR(chains.rows[0].exposed_share, 1 - kCap / kSphere, 1e-14);
-  EXPECT_EQ(names(rows({.per = MeasuredPer::component})), "A:HIS 87:CA B:ALA 9:CA");
+  EXPECT_EQ(names(rows({.per = MeasureGrouping::component})), "A:HIS 87:CA B:ALA 9:CA");
 }
 
 TEST_F(MeasureRowsTest, SortAndFilter) {
-  MeasureQuery query{.per = MeasuredPer::residue};
+  MeasureQuery query{.per = MeasureGrouping::residue};
   EXPECT_EQ(names(rows(query)), "A:HIS 87 A:GLY 88 B:ALA 9");
   query.column = "name";
   EXPECT_EQ(names(rows(query)), "A:GLY 88 A:HIS 87 B:ALA 9");
@@ -92,9 +93,9 @@ TEST_F(MeasureRowsTest, SortAndFilter) {
 }
 
 TEST_F(MeasureRowsTest, DerivativesOfAtomsWhenAsked) {
-  const MeasureRows without = rows({.per = MeasuredPer::atom});
+  const MeasureRows without = rows({.per = MeasureGrouping::atom});
   EXPECT_FALSE(without.derivatives);
-  MeasureQuery query{.per = MeasuredPer::atom, .derivatives = true};
+  MeasureQuery query{.per = MeasureGrouping::atom, .derivatives = true};
   query.column = "volume_by_shift_angstrom2";
   const MeasureRows with = rows(query);
   ASSERT_TRUE(with.derivatives);
@@ -106,12 +107,12 @@ TEST_F(MeasureRowsTest, DerivativesOfAtomsWhenAsked) {
 
 TEST_F(MeasureRowsTest, CsvSaysWhereItComesFrom) {
   const RecordSource source{answer->molecule, answer->prepared, {}, {"prog", "1.2", "abc"}};
-  const auto csv = settle(measure_csv({.per = MeasuredPer::chain}, source, answer), in);
+  const auto csv = settle(measure_csv({.per = MeasureGrouping::chain}, source, answer), in);
   ASSERT_TRUE(csv.ready()) << csv.why;
   EXPECT_EQ(csv.value->find("model,group,atoms,area_angstrom2,volume_angstrom3,exposed_share"), 0u);
   EXPECT_NE(csv.value->find("\n1,A,2,"), std::string::npos) << *csv.value;
   EXPECT_NE(csv.value->find("prog 1.2 (abc)\n"), std::string::npos) << *csv.value;
-  const auto json = settle(measure_json({.per = MeasuredPer::chain}, source, answer), in);
+  const auto json = settle(measure_json({.per = MeasureGrouping::chain}, source, answer), in);
   ASSERT_TRUE(json.ready()) << json.why;
   EXPECT_NE(json.value->find("\"chains\": ["), std::string::npos) << *json.value;
   EXPECT_NE(csv.value->find("van der Waals surface"), std::string::npos);

@@ -71,30 +71,32 @@ TEST(AtomMeasurements, FollowTheOrderOfSelection) {
     selection.items = selection.items.toggled(ref);
     selection.note_order();
   };
-  EXPECT_FALSE(asked_measurement(selection).why_not.empty());
+  EXPECT_FALSE(selected_measurement(selection).why_not.empty());
   add(kO);
-  EXPECT_FALSE(asked_measurement(selection).why_not.empty());
+  EXPECT_FALSE(selected_measurement(selection).why_not.empty());
   add(kN);
   add(kCb);
-  EXPECT_EQ(asked_measurement(selection).measurement->atoms, (std::vector<AtomRef>{kO, kN, kCb}));
+  EXPECT_EQ(selected_measurement(selection).measurement->atoms,
+            (std::vector<AtomRef>{kO, kN, kCb}));
   add(kO);  // removes it
   add(kO);
-  EXPECT_EQ(asked_measurement(selection).measurement->atoms, (std::vector<AtomRef>{kN, kCb, kO}));
+  EXPECT_EQ(selected_measurement(selection).measurement->atoms,
+            (std::vector<AtomRef>{kN, kCb, kO}));
   selection.items = RefSet({kCa, kN});
-  EXPECT_EQ(asked_measurement(selection).measurement->atoms, (std::vector<AtomRef>{kN, kCa}))
+  EXPECT_EQ(selected_measurement(selection).measurement->atoms, (std::vector<AtomRef>{kN, kCa}))
       << "also when nobody has noted the order";
   selection.items = RefSet({SimplexRef{kN, kO}});
-  EXPECT_EQ(asked_measurement(selection).measurement->atoms, (std::vector<AtomRef>{kN, kO}));
+  EXPECT_EQ(selected_measurement(selection).measurement->atoms, (std::vector<AtomRef>{kN, kO}));
   selection.items = RefSet({SimplexRef{kN, kCa, kO}});
-  EXPECT_FALSE(asked_measurement(selection).measurement);
+  EXPECT_FALSE(selected_measurement(selection).measurement);
   selection.items = RefSet({SimplexRef{kN, kO}, kCa});
-  EXPECT_FALSE(asked_measurement(selection).measurement);
+  EXPECT_FALSE(selected_measurement(selection).measurement);
   std::vector<Ref> many;
   for (std::uint32_t i = 0; i < 40; ++i) many.emplace_back(AtomRef{i, 0});
   selection.items = RefSet(many);
   selection.note_order();
   EXPECT_EQ(selection.atoms_in_order().size(), 40u);
-  EXPECT_FALSE(asked_measurement(selection).measurement);
+  EXPECT_FALSE(selected_measurement(selection).measurement);
 }
 
 TEST(AtomMeasurements, AreATable) {

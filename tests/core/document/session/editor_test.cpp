@@ -74,7 +74,7 @@ TEST(Editor, ANewChangeEndsRedo) {
 TEST(Editor, PlaybackIsNoEntry) {
   Editor editor;
   editor.set(with_alpha(1), 1);
-  for (double alpha = 2; alpha < 9; ++alpha) editor.amend(with_alpha(alpha));
+  for (double alpha = 2; alpha < 9; ++alpha) editor.set_without_entry(with_alpha(alpha));
   EXPECT_EQ(editor.now(), with_alpha(8));
   editor.undo();
   EXPECT_EQ(editor.now(), with_alpha(0));
@@ -86,7 +86,7 @@ TEST(Editor, ARefusedChangeTakesItsEntryAlong) {
   Editor editor;
   editor.set(with_alpha(1), 1);
   editor.set(with_alpha(2), 2);
-  editor.amend(with_alpha(1));  // the change failed
+  editor.set_without_entry(with_alpha(1));  // the change failed
   editor.undo();
   EXPECT_EQ(editor.now(), with_alpha(0));
 }

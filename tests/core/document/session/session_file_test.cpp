@@ -90,7 +90,7 @@ SessionDocument unusual() {
                         .engine = EngineChoice::tuples_cpu,
                         .threads = 3,
                         .tuples = {TupleGridKind::thesis, false, false, false, 5, false, 77}};
-  DisplayControls& d = s.settings.display;
+  DisplaySettings& d = s.settings.display;
   d = {.balls = false,
        .tetrahedra = false,
        .boundary = true,
@@ -117,7 +117,7 @@ SessionDocument unusual() {
   s.settings.selection.items =
       RefSet({AtomRef{4, 0}, AtomRef{5, 2}, SimplexRef{{1, 0}, {2, 0}, {3, 7}}});
   s.settings.selection.cavities = RefSet({SimplexRef{{1, 0}, {2, 0}, {3, 0}, {4, 0}}});
-  s.settings.cavity_choices.split_networks = true;
+  s.settings.cavity_settings.split_networks = true;
   s.settings.annotations = {
       {{LabelText::b_factor, AtomSet({{0, 3, 9}, {2, 1, 1}})},
        {LabelText::name, AtomSet({{0, 1, 1}})}},
@@ -163,7 +163,7 @@ std::string fault(const std::string& text) {
 }
 
 TEST(SessionFile, EveryMemberOfEverySettingIsNamed) {
-  EXPECT_EQ(named_fields<DisplayControls>(), members<DisplayControls>());
+  EXPECT_EQ(named_fields<DisplaySettings>(), members<DisplaySettings>());
   EXPECT_EQ(named_fields<AtomsBesideBody>(), members<AtomsBesideBody>());
   EXPECT_EQ(named_fields<Request>(), members<Request>());
   EXPECT_EQ(named_fields<TupleOptions>(), members<TupleOptions>());
@@ -175,11 +175,11 @@ TEST(SessionFile, EveryMemberOfEverySettingIsNamed) {
   EXPECT_EQ(named_fields<NamedView>(), members<NamedView>());
   EXPECT_EQ(named_fields<CameraPlace>(), members<CameraPlace>());
   EXPECT_EQ(named_fields<AlphaSlider>(), members<AlphaSlider>());
-  EXPECT_EQ(named_fields<PanelsShown>(), members<PanelsShown>());
+  EXPECT_EQ(named_fields<PanelLayout>(), members<PanelLayout>());
   EXPECT_EQ(named_fields<SessionView>(), members<SessionView>());
   EXPECT_EQ(named_fields<PictureOptions>(), members<PictureOptions>());
   EXPECT_EQ(named_fields<Recording>(), members<Recording>());
-  EXPECT_EQ(named_fields<RecordChoices>(), members<RecordChoices>());
+  EXPECT_EQ(named_fields<RecordSettings>(), members<RecordSettings>());
   // Sessions store the options of balls but for a table in memory, the reader's format, the
   // assembly and the sandbox. Limit and descriptor belong to the program. The table of radii is a
   // FileReference of the session.

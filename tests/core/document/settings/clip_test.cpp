@@ -11,7 +11,7 @@ namespace {
 using Vector = std::array<double, 3>;
 
 bool keeps(const Clip& clip, const Vector& x) {
-  for (const HalfSpace& space : kept_by(clip)) {
+  for (const HalfSpace& space : kept_half_spaces(clip)) {
     if (space.depth(x) < 0) return false;
   }
   return true;

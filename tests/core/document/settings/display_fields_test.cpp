@@ -38,7 +38,7 @@ TEST(DisplayFields, DefaultsAreWithinTheirBoundsAndOnAStep) {
   for (const DisplayField& field : display_fields()) {
     if (!is_number(field)) continue;
     ++numbers;
-    const double usual = number_of(field, DisplayControls());
+    const double usual = number_of(field, DisplaySettings());
     EXPECT_GE(usual, field.rule.least) << field.id;
     EXPECT_LE(usual, field.rule.most) << field.id;
     ASSERT_GT(field.step, 0) << field.id;
@@ -49,29 +49,29 @@ TEST(DisplayFields, DefaultsAreWithinTheirBoundsAndOnAStep) {
 }
 
 TEST(DisplayFields, ValuesAreSetAndRead) {
-  DisplayControls d;
-  set_number(display_field(&DisplayControls::balls), d, 0);
+  DisplaySettings d;
+  set_number(display_field(&DisplaySettings::balls), d, 0);
   EXPECT_FALSE(d.balls);
-  set_number(display_field(&DisplayControls::samples), d, 3.6);
+  set_number(display_field(&DisplaySettings::samples), d, 3.6);
   EXPECT_EQ(d.samples, 4);
-  const DisplayField& thickness = display_field(&DisplayControls::edge_thickness);
+  const DisplayField& thickness = display_field(&DisplaySettings::edge_thickness);
   set_number(thickness, d, 0.3);
   EXPECT_EQ(d.edge_thickness, 0.3f);
   EXPECT_EQ(number_of(thickness, d), static_cast<double>(0.3f));
   EXPECT_EQ(value_text(thickness, d), "0.3");
   EXPECT_EQ(range_text(thickness), "0.02 to 1");
-  EXPECT_EQ(value_text(display_field(&DisplayControls::balls), d), "off");
-  EXPECT_EQ(value_text(display_field(&DisplayControls::ball_paint), d), "chain");
-  EXPECT_EQ(value_text(display_field(&DisplayControls::samples), d), "4");
-  const DisplayField& paint = display_field(&DisplayControls::ball_paint);
+  EXPECT_EQ(value_text(display_field(&DisplaySettings::balls), d), "off");
+  EXPECT_EQ(value_text(display_field(&DisplaySettings::ball_paint), d), "chain");
+  EXPECT_EQ(value_text(display_field(&DisplaySettings::samples), d), "4");
+  const DisplayField& paint = display_field(&DisplaySettings::ball_paint);
   EXPECT_THROW(number_of(paint, d), std::logic_error);
   EXPECT_THROW(set_number(paint, d, 1), std::logic_error);
 }
 
 TEST(DisplayFields, ADifferenceHasTheNameOfItsSetting) {
-  const DisplayControls a;
+  const DisplaySettings a;
   EXPECT_EQ(difference_of(a, a), "");
-  DisplayControls b;
+  DisplaySettings b;
   b.edge_thickness = 0.5f;
   EXPECT_EQ(difference_of(a, b), "thickness of edges");
   b.samples = 1;
@@ -96,7 +96,7 @@ TEST(DisplayFields, TheHelpHasALineForEach) {
 
 // A group is copied whole, and nothing else.
 TEST(DisplayFields, GroupsAreCopied) {
-  DisplayControls from;
+  DisplaySettings from;
   from.ambient_occlusion = false;
   from.shadow_strength = 0.5f;
   from.depth_cue = 0.9f;
@@ -105,16 +105,16 @@ TEST(DisplayFields, GroupsAreCopied) {
   from.samples = 2;
   from.balls = false;
   from.orthographic = true;
-  DisplayControls to;
+  DisplaySettings to;
   copy_group(DisplayGroup::light, from, to);
-  DisplayControls expected = from;
+  DisplaySettings expected = from;
   expected.balls = true;
   expected.orthographic = false;
   EXPECT_EQ(to, expected);
 }
 
 TEST(DisplayFields, PresetsKeepColoursAndProjection) {
-  DisplayControls user;
+  DisplaySettings user;
   user.ball_paint.by = ColourBy::element;
   user.complex_paint.by = ColourBy::alpha;
   user.orthographic = user.grown_balls = true;
@@ -122,7 +122,7 @@ TEST(DisplayFields, PresetsKeepColoursAndProjection) {
   user.beside.ions = false;
   user.ball_opacity = 0.4f;
   for (const DisplayPreset preset : kDisplayPresets) {
-    const DisplayControls d = with_preset(user, preset);
+    const DisplaySettings d = with_preset(user, preset);
     EXPECT_EQ(d.ball_paint, user.ball_paint);
     EXPECT_EQ(d.complex_paint, user.complex_paint);
     EXPECT_TRUE(d.orthographic && d.grown_balls);

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/document/measures/paint_balls.hpp"
-#include "core/molecule/residue_kind.hpp"
+#include "core/molecule/residue_class.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {
@@ -223,45 +223,45 @@ TEST(PaintBalls, CarbonReadsOnWhiteAndOnDark) {
 // Lesk's classes have colours of M. Okabe and K. Ito; atoms of no residue have muted ones.
 TEST(PaintBalls, KindsOfResiduesHaveTheirColours) {
   const struct {
-    ResidueKind kind;
+    ResidueClass kind;
     const char* name;
     Rgb8 colour;
-  } kinds[] = {{ResidueKind::small_nonpolar, "small non-polar", {230, 159, 0}},
-               {ResidueKind::hydrophobic, "hydrophobic", {0, 158, 115}},
-               {ResidueKind::polar, "polar", {204, 121, 167}},
-               {ResidueKind::negative, "negative", {213, 94, 0}},
-               {ResidueKind::positive, "positive", {0, 114, 178}},
-               {ResidueKind::nucleotide, "nucleotide", {86, 180, 233}},
-               {ResidueKind::other, "other residue", {148, 148, 148}},
-               {ResidueKind::ligand, "ligand", {190, 170, 50}},
-               {ResidueKind::ion, "ion", {118, 92, 168}},
-               {ResidueKind::water, "water", {150, 190, 200}},
-               {ResidueKind::dummy, "dummy", {110, 116, 124}}};
-  EXPECT_EQ(std::size(kinds), static_cast<std::size_t>(kResidueKinds));
+  } kinds[] = {{ResidueClass::small_nonpolar, "small non-polar", {230, 159, 0}},
+               {ResidueClass::hydrophobic, "hydrophobic", {0, 158, 115}},
+               {ResidueClass::polar, "polar", {204, 121, 167}},
+               {ResidueClass::negative, "negative", {213, 94, 0}},
+               {ResidueClass::positive, "positive", {0, 114, 178}},
+               {ResidueClass::nucleotide, "nucleotide", {86, 180, 233}},
+               {ResidueClass::other, "other residue", {148, 148, 148}},
+               {ResidueClass::ligand, "ligand", {190, 170, 50}},
+               {ResidueClass::ion, "ion", {118, 92, 168}},
+               {ResidueClass::water, "water", {150, 190, 200}},
+               {ResidueClass::dummy, "dummy", {110, 116, 124}}};
+  EXPECT_EQ(std::size(kinds), static_cast<std::size_t>(kResidueClasses));
   for (const auto& k : kinds) {
-    EXPECT_STREQ(residue_kind_name(k.kind), k.name);
-    EXPECT_EQ(residue_kind_colour(k.kind), k.colour) << k.name;
+    EXPECT_STREQ(residue_class_name(k.kind), k.name);
+    EXPECT_EQ(residue_class_colour(k.kind), k.colour) << k.name;
   }
 }
 
 // The classes of the twenty amino acids are from A. Lesk, Introduction to Bioinformatics.
 TEST(PaintBalls, EveryAminoAcidHasItsClass) {
-  const std::pair<ResidueKind, const char*> classes[] = {
-      {ResidueKind::small_nonpolar, "GLY ALA SER THR"},
-      {ResidueKind::hydrophobic, "CYS VAL ILE LEU PRO PHE TYR MET TRP SEC MSE"},
-      {ResidueKind::polar, "ASN GLN HIS"},
-      {ResidueKind::negative, "ASP GLU"},
-      {ResidueKind::positive, "LYS ARG"},
-      {ResidueKind::nucleotide, "A C G U I DA DC DG DT"},
-      {ResidueKind::other, "XYZ"}};
+  const std::pair<ResidueClass, const char*> classes[] = {
+      {ResidueClass::small_nonpolar, "GLY ALA SER THR"},
+      {ResidueClass::hydrophobic, "CYS VAL ILE LEU PRO PHE TYR MET TRP SEC MSE"},
+      {ResidueClass::polar, "ASN GLN HIS"},
+      {ResidueClass::negative, "ASP GLU"},
+      {ResidueClass::positive, "LYS ARG"},
+      {ResidueClass::nucleotide, "A C G U I DA DC DG DT"},
+      {ResidueClass::other, "XYZ"}};
   for (const auto& [kind, residues] : classes) {
     std::istringstream words(residues);
     for (std::string name; words >> name;) {
       Molecule m;
       Atom atom;
       atom.residue_name = m.names.intern(name);
-      atom.kind = AtomKind::polymer;
-      EXPECT_EQ(residue_kind(m, atom), kind) << name;
+      atom.kind = ResidueKind::polymer;
+      EXPECT_EQ(residue_class(m, atom), kind) << name;
     }
   }
 }
@@ -272,15 +272,15 @@ TEST(PaintBalls, ClassesHaveTheirColoursAndTheLegendHasTheSame) {
                                                     {SimplexClass::regular, {86, 180, 233}},
                                                     {SimplexClass::interior, {0, 114, 178}}};
   for (const auto& [of, colour] : kColours) EXPECT_EQ(class_colour(of), colour);
-  const PaintKey legend{
+  const ColourMeaning legend{
       "class",
       {},
       {{"singular", {230, 159, 0}}, {"regular", {86, 180, 233}}, {"interior", {0, 114, 178}}}};
-  EXPECT_TRUE(class_key() == legend);
+  EXPECT_TRUE(class_colour_meaning() == legend);
 }
 
 TEST(PaintWords, EveryPaintComesBack) {
-  for (const Painted what : {Painted::balls, Painted::simplices}) {
+  for (const PaintTarget what : {PaintTarget::balls, PaintTarget::simplices}) {
     for (const SchemeInfo& scheme : all_schemes()) {
       if (!can_paint(scheme, what)) continue;
       Paint paint{.by = scheme.by};
@@ -294,14 +294,14 @@ TEST(PaintWords, EveryPaintComesBack) {
   }
   const Paint own{ColourBy::single, {}, {}, Rgb8{1, 2, 250}};
   EXPECT_EQ(paint_text(own), "#0102fa");
-  EXPECT_EQ(read_paint("#0102fa", Painted::simplices).paint, own);
-  EXPECT_EQ(read_paint(" b_factor , 0 : 60 Å² , cividis ", Painted::balls).paint,
+  EXPECT_EQ(read_paint("#0102fa", PaintTarget::simplices).paint, own);
+  EXPECT_EQ(read_paint(" b_factor , 0 : 60 Å² , cividis ", PaintTarget::balls).paint,
             (Paint{ColourBy::b_factor, ColourMap::cividis, ColourRange{0, 60}, {}}));
-  EXPECT_EQ(read_paint("b_factor,−5:10", Painted::balls).paint.range, (ColourRange{-5, 10}));
+  EXPECT_EQ(read_paint("b_factor,−5:10", PaintTarget::balls).paint.range, (ColourRange{-5, 10}));
 }
 
 TEST(PaintWords, WhatIsWrongIsNamedWithTheRemedy) {
-  const auto error = [](const char* text, Painted what = Painted::balls) {
+  const auto error = [](const char* text, PaintTarget what = PaintTarget::balls) {
     const PaintWords words = read_paint(text, what);
     EXPECT_EQ(words.paint, Paint()) << text;
     return words.error;
@@ -310,7 +310,7 @@ TEST(PaintWords, WhatIsWrongIsNamedWithTheRemedy) {
                                 "chain, "),
             0u);
   EXPECT_NE(error("alpha").find("a colour scheme of balls"), std::string::npos);
-  EXPECT_NE(error("b_factor", Painted::simplices).find("simplices can be"), std::string::npos);
+  EXPECT_NE(error("b_factor", PaintTarget::simplices).find("simplices can be"), std::string::npos);
   EXPECT_NE(error("").find("Write element"), std::string::npos);
   EXPECT_NE(error("#12345").find("such as #5aa9e6"), std::string::npos);
   EXPECT_EQ(error("chain,viridis"), "\"viridis\": chain has neither map nor range. Leave it out.");

@@ -27,17 +27,17 @@ TEST_F(DerivedTest, TheFiltrationFollowsFromTheTriangulation) {
 TEST_F(DerivedTest, TheStoreOwnsWhatAnEngineMadeOfAllBalls) {
   budget = 1'000'000'000;
   Inputs in;
-  EXPECT_FALSE(of_all_balls(store, in)) << "there is no molecule";
+  EXPECT_FALSE(results_for_all_alphas(store, in)) << "there is no molecule";
   testing::Random random(1);
   in.balls = std::make_shared<const BallSet>(testing::five_balls(random, 0));
   in.balls_key = 1;
-  EXPECT_FALSE(of_all_balls(store, in));
-  KnownOfBalls known;
+  EXPECT_FALSE(results_for_all_alphas(store, in));
+  KnownResults known;
   const auto engine = make_cgal_engine(in.balls, {1});
   const AlphaComplex first = engine->compute({10}, known, {});
   const Filtration* const of_engine = known.filtration.get();
-  give_of_all_balls(store, in, std::exchange(known, {}));
-  const OfAllBalls had = of_all_balls(store, in);
+  give_results_for_all_alphas(store, in, std::exchange(known, {}));
+  const ResultsForAllAlphas had = results_for_all_alphas(store, in);
   EXPECT_EQ(had.balls, in.balls);
   EXPECT_EQ(had.filtration.get(), of_engine);
   EXPECT_TRUE(had.triangulation);
@@ -49,7 +49,7 @@ TEST_F(DerivedTest, TheStoreOwnsWhatAnEngineMadeOfAllBalls) {
   EXPECT_EQ(second.hash, first.hash);
 
   in.balls_key = 2;
-  EXPECT_FALSE(of_all_balls(store, in)) << "of other balls";
+  EXPECT_FALSE(results_for_all_alphas(store, in)) << "of other balls";
 }
 
 }  // namespace

@@ -81,13 +81,13 @@ TEST_F(StoreTest, WhatNobodyAsksForMakesRoom) {
 
 TEST_F(StoreTest, WhatOthersHoldLeavesLessAndWhatWasTooLargeIsTriedAgain) {
   const auto n = number("n", 600);
-  store.note_held("complexes", 300);
-  store.note_held("meshes", 200);
+  store.set_held_bytes("complexes", 300);
+  store.set_held_bytes("meshes", 200);
   EXPECT_EQ(store.held_bytes(), 500u);
   EXPECT_EQ(settle(n, inputs(1)).state, DerivedState::no_room);
   frame();
   EXPECT_EQ(settle(n, inputs(1)).state, DerivedState::no_room);
-  store.note_held("meshes", 100);
+  store.set_held_bytes("meshes", 100);
   store.next_frame();
   EXPECT_TRUE(store.poll()) << "the panel must be drawn, to ask again";
   EXPECT_TRUE(settle(n, inputs(1)).ready());

@@ -1,0 +1,22 @@
+// The end of both programs by a signal, by a fault, or by exhausted memory. No temporary file and
+// no incomplete file stays.
+#pragma once
+
+#include <initializer_list>
+
+namespace alphascope {
+
+// Call first in main(). `program` begins messages. `status` is the exit status when memory is
+// exhausted where no exception can pass, as in a destructor.
+void prepare_clean_exit(const char* program, int status);
+
+// Handles a signal, unless it was ignored at the start. For example nohup ignores signals that a
+// program has to survive.
+void handle_signal(int signal, void (*handler)(int));
+// The given signals end the program after its temporary files are removed.
+void end_on_signals(std::initializer_list<int> signals);
+
+// For a handler: removes the temporary files, then lets the signal kill the program.
+void kill_self_by(int signal);
+
+}  // namespace alphascope

@@ -1,0 +1,21 @@
+// The state that all dialogs share that write a file.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace alphascope {
+
+struct SaveState {
+  std::filesystem::path folder;  // folder of the file saved last; empty: none yet
+  // For each dialog the file name typed last for this molecule, without its folder.
+  std::map<std::string, std::string> names;
+  // While the file dialog looks for a place to save to: the field that it serves. Then the field
+  // for which `found` was chosen.
+  std::string browses_for, found_for;
+  std::filesystem::path found;
+  std::filesystem::path opens_from;  // folder that the file dialog showed before
+};
+
+}  // namespace alphascope

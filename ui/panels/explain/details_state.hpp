@@ -1,0 +1,16 @@
+// The state of the page “Details” between frames. Plain data.
+#pragma once
+
+#include <memory>
+
+#include "core/document/explain/simplex_details.hpp"
+
+namespace alphascope {
+
+struct DetailsState {
+  // The last answer. It is shown only for the same balls and atoms; null: none.
+  std::shared_ptr<const SimplexDetails> shown;
+  std::shared_ptr<const BallReferences> atoms;  // references to its balls
+};
+
+}  // namespace alphascope

@@ -1,0 +1,20 @@
+// The state of the page “Why?” between frames. Plain data.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/document/explain/explanation_results.hpp"
+#include "ui/layer.hpp"
+
+namespace alphascope {
+
+struct WhyState {
+  // The last answer and its drawing. It is grey unless it answers the present question.
+  std::shared_ptr<const ExplainedSimplex> shown;
+  std::shared_ptr<const BallSet> balls;
+  std::shared_ptr<const Layer> layer;
+  std::uint64_t layers_made = 0;
+};
+
+}  // namespace alphascope

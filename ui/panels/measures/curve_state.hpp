@@ -1,0 +1,46 @@
+// The state of the page of curves between frames. Plain data.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/document/cavities/cavity_bars.hpp"
+#include "core/document/cavities/cavity_chart.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/molecule/atom_colours.hpp"
+
+namespace alphascope {
+
+struct CurveState {
+  static constexpr int kLives = 3;  // not a CurveQuantity
+
+  int axis = 1;          // a CurveAxis
+  int quantity = 0;      // a CurveQuantity, or kLives
+  std::string molecule;  // SHA-256 of the molecule's file
+  // Curves of large molecules take long, so the user starts them. This is the axis and the quantity
+  // for which the user did; −1: none.
+  std::pair<int, int> asked_for{-1, -1};
+
+  // The chart, and the results from which it was made.
+  CavityChart chart;
+  std::vector<Rgb8> colours;  // one for each series
+  CurveAxis chart_axis = CurveAxis::alpha;
+  std::shared_ptr<const void> curves, links;
+  std::shared_ptr<const CavityLines> lines;  // null: no cavity is chosen
+  std::vector<std::size_t> rows;             // rows of `lines` that are plotted
+  int chart_quantity = -1;
+
+  // The longest lives, the results from which they were made, and their rows in the table now.
+  struct Lives {
+    static constexpr std::size_t kNoRow = ~std::size_t{0};
+    CavityBars bars;
+    std::shared_ptr<const CavityLives> of;
+    double from_angstrom2 = 0;
+    std::shared_ptr<const CavityLines> lines;
+    std::vector<std::size_t> rows;  // for each bar; kNoRow: its cavity is not in the table
+  } lives;
+};
+
+}  // namespace alphascope

@@ -18,7 +18,7 @@ constexpr Move kMoves[] = {
      &LessonCalls::reveal},
     {"lesson.again", "Show the step again",
      "Restores the beginning of this step of the lesson, and opens its molecule again",
-     &LessonCalls::again},
+     &LessonCalls::restart_step},
     {"lesson.close", "Close the lesson", "Closes the lesson and restores the previous molecule",
      &LessonCalls::close}};
 

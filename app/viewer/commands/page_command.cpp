@@ -11,7 +11,7 @@ namespace alphascope {
 namespace {
 
 // Fills in the choices of `parameter`: the panels at `place`.
-CommandSpec for_panels(CommandSpec spec, Parameter parameter, Place place,
+CommandSpec for_panels(CommandSpec spec, Parameter parameter, PanelPlace place,
                        const std::function<bool(const PanelSpec&)>& is_shown) {
   parameter.kind = Parameter::Kind::choice;
   parameter.choices = [place, is_shown] {

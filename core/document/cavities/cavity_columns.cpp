@@ -22,15 +22,15 @@ CellValue count(std::size_t number) {
   return static_cast<std::uint64_t>(number);
 }
 
-CellValue clipped(const Row& r, double ExactCavityMeasures::*value) {
-  return r.of.exact ? CellValue(r.of.clipped(r.row).*value) : CellValue();
+CellValue exact_value(const Row& r, double ExactCavityMeasures::*value) {
+  return r.of.exact ? CellValue(r.of.exact_measures(r.row).*value) : CellValue();
 }
 
 // Marks an exact volume that differs much from CASTp's sum. If a ball pokes through the mouth of a
 // pocket, the sum is not its volume.
-std::string clipped_text(const Row& r) {
+std::string exact_text(const Row& r) {
   if (!r.of.exact) return "…";
-  return measure_text(r.of.clipped(r.row).volume_sa_angstrom3) +
+  return measure_text(r.of.exact_measures(r.row).volume_sa_angstrom3) +
          (r.of.differs_from_exact(r.row) ? " *" : "  ");
 }
 
@@ -142,14 +142,15 @@ const Column<Row> kColumns[] = {
      .unit = "Å³",
      .help = "The volume of the cavity's tetrahedra outside all grown balls. A star marks cavities "
              "below 1 Å³ and those whose SA volume differs by more than a tenth.",
-     .value = [](const Row& r) { return clipped(r, &ExactCavityMeasures::volume_sa_angstrom3); },
-     .text = clipped_text},
+     .value =
+         [](const Row& r) { return exact_value(r, &ExactCavityMeasures::volume_sa_angstrom3); },
+     .text = exact_text},
     {.id = "area_sa_clipped_angstrom2",
      .title = "exact area",
      .unit = "Å²",
      .help = "The area of the grown balls' surfaces in the cavity's tetrahedra, outside all other "
              "balls.",
-     .value = [](const Row& r) { return clipped(r, &ExactCavityMeasures::area_sa_angstrom2); }},
+     .value = [](const Row& r) { return exact_value(r, &ExactCavityMeasures::area_sa_angstrom2); }},
     {.id = "rank_by_clipped_volume",
      .title = "rank",
      .help = "The rank by exact volume: 1 is the largest.",

@@ -81,7 +81,7 @@ BallValues by_residue_kind(const PaintedMolecule& of) {
     const Atom& atom = of.molecule.atoms[index];
     std::uint32_t& kind =
         known[atom.residue_name * kAtomKinds + static_cast<std::size_t>(atom.kind)];
-    if (kind == kUnseen) kind = static_cast<std::uint32_t>(residue_kind(of.molecule, atom));
+    if (kind == kUnseen) kind = static_cast<std::uint32_t>(residue_class(of.molecule, atom));
     values.category_of.push_back(kind);
   }
   return values;

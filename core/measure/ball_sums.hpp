@@ -5,34 +5,43 @@
 #include "core/geometry/host_device.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/exact_sum.hpp"
+#include "core/measure/measured_quantity.hpp"
 
 namespace alphascope {
 
-// Each term is below 2 to the power of these, in units of R² (area), R³ (volume), R (length) and R²
-// (wall). No angle is above 2 pi, and no length above 2 R.
-inline constexpr int kAreaBits = 6, kVolumeBits = 5, kLengthBits = 7, kWallBits = 5;
+// As term_bits(), for the sums of derivatives: in units of R (length) and R² (wall).
+inline constexpr int kLengthBits = 7, kWallBits = 5;
 
 // Units per 1 of a ball's sums; 0 for an empty ball, to which no term is added.
-ALPHASCOPE_INLINE double area_scale(const GrownBall& ball) {
-  return ball.grown_radius > 0 ? fixed_scale(2 * bits_above(ball.grown_radius) + kAreaBits) : 0;
-}
-ALPHASCOPE_INLINE double volume_scale(const GrownBall& ball) {
-  return ball.grown_radius > 0 ? fixed_scale(3 * bits_above(ball.grown_radius) + kVolumeBits) : 0;
+ALPHASCOPE_INLINE PerQuantity<double> quantity_scales(const GrownBall& ball) {
+  PerQuantity<double> scales = {};
+  if (!(ball.grown_radius > 0)) return scales;
+  const int bits = bits_above(ball.grown_radius);
+  each_quantity([&](MeasuredQuantity q) {
+    scales[q] = fixed_scale(power_of_length(q) * bits + term_bits(q));
+  });
+  return scales;
 }
 ALPHASCOPE_INLINE double sum_value(FixedSum sum, double scale) {
   return scale == 0 ? 0 : fixed_value(sum, scale);
 }
 
-struct BallMeasures {
-  double area, volume;  // lattice units
-};
-// Area and volume from the sums of simplex_terms.hpp. A negative sum can only come from rounding,
-// so it counts as 0.
-ALPHASCOPE_INLINE BallMeasures ball_measures(double grown_radius, bool is_open, double area_sum,
-                                             double volume_sum) {
-  const double area = is_open && area_sum > 0 ? area_sum : 0;
-  const double volume = grown_radius * area / 3 + volume_sum;
-  return {area, volume > 0 ? volume : 0};
+// The quantities of a ball, in lattice units, from the sums of simplex_terms.hpp. A negative sum
+// can only come from rounding, so it counts as 0. A ball without an open side has nothing on the
+// surface.
+ALPHASCOPE_INLINE PerQuantity<double> ball_measures(double grown_radius, bool is_open,
+                                                    const PerQuantity<double>& sums) {
+  PerQuantity<double> of = {};
+  each_quantity([&](MeasuredQuantity q) { of[q] = is_open && sums[q] > 0 ? sums[q] : 0; });
+  const double volume =
+      grown_radius * of[MeasuredQuantity::area] / 3 + sums[MeasuredQuantity::volume];
+  of[MeasuredQuantity::volume] = volume > 0 ? volume : 0;
+  return of;
+}
+// Converts a quantity from lattice units to Å; `unit` is in Å.
+ALPHASCOPE_INLINE double in_angstrom(MeasuredQuantity q, double value, double unit) {
+  for (int n = 0; n < power_of_length(q); ++n) value *= unit;
+  return value;
 }
 
 }  // namespace alphascope

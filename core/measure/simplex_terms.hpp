@@ -7,7 +7,7 @@
 // A_i = R_i² pi (4 - 2 edges + tetrahedra) + sum over edges of R_i h_ij X_ij + sum over triangles
 // of their corners on open sides, where X is the angle at an edge that no tetrahedron fills.
 // 3 V_i = R_i A_i + sum over j of h_ij D_ij, where D is the area of the wall between i and j.
-// A sink has ball(i), area(i, x) and volume(i, x), which gets V_i - R_i A_i / 3. If kDerivatives
+// A sink has ball(i) and add(quantity, i, x). The volume gets V_i - R_i A_i / 3. If kDerivatives
 // holds, it also has the three functions of simplex_derivatives.hpp.
 #pragma once
 
@@ -16,6 +16,7 @@
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/ball_tetrahedron.hpp"
 #include "core/measure/ball_triple.hpp"
+#include "core/measure/measured_quantity.hpp"
 #include "core/measure/simplex_derivatives.hpp"
 
 namespace alphascope {
@@ -30,7 +31,7 @@ ALPHASCOPE_INLINE int open_sides(SimplexClass triangle) {
 
 template <class Sink>
 ALPHASCOPE_INLINE void vertex_terms(BallIndex i, Sink& sink) {
-  sink.area(i, 4 * kPi * sink.ball(i).square_radius);
+  sink.add(MeasuredQuantity::area, i, 4 * kPi * sink.ball(i).square_radius);
 }
 
 // `end_is_open[n]`: ball n of the edge is not interior.
@@ -39,13 +40,13 @@ ALPHASCOPE_INLINE void edge_terms(const BallIndex (&i)[2], const bool (&end_is_o
                                   bool is_open, Sink& sink) {
   const GrownBall ball[2] = {sink.ball(i[0]), sink.ball(i[1])};
   for (int n = 0; n < 2; ++n) {
-    if (end_is_open[n]) sink.area(i[n], -2 * kPi * ball[n].square_radius);
+    if (end_is_open[n]) sink.add(MeasuredQuantity::area, i[n], -2 * kPi * ball[n].square_radius);
   }
   if (!is_open) return;
   const BallPair pair = ball_pair(ball[0], ball[1]);
   for (int n = 0; n < 2; ++n) {
-    sink.area(i[n], 2 * kPi * ball[n].grown_radius * pair.height[n]);
-    sink.volume(i[n], kPi / 3 * pair.height[n] * pair.square_disc);
+    sink.add(MeasuredQuantity::area, i[n], 2 * kPi * ball[n].grown_radius * pair.height[n]);
+    sink.add(MeasuredQuantity::volume, i[n], kPi / 3 * pair.height[n] * pair.square_disc);
   }
   if constexpr (Sink::kDerivatives) {
     const PairMotion motion = pair_motion(ball[0], ball[1], pair);
@@ -61,8 +62,9 @@ ALPHASCOPE_INLINE void triangle_terms(const BallIndex (&i)[3], int open_sides, S
                             ball_pair(ball[0], ball[1])};
   const BallTriple triple = ball_triple(ball, pair);
   for (int m = 0; m < 3; ++m) {
-    sink.area(i[m], open_sides * triple.area[m]);
-    sink.volume(i[m], open_sides * (triple.volume[m] - ball[m].grown_radius * triple.area[m] / 3));
+    sink.add(MeasuredQuantity::area, i[m], open_sides * triple.area[m]);
+    sink.add(MeasuredQuantity::volume, i[m],
+             open_sides * (triple.volume[m] - ball[m].grown_radius * triple.area[m] / 3));
   }
   if constexpr (Sink::kDerivatives) {
     triangle_derivatives(i, ball, pair, triple, open_sides, sink);
@@ -118,8 +120,8 @@ ALPHASCOPE_INLINE void tetrahedron_terms(const BallIndex (&i)[4], const OpenFace
     }
   }
   for (int n = 0; n < 4; ++n) {
-    if (open.balls >> n & 1) sink.area(i[n], area[n]);
-    sink.volume(i[n], volume[n]);
+    if (open.balls >> n & 1) sink.add(MeasuredQuantity::area, i[n], area[n]);
+    sink.add(MeasuredQuantity::volume, i[n], volume[n]);
   }
   if constexpr (Sink::kDerivatives) tetrahedron_derivatives(i, ball, t, open.faces, sink);
 }

@@ -25,23 +25,29 @@ constexpr std::size_t kMostPrivate = std::size_t{1} << 30;
 
 struct Values {
   static constexpr bool kDerivatives = false;
-  static constexpr int kCount = 2;
+  static constexpr int kCount = kMeasuredQuantities;
 };
 struct ValuesAndDerivatives {
   static constexpr bool kDerivatives = true;
-  static constexpr int kCount = 9;
+  static constexpr int kCount = kMeasuredQuantities + 7;
 };
 
 struct Scales {
-  double area, volume, length, wall;
+  PerQuantity<double> of;
+  double length, wall;
 };
+// The places of a ball's sums: the quantities, then the derivatives.
+constexpr std::size_t kAreaSlope = kMeasuredQuantities, kAreaGradient = kAreaSlope + 1,
+                      kVolumeGradient = kAreaGradient + 3;
+constexpr std::size_t place(MeasuredQuantity q) {
+  return static_cast<std::size_t>(q);
+}
 // length and wall are only for derivatives.
 template <class What>
 Scales scales_of(const GrownBall& ball) {
-  if (!(ball.grown_radius > 0)) return {0, 0, 0, 0};
-  if constexpr (!What::kDerivatives) return {area_scale(ball), volume_scale(ball), 0, 0};
+  if (!What::kDerivatives || !(ball.grown_radius > 0)) return {quantity_scales(ball), 0, 0};
   const int bits = bits_above(ball.grown_radius);
-  return {area_scale(ball), volume_scale(ball), fixed_scale(bits + kLengthBits),
+  return {quantity_scales(ball), fixed_scale(bits + kLengthBits),
           fixed_scale(2 * bits + kWallBits)};
 }
 
@@ -62,18 +68,21 @@ class PrivateSums {
 
   const GrownBall& ball(BallIndex i) const { return scene_.balls[i]; }
   const Sums& sums(BallIndex i) const { return sums_[i]; }
-  void area(BallIndex i, double x) { sums_[i][0] += fixed_term(x, scene_.scales[i].area); }
-  void volume(BallIndex i, double x) { sums_[i][1] += fixed_term(x, scene_.scales[i].volume); }
-  void area_slope(BallIndex i, double x) { sums_[i][2] += fixed_term(x, scene_.scales[i].length); }
+  void add(MeasuredQuantity q, BallIndex i, double x) {
+    sums_[i][place(q)] += fixed_term(x, scene_.scales[i].of[q]);
+  }
+  void area_slope(BallIndex i, double x) {
+    sums_[i][kAreaSlope] += fixed_term(x, scene_.scales[i].length);
+  }
   void area_gradient(BallIndex i, const Vector3<double>& v) {
-    add(3, i, v, scene_.scales[i].length);
+    add_vector(kAreaGradient, i, v, scene_.scales[i].length);
   }
   void volume_gradient(BallIndex i, const Vector3<double>& v) {
-    add(6, i, v, scene_.scales[i].wall);
+    add_vector(kVolumeGradient, i, v, scene_.scales[i].wall);
   }
 
  private:
-  void add(std::size_t first, BallIndex i, const Vector3<double>& v, double scale) {
+  void add_vector(std::size_t first, BallIndex i, const Vector3<double>& v, double scale) {
     sums_[i][first] += fixed_term(v.x, scale);
     sums_[i][first + 1] += fixed_term(v.y, scale);
     sums_[i][first + 2] += fixed_term(v.z, scale);
@@ -213,8 +222,7 @@ class Results {
 
   void fill(const BallSet& balls, UnionMeasures& measures, UnionDerivatives* derivatives) const {
     const std::size_t n = scene_.balls.size();
-    measures.ball_area_angstrom2.resize(n);
-    measures.ball_volume_angstrom3.resize(n);
+    each_quantity([&](MeasuredQuantity q) { measures.of_ball[q].resize(n); });
     if (derivatives != nullptr) {
       derivatives->area_by_centre_angstrom.resize(n);
       derivatives->volume_by_centre_angstrom2.resize(n);
@@ -223,11 +231,11 @@ class Results {
     }
     parallel_ranges(0, n, kBlock, [&](std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i) {
-        const BallMeasures ball = ball_results(static_cast<BallIndex>(i));
-        measures.ball_area_angstrom2[i] = ball.area * unit_ * unit_;
-        measures.ball_volume_angstrom3[i] = ball.volume * unit_ * unit_ * unit_;
+        const PerQuantity<double> ball = ball_results(static_cast<BallIndex>(i));
+        each_quantity(
+            [&](MeasuredQuantity q) { measures.of_ball[q][i] = in_angstrom(q, ball[q], unit_); });
         if constexpr (What::kDerivatives) {
-          fill_derivatives(i, balls.radii[i], ball.area, *derivatives);
+          fill_derivatives(i, balls.radii[i], ball[MeasuredQuantity::area], *derivatives);
         }
       }
     });
@@ -239,10 +247,11 @@ class Results {
     for (const auto& part : sums_) sum += part.sums(i)[n];
     return sum_value(sum, scale);
   }
-  BallMeasures ball_results(BallIndex i) const {
-    const Scales& scales = scene_.scales[i];
-    return ball_measures(scene_.balls[i].grown_radius, scene_.open[i] != 0,
-                         value(i, 0, scales.area), value(i, 1, scales.volume));
+  PerQuantity<double> ball_results(BallIndex i) const {
+    PerQuantity<double> sums;
+    each_quantity(
+        [&](MeasuredQuantity q) { sums[q] = value(i, place(q), scene_.scales[i].of[q]); });
+    return ball_measures(scene_.balls[i].grown_radius, scene_.open[i] != 0, sums);
   }
   void fill_derivatives(std::size_t i, double radius, double area, UnionDerivatives& to) const {
     const auto ball = static_cast<BallIndex>(i);
@@ -251,14 +260,16 @@ class Results {
       return Gradient{value(ball, first, scale), value(ball, first + 1, scale),
                       value(ball, first + 2, scale)};
     };
-    const Gradient a = gradient(3, scales.length), v = gradient(6, scales.wall);
+    const Gradient a = gradient(kAreaGradient, scales.length),
+                   v = gradient(kVolumeGradient, scales.wall);
     to.area_by_centre_angstrom[i] = {a.x * unit_, a.y * unit_, a.z * unit_};
     to.volume_by_centre_angstrom2[i] = {v.x * unit_ * unit_, v.y * unit_ * unit_,
                                         v.z * unit_ * unit_};
     // d sqrt(r² + alpha) / dr = r / R.
     const double grown = scene_.balls[i].grown_radius;
     const double slope = grown > 0 ? radius / grown : 0;
-    const double by_grown = grown > 0 ? 2 * area / grown + value(ball, 2, scales.length) : 0;
+    const double by_grown =
+        grown > 0 ? 2 * area / grown + value(ball, kAreaSlope, scales.length) : 0;
     to.area_by_radius_angstrom[i] = by_grown * slope * unit_;
     to.volume_by_radius_angstrom2[i] = area * slope * unit_ * unit_;
   }
@@ -290,8 +301,7 @@ void measure(const BallSet& balls, const AlphaComplex& complex, UnionDerivatives
   const Scene scene = make_scene<What>(balls, complex);
   const auto sums = sum_simplices<What>(complex, scene, context);
   Results<What>(complex, scene, sums).fill(balls, measures, derivatives);
-  measures.area_angstrom2 = total(measures.ball_area_angstrom2);
-  measures.volume_angstrom3 = total(measures.ball_volume_angstrom3);
+  each_quantity([&](MeasuredQuantity q) { measures.total[q] = total(measures.of_ball[q]); });
 }
 
 }  // namespace

@@ -9,16 +9,24 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/measure/measured_quantity.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
 // Measures, per ball by its index. Balls that are not in the complex have area and volume 0.
 struct UnionMeasures {
-  double area_angstrom2 = 0;
-  double volume_angstrom3 = 0;
-  std::vector<double> ball_area_angstrom2;    // part of the ball's sphere outside all other balls
-  std::vector<double> ball_volume_angstrom3;  // part of the ball inside its power cell
+  PerQuantity<double> total = {};            // Å to power_of_length()
+  PerQuantity<std::vector<double>> of_ball;  // the same, by ball
+
+  double area_angstrom2() const { return total[MeasuredQuantity::area]; }
+  double volume_angstrom3() const { return total[MeasuredQuantity::volume]; }
+  // The part of each ball's sphere outside all other balls.
+  const std::vector<double>& ball_area_angstrom2() const { return of_ball[MeasuredQuantity::area]; }
+  // The part of each ball inside its power cell.
+  const std::vector<double>& ball_volume_angstrom3() const {
+    return of_ball[MeasuredQuantity::volume];
+  }
 };
 
 struct Gradient {

@@ -62,11 +62,11 @@ struct UnionMeasurer::State {
   Lists lists[4];
   // Buffers of a measurement.
   DeviceBuffer<GrownBall> grown;
-  DeviceBuffer<AreaAndVolume> scales;
-  DeviceBuffer<MeasureSums> sums;
+  DeviceBuffer<QuantityValues> scales;
+  DeviceBuffer<QuantitySums> sums;
   DeviceBuffer<EdgeRow> rows;
   DeviceBuffer<std::uint8_t> open;
-  DeviceBuffer<double> result;  // areas, volumes, then sums of blocks
+  DeviceBuffer<double> result;  // each quantity of all balls, then sums of blocks
   PinnedBuffer<double> host;
 
   template <class T>
@@ -144,7 +144,7 @@ DeviceComplex UnionMeasurer::upload(const BallSet& balls, const AlphaComplex& co
 
 void UnionMeasurer::State::enqueue(const DeviceComplex& complex) {
   const std::size_t n = complex.ball_count;
-  const std::size_t numbers = 2 * n + 2 * std::size_t{measure_blocks(n, kMeasureThreads)};
+  const std::size_t numbers = kMeasuredQuantities * (n + measure_blocks(n, kMeasureThreads));
   const MeasureInput by_ball = scene(n);
   result.reserve(numbers);
   host.reserve(numbers);
@@ -153,7 +153,9 @@ void UnionMeasurer::State::enqueue(const DeviceComplex& complex) {
     each(kernel, items, per_block, arguments...);
     after[++kernels].record(stream);
   };
-  double* out = result.get();
+  MeasureOutput out = {{}, result.get() + kMeasuredQuantities * n, complex.lattice.unit_angstrom()};
+  each_quantity(
+      [&](MeasuredQuantity q) { out.of_ball[q] = result.get() + static_cast<int>(q) * n; });
   after[0].record(stream);
   then(prepare_balls, n, kMeasureThreads, complex, by_ball);
   then(add_vertices, complex.vertices.count, kMeasureThreads, complex.vertices, by_ball);
@@ -161,23 +163,25 @@ void UnionMeasurer::State::enqueue(const DeviceComplex& complex) {
   then(add_triangles, complex.triangles.count, kMeasurePart, complex.triangles, by_ball);
   then(add_tetrahedra, complex.tetrahedra.count, kMeasurePart, complex.tetrahedra, complex.edges,
        by_ball);
-  then(write_measures, n, kMeasureThreads, n, by_ball,
-       MeasureOutput{out, out + n, reinterpret_cast<AreaAndVolume*>(out + 2 * n),
-                     complex.lattice.unit_angstrom()});
-  check(cudaMemcpyAsync(host.get(), out, numbers * sizeof(double), cudaMemcpyDeviceToHost, stream),
+  then(write_measures, n, kMeasureThreads, n, by_ball, out);
+  check(cudaMemcpyAsync(host.get(), result.get(), numbers * sizeof(double), cudaMemcpyDeviceToHost,
+                        stream),
         "copying areas and volumes");
   downloaded.record(stream);
 }
 
 HostMeasures UnionMeasurer::State::result_of(const DeviceComplex& complex) const {
   const std::size_t n = complex.ball_count, blocks = measure_blocks(n, kMeasureThreads);
-  const double *areas = host.get(), *volumes = areas + n, *of_block = volumes + n;
-  NeumaierSum area, volume;
-  for (std::size_t b = 0; b < blocks; ++b) {
-    area.add(of_block[2 * b]);
-    volume.add(of_block[2 * b + 1]);
-  }
-  return {area.value(), volume.value(), {areas, n}, {volumes, n}};
+  const double* of_block = host.get() + kMeasuredQuantities * n;
+  HostMeasures measures;
+  each_quantity([&](MeasuredQuantity q) {
+    const int at = static_cast<int>(q);
+    NeumaierSum sum;
+    for (std::size_t b = 0; b < blocks; ++b) sum.add(of_block[kMeasuredQuantities * b + at]);
+    measures.total[q] = sum.value();
+    measures.of_ball[q] = {host.get() + at * n, n};
+  });
+  return measures;
 }
 
 void UnionMeasurer::State::add_times_to(GpuMeasureTimes& times, bool with_upload) const {

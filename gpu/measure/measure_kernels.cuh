@@ -19,11 +19,11 @@ inline constexpr int kMeasureThreads = 128;
 inline constexpr int kMeasurePart = 1024;
 inline constexpr unsigned kMeasureWarps = kMeasureThreads / 32;
 
-struct alignas(16) AreaAndVolume {
-  double area, volume;
+struct alignas(16) QuantityValues {
+  PerQuantity<double> of;
 };
-struct alignas(16) MeasureSums {
-  unsigned long long area, volume;  // as FixedSum
+struct alignas(16) QuantitySums {
+  PerQuantity<unsigned long long> of;  // as FixedSum
 };
 // Edges [begin, end) of a lower ball that has any; undefined for other balls.
 struct alignas(8) EdgeRow {
@@ -33,8 +33,8 @@ struct alignas(8) EdgeRow {
 // Arrays with one element per ball.
 struct MeasureInput {
   GrownBall* balls;
-  AreaAndVolume* scales;
-  MeasureSums* sums;
+  QuantityValues* scales;
+  QuantitySums* sums;
   EdgeRow* rows;
   std::uint8_t* open;  // 1: in the complex, and not interior
 };
@@ -46,11 +46,8 @@ class DeviceSink {
 
   ALPHASCOPE_INLINE const GrownBall& ball(BallIndex i) const { return scene_.balls[i]; }
   // For host and device, as the terms are, but called only on the device.
-  ALPHASCOPE_INLINE void area(BallIndex i, double x) {
-    add(&scene_.sums[i].area, fixed_term(x, scene_.scales[i].area));
-  }
-  ALPHASCOPE_INLINE void volume(BallIndex i, double x) {
-    add(&scene_.sums[i].volume, fixed_term(x, scene_.scales[i].volume));
+  ALPHASCOPE_INLINE void add(MeasuredQuantity q, BallIndex i, double x) {
+    add(&scene_.sums[i].of[q], fixed_term(x, scene_.scales[i].of[q]));
   }
 
  private:
@@ -69,8 +66,8 @@ __global__ void prepare_balls(DeviceComplex complex, MeasureInput scene) {
   const int4 b = reinterpret_cast<const int4*>(complex.balls)[i];
   const GrownBall ball = grown_ball(LatticePoint{b.x, b.y, b.z}, b.w, complex.alpha_on_lattice);
   scene.balls[i] = ball;
-  scene.scales[i] = {area_scale(ball), volume_scale(ball)};
-  scene.sums[i] = {0, 0};
+  scene.scales[i] = {quantity_scales(ball)};
+  scene.sums[i] = {};
   scene.open[i] = 0;
 }
 
@@ -172,37 +169,38 @@ __device__ inline double warp_sum(double value) {
   return value;
 }
 
-// Areas and volumes in Å² and Å³, and their sums over each block. The order of summation is always
-// the same.
+// Quantities in Å, Å² or Å³, and their sums over each block. The order of summation is always the
+// same.
 struct MeasureOutput {
-  double *area, *volume;    // of balls
-  AreaAndVolume* of_block;  // sums
-  double unit;              // Å
+  PerQuantity<double*> of_ball;
+  double* of_block;  // all sums of the first block, then those of the next
+  double unit;       // Å
 };
 __global__ void write_measures(std::size_t balls, MeasureInput scene, MeasureOutput out) {
   const std::size_t i = std::size_t{blockIdx.x} * blockDim.x + threadIdx.x;
-  double area = 0, volume = 0;
+  PerQuantity<double> value = {};
   if (i < balls) {
-    const AreaAndVolume scales = scene.scales[i];
-    const MeasureSums sums = scene.sums[i];
-    const BallMeasures ball =
-        ball_measures(scene.balls[i].grown_radius, scene.open[i] != 0,
-                      sum_value(sums.area, scales.area), sum_value(sums.volume, scales.volume));
-    out.area[i] = area = ball.area * out.unit * out.unit;
-    out.volume[i] = volume = ball.volume * out.unit * out.unit * out.unit;
+    const QuantityValues scales = scene.scales[i];
+    const QuantitySums found = scene.sums[i];
+    PerQuantity<double> sums;
+    each_quantity([&](MeasuredQuantity q) { sums[q] = sum_value(found.of[q], scales.of[q]); });
+    value = ball_measures(scene.balls[i].grown_radius, scene.open[i] != 0, sums);
+    each_quantity([&](MeasuredQuantity q) {
+      out.of_ball[q][i] = value[q] = in_angstrom(q, value[q], out.unit);
+    });
   }
-  __shared__ AreaAndVolume of_warp[kMeasureWarps];
-  area = warp_sum(area);
-  volume = warp_sum(volume);
-  if ((threadIdx.x & 31) == 0) of_warp[threadIdx.x / 32] = {area, volume};
+  __shared__ PerQuantity<double> of_warp[kMeasureWarps];
+  each_quantity([&](MeasuredQuantity q) {
+    value[q] = warp_sum(value[q]);
+    if ((threadIdx.x & 31) == 0) of_warp[threadIdx.x / 32][q] = value[q];
+  });
   __syncthreads();
   if (threadIdx.x != 0) return;
-  AreaAndVolume sum = of_warp[0];
-  for (unsigned w = 1; w < kMeasureWarps; ++w) {
-    sum.area += of_warp[w].area;
-    sum.volume += of_warp[w].volume;
-  }
-  out.of_block[blockIdx.x] = sum;
+  each_quantity([&](MeasuredQuantity q) {
+    double sum = of_warp[0][q];
+    for (unsigned w = 1; w < kMeasureWarps; ++w) sum += of_warp[w][q];
+    out.of_block[std::size_t{blockIdx.x} * kMeasuredQuantities + static_cast<int>(q)] = sum;
+  });
 }
 
 }  // namespace alphascope::gpu

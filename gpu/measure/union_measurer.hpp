@@ -14,14 +14,13 @@ namespace alphascope::gpu {
 
 // As UnionMeasures, with arrays in pinned memory.
 struct HostMeasures {
-  double area_angstrom2 = 0, volume_angstrom3 = 0;
-  std::span<const double> ball_area_angstrom2, ball_volume_angstrom3;
+  PerQuantity<double> total = {};
+  PerQuantity<std::span<const double>> of_ball;
 
   void copy_to(UnionMeasures& to) const {
-    to.area_angstrom2 = area_angstrom2;
-    to.volume_angstrom3 = volume_angstrom3;
-    to.ball_area_angstrom2.assign(ball_area_angstrom2.begin(), ball_area_angstrom2.end());
-    to.ball_volume_angstrom3.assign(ball_volume_angstrom3.begin(), ball_volume_angstrom3.end());
+    to.total = total;
+    each_quantity(
+        [&](MeasuredQuantity q) { to.of_ball[q].assign(of_ball[q].begin(), of_ball[q].end()); });
   }
 };
 

@@ -137,8 +137,8 @@ int compare_table(const std::string& folder, const std::string& table, const std
     const auto ours = measured(
         grown(folder + "/" + inputs + "/" + words[0] + (inputs == "inputs" ? ".xyzr.gz" : ".xyzr"),
               std::stod(s)));
-    worst.compare(words[0] + " at " + s, ours.area_angstrom2, std::stod(words[area]),
-                  ours.volume_angstrom3, std::stod(words[volume]), printed);
+    worst.compare(words[0] + " at " + s, ours.area_angstrom2(), std::stod(words[area]),
+                  ours.volume_angstrom3(), std::stod(words[volume]), printed);
   }
   return worst.report(table.c_str());
 }
@@ -151,8 +151,8 @@ int compare_balls(const std::string& folder, const std::string& name, const std:
     const auto words = words_of(line);
     if (line[0] == '#' || words.size() < 3) continue;
     const std::size_t i = std::stoul(words[0]);
-    worst.compare("ball " + words[0], ours.ball_area_angstrom2[i], std::stod(words[1]),
-                  ours.ball_volume_angstrom3[i], std::stod(words[2]), 0);
+    worst.compare("ball " + words[0], ours.ball_area_angstrom2()[i], std::stod(words[1]),
+                  ours.ball_volume_angstrom3()[i], std::stod(words[2]), 0);
   }
   return worst.report(table.c_str());
 }
@@ -264,7 +264,7 @@ int time_file(const std::string& path, double solvent, int threads, int repeats)
     std::printf(
         "%s: least %.2f, median %.2f ms (all threads: %.2f, %.2f); area %.9f A2, volume %.9f A3\n",
         with_derivatives ? "with derivatives" : "measures", times.front(), times[times.size() / 2],
-        processor.front(), processor[times.size() / 2], of.area_angstrom2, of.volume_angstrom3);
+        processor.front(), processor[times.size() / 2], of.area_angstrom2(), of.volume_angstrom3());
   }
   return 0;
 }

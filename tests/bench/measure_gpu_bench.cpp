@@ -81,8 +81,8 @@ double relative(double found, double expected) {
 Differences differences(const UnionMeasures& found, const UnionMeasures& expected,
                         const BallSet& balls, const LatticeAlpha& alpha) {
   Differences most;
-  most.area = relative(found.area_angstrom2, expected.area_angstrom2);
-  most.volume = relative(found.volume_angstrom3, expected.volume_angstrom3);
+  most.area = relative(found.area_angstrom2(), expected.area_angstrom2());
+  most.volume = relative(found.volume_angstrom3(), expected.volume_angstrom3());
   const double unit = balls.lattice.unit_angstrom();
   const auto note = [](double& to, double off, double whole) {
     if (off == 0) return;
@@ -91,20 +91,20 @@ Differences differences(const UnionMeasures& found, const UnionMeasures& expecte
   };
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const double radius = unit * grown_ball(balls.centres[i], balls.radii[i], alpha).grown_radius;
-    note(most.ball_area, found.ball_area_angstrom2[i] - expected.ball_area_angstrom2[i],
+    note(most.ball_area, found.ball_area_angstrom2()[i] - expected.ball_area_angstrom2()[i],
          sphere_area(radius));
-    note(most.ball_volume, found.ball_volume_angstrom3[i] - expected.ball_volume_angstrom3[i],
+    note(most.ball_volume, found.ball_volume_angstrom3()[i] - expected.ball_volume_angstrom3()[i],
          ball_volume(radius));
   }
   return most;
 }
 bool same(const gpu::HostMeasures& a, const UnionMeasures& b) {
-  const auto equal = [](std::span<const double> x, const std::vector<double>& y) {
-    return std::equal(x.begin(), x.end(), y.begin(), y.end());
-  };
-  return a.area_angstrom2 == b.area_angstrom2 && a.volume_angstrom3 == b.volume_angstrom3 &&
-         equal(a.ball_area_angstrom2, b.ball_area_angstrom2) &&
-         equal(a.ball_volume_angstrom3, b.ball_volume_angstrom3);
+  bool equal = a.total == b.total;
+  each_quantity([&](MeasuredQuantity q) {
+    equal &= std::equal(a.of_ball[q].begin(), a.of_ball[q].end(), b.of_ball[q].begin(),
+                        b.of_ball[q].end());
+  });
+  return equal;
 }
 
 // Medians of each column.
@@ -156,8 +156,8 @@ class Molecule {
     cpu_.push_back(milliseconds_of([&] { expected = measure_union(balls_, complex_); }));
     const Differences off = differences(sent_, expected, balls_, alpha_);
     std::printf("  %s: area %.9f A2 (off %.1e), volume %.9f A3 (off %.1e), balls off %.1e, %.1e\n",
-                off.are_small() ? "equal" : "DIFFER", sent_.area_angstrom2, off.area,
-                sent_.volume_angstrom3, off.volume, off.ball_area, off.ball_volume);
+                off.are_small() ? "equal" : "DIFFER", sent_.area_angstrom2(), off.area,
+                sent_.volume_angstrom3(), off.volume, off.ball_area, off.ball_volume);
     return right && off.are_small();
   }
 

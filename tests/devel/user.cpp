@@ -20,8 +20,8 @@ int main(int count, char** words) {
     const alphascope::UnionMeasures measures = alphascope::measure_union(*balls, complex);
     std::printf("tetrahedra  %zu\n", complex.tetrahedra.size());
     std::printf("hash        %016llx\n", static_cast<unsigned long long>(complex.hash));
-    std::printf("area        %.4f\n", measures.area_angstrom2);
-    std::printf("volume      %.4f\n", measures.volume_angstrom3);
+    std::printf("area        %.4f\n", measures.area_angstrom2());
+    std::printf("volume      %.4f\n", measures.volume_angstrom3());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

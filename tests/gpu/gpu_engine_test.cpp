@@ -61,10 +61,10 @@ TEST(GpuEngineMeasures, AreOfTheComplexAskedFor) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->device, gpu_device().name);
     EXPECT_EQ(found->route, route);
-    EXPECT_NEAR(found->measures.area_angstrom2, expected.area_angstrom2,
-                1e-12 * expected.area_angstrom2);
-    EXPECT_NEAR(found->measures.volume_angstrom3, expected.volume_angstrom3,
-                1e-12 * expected.volume_angstrom3);
+    EXPECT_NEAR(found->measures.area_angstrom2(), expected.area_angstrom2(),
+                1e-12 * expected.area_angstrom2());
+    EXPECT_NEAR(found->measures.volume_angstrom3(), expected.volume_angstrom3(),
+                1e-12 * expected.volume_angstrom3());
   };
   const std::string there = "the complex was still on the device",
                     sent = "the complex was sent to the device";

@@ -34,29 +34,30 @@ class GpuMeasure : public ::testing::Test {
     const UnionMeasures expected = measure_union(balls, complex, {1});
     UnionMeasures found;
     measurer_->measure(balls, complex, found);
-    EXPECT_NEAR(found.area_angstrom2, expected.area_angstrom2, kNear * expected.area_angstrom2);
-    EXPECT_NEAR(found.volume_angstrom3, expected.volume_angstrom3,
-                kNear * expected.volume_angstrom3);
-    ASSERT_EQ(found.ball_area_angstrom2.size(), balls.size());
-    ASSERT_EQ(found.ball_volume_angstrom3.size(), balls.size());
+    EXPECT_NEAR(found.area_angstrom2(), expected.area_angstrom2(),
+                kNear * expected.area_angstrom2());
+    EXPECT_NEAR(found.volume_angstrom3(), expected.volume_angstrom3(),
+                kNear * expected.volume_angstrom3());
+    ASSERT_EQ(found.ball_area_angstrom2().size(), balls.size());
+    ASSERT_EQ(found.ball_volume_angstrom3().size(), balls.size());
     const double unit = balls.lattice.unit_angstrom();
     for (std::size_t i = 0; i < balls.size(); ++i) {
       const double radius =
           unit *
           grown_ball(balls.centres[i], balls.radii[i], complex.alpha_on_lattice).grown_radius;
-      EXPECT_NEAR(found.ball_area_angstrom2[i], expected.ball_area_angstrom2[i],
+      EXPECT_NEAR(found.ball_area_angstrom2()[i], expected.ball_area_angstrom2()[i],
                   kNear * sphere_area(radius))
           << i;
-      EXPECT_NEAR(found.ball_volume_angstrom3[i], expected.ball_volume_angstrom3[i],
+      EXPECT_NEAR(found.ball_volume_angstrom3()[i], expected.ball_volume_angstrom3()[i],
                   kNear * ball_volume(radius))
           << i;
     }
     UnionMeasures again;
     measurer_->measure(balls, complex, again);
-    EXPECT_EQ(again.area_angstrom2, found.area_angstrom2);
-    EXPECT_EQ(again.volume_angstrom3, found.volume_angstrom3);
-    EXPECT_EQ(again.ball_area_angstrom2, found.ball_area_angstrom2);
-    EXPECT_EQ(again.ball_volume_angstrom3, found.ball_volume_angstrom3);
+    EXPECT_EQ(again.area_angstrom2(), found.area_angstrom2());
+    EXPECT_EQ(again.volume_angstrom3(), found.volume_angstrom3());
+    EXPECT_EQ(again.ball_area_angstrom2(), found.ball_area_angstrom2());
+    EXPECT_EQ(again.ball_volume_angstrom3(), found.ball_volume_angstrom3());
   }
 
   std::unique_ptr<GpuMeasurer> measurer_;
@@ -64,13 +65,15 @@ class GpuMeasure : public ::testing::Test {
 
 TEST_F(GpuMeasure, OfNoBallAreNothing) {
   UnionMeasures of;
-  of.area_angstrom2 = of.volume_angstrom3 = 1;
-  of.ball_area_angstrom2 = of.ball_volume_angstrom3 = {1, 2};
+  each_quantity([&](MeasuredQuantity q) {
+    of.total[q] = 1;
+    of.of_ball[q] = {1, 2};
+  });
   measurer_->measure(BallSet{}, complex_of(BallSet{}), of);
-  EXPECT_EQ(of.area_angstrom2, 0);
-  EXPECT_EQ(of.volume_angstrom3, 0);
-  EXPECT_TRUE(of.ball_area_angstrom2.empty());
-  EXPECT_TRUE(of.ball_volume_angstrom3.empty());
+  EXPECT_EQ(of.area_angstrom2(), 0);
+  EXPECT_EQ(of.volume_angstrom3(), 0);
+  EXPECT_TRUE(of.ball_area_angstrom2().empty());
+  EXPECT_TRUE(of.ball_volume_angstrom3().empty());
 }
 
 // One and two balls, hidden and equal ones, and a set after a larger one.

@@ -72,6 +72,15 @@ std::string components_text(const Answer& answer) {
   return grouped(count) + format_text("; the largest has %.2f %% of the volume", 100 * largest);
 }
 
+std::string totals_text(const UnionMeasures& measures) {
+  std::string text;
+  each_quantity([&](MeasuredQuantity q) {
+    const QuantityName name = quantity_name(q);
+    text += format_text("%-12s%.6f ", name.word, measures.total[q]) + name.unit + "\n";
+  });
+  return text;
+}
+
 void print(const Input& input, const MeasureCommandOptions& options, const Answer& answer) {
   const Request& request = options.request;
   const EngineAnswer& from = *answer.facts.answer;
@@ -81,11 +90,8 @@ void print(const Input& input, const MeasureCommandOptions& options, const Answe
             << "alpha       " << shortest_number(request.alpha_angstrom2) << " Å², solvent radius "
             << shortest_number(request.solvent_radius_angstrom) << " Å\n"
             << "surface     " << surface_name(request) << "\n"
-            << "area        " << format_text("%.6f", answer.facts.measures().area_angstrom2)
-            << " Å²\n"
-            << "volume      " << format_text("%.6f", answer.facts.measures().volume_angstrom3)
-            << " Å³\n"
-            << "components  " << components_text(answer) << "\n"
+            << totals_text(answer.facts.measures()) << "components  " << components_text(answer)
+            << "\n"
             << "hash        " << hash_text(complex.hash) << "\n";
   if (verbosity() != Verbosity::quiet) {
     for (const std::string& note : {from.note, by.note}) {

@@ -176,8 +176,8 @@ std::string measure_text(std::string_view word, const LessonFacts& facts) {
   const auto measured = asked(facts.measured);
   if (!measured) return kUnknown;
   const UnionMeasures& m = measured->measures();
-  return word == "volume" ? number_text(m.volume_angstrom3) + " Å³"
-                          : number_text(m.area_angstrom2) + " Å²";
+  return word == "volume" ? number_text(m.volume_angstrom3()) + " Å³"
+                          : number_text(m.area_angstrom2()) + " Å²";
 }
 
 // Facts of the request and the balls, which need no computation.

@@ -67,13 +67,13 @@ const Column<Row> kColumns[] = {
      .title = "area",
      .unit = "Å²",
      .help = "The part of the surface that lies on the balls of these atoms, outside all others.",
-     .value = [](const Row& r) -> CellValue { return r.row.area_angstrom2; }},
+     .value = [](const Row& r) -> CellValue { return r.row.of[MeasuredQuantity::area]; }},
     {.id = "volume_angstrom3",
      .title = "volume",
      .unit = "Å³",
      .help = "The part of the volume within the balls of these atoms that is nearest to them, in "
              "power distance. Parts add up to the whole.",
-     .value = [](const Row& r) -> CellValue { return r.row.volume_angstrom3; }},
+     .value = [](const Row& r) -> CellValue { return r.row.of[MeasuredQuantity::volume]; }},
     {.id = "exposed_share",
      .title = "exposed %",
      .help = "The area, as a share of the whole spheres of these atoms: 0 is buried. Files have 0 "

@@ -70,11 +70,10 @@ CsvRow measure_csv_row(const MeasureFacts& facts, const MeasureRows& rows, const
 Json measures_json(const MeasureFacts& facts, const MeasureRows& rows) {
   const MeasuredUnion& by = *facts.measured->by;
   const EngineAnswer& answer = *facts.answer;
-  Json json{
-      {"surface", surface_name(answer.request)},
-      {"area_angstrom2", facts.measures().area_angstrom2},
-      {"volume_angstrom3", facts.measures().volume_angstrom3},
-      {"components", rows_json(rows_of_measures(facts, {.per = MeasureGrouping::component}))}};
+  Json json{{"surface", surface_name(answer.request)}};
+  each_quantity(
+      [&](MeasuredQuantity q) { json[quantity_name(q).key] = facts.measures().total[q]; });
+  json["components"] = rows_json(rows_of_measures(facts, {.per = MeasureGrouping::component}));
   if (const char* list = list_name(rows.query.per)) json[list] = rows_json(rows);
   json["measured"] = {
       {"device", by.device}, {"route", by.route}, {"note", by.note}, {"ms", by.milliseconds}};

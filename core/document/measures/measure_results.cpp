@@ -6,14 +6,15 @@
 namespace alphascope {
 namespace {
 
-// Bytes for each ball: area, volume, whole area and component (28). While they are made: the grown
+// Bytes for each ball: the quantities, whole area and component. While they are made: the grown
 // ball, scales, a private sum for each of up to 16 threads, and a row of edges.
 MemoryNeed measures_memory(std::size_t balls) {
-  constexpr std::uint64_t kHeld = 28, kPeak = 100 + 16 * 16;
+  constexpr std::uint64_t kHeld = 12 + 8 * kMeasuredQuantities,
+                          kPeak = 100 + 16 * 8 * kMeasuredQuantities;
   return {kHeld * balls, kPeak * balls};
 }
 MemoryNeed derivatives_memory(std::size_t balls) {
-  constexpr std::uint64_t kHeld = 64, kPeak = 160 + 16 * 72;
+  constexpr std::uint64_t kHeld = 64, kPeak = 160 + 16 * 8 * (7 + kMeasuredQuantities);
   return {kHeld * balls, kPeak * balls};
 }
 
@@ -42,7 +43,7 @@ std::vector<float> exposed_shares(const UnionMeasures& measures, const BallSet& 
   std::vector<float> shares;
   shares.reserve(whole.size());
   for (std::size_t i = 0; i < whole.size(); ++i) {
-    shares.push_back(share(measures.ball_area_angstrom2[i], whole[i]));
+    shares.push_back(share(measures.ball_area_angstrom2()[i], whole[i]));
   }
   return shares;
 }
@@ -52,7 +53,7 @@ std::vector<float> exposed_shares_of_residues(const UnionMeasures& measures, con
                                               const Molecule& molecule,
                                               const std::vector<std::uint32_t>& atom_of_ball) {
   const AtomGroups residues = atom_groups(molecule, atom_of_ball, AtomGrouping::residue);
-  const std::vector<double> areas = sums_by_group(measures.ball_area_angstrom2, residues.of_ball,
+  const std::vector<double> areas = sums_by_group(measures.ball_area_angstrom2(), residues.of_ball,
                                                   residues.size()),
                             whole = sums_by_group(free_areas_angstrom2(balls, alpha_on_lattice),
                                                   residues.of_ball, residues.size());

@@ -48,9 +48,9 @@ std::vector<MeasureRow> rows_of(const Groups& groups, const MeasuredComplex& mea
   const auto sums = [&](const std::vector<double>& values) {
     return sums_by_group(values, groups.of_ball, groups.count);
   };
-  const std::vector<double> areas = sums(m.ball_area_angstrom2),
-                            volumes = sums(m.ball_volume_angstrom3),
-                            free = sums(measured.free_area_angstrom2);
+  PerQuantity<std::vector<double>> of;
+  each_quantity([&](MeasuredQuantity q) { of[q] = sums(m.of_ball[q]); });
+  const std::vector<double> free = sums(measured.free_area_angstrom2);
   std::vector<MeasureRow> rows(groups.count);
   for (std::size_t ball = 0; ball < groups.of_ball.size(); ++ball) {
     const std::uint32_t g = groups.of_ball[ball];
@@ -60,11 +60,11 @@ std::vector<MeasureRow> rows_of(const Groups& groups, const MeasuredComplex& mea
   for (std::size_t g = 0; g < rows.size(); ++g) {
     MeasureRow& row = rows[g];
     row.group = static_cast<std::uint32_t>(g);
-    row.area_angstrom2 = areas[g];
-    row.volume_angstrom3 = volumes[g];
-    row.exposed_share = share(areas[g], free[g]);
-    row.share_of_area = share(areas[g], m.area_angstrom2);
-    row.share_of_volume = share(volumes[g], m.volume_angstrom3);
+    each_quantity([&](MeasuredQuantity q) { row.of[q] = of[q][g]; });
+    const double area = row.of[MeasuredQuantity::area];
+    row.exposed_share = share(area, free[g]);
+    row.share_of_area = share(area, m.area_angstrom2());
+    row.share_of_volume = share(row.of[MeasuredQuantity::volume], m.volume_angstrom3());
   }
   return rows;
 }

@@ -26,7 +26,7 @@ struct MeasureQuery {
 struct MeasureRow {
   std::string name;  // "A:HIS 87"; a component has the name of its first atom
   std::uint32_t group = 0, first_ball = 0, atoms = 0;
-  double area_angstrom2 = 0, volume_angstrom3 = 0;
+  PerQuantity<double> of = {};                    // Å to power_of_length()
   double exposed_share = 0;                       // share of the area of its whole spheres, 0 to 1
   double share_of_area = 0, share_of_volume = 0;  // shares of the total
 };

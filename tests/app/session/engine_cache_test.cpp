@@ -168,13 +168,13 @@ TEST(EngineCache, MeasuresByTheDeviceOfItsEngine) {
   const EngineAnswer answer = cache.compute(few_balls(1), Request{}, {});
   EXPECT_FALSE(cache.measure_on_device(answer, {})) << "it has none";
   const MeasuredUnion on_cpu = cache.measure(answer, {});
-  EXPECT_NEAR(on_cpu.measures.area_angstrom2, kSphereAngstrom2, 1e-9);
+  EXPECT_NEAR(on_cpu.measures.area_angstrom2(), kSphereAngstrom2, 1e-9);
   EXPECT_EQ(on_cpu.device.find("CPU, "), 0u) << on_cpu.device;
   EXPECT_EQ(on_cpu.note, "");
 
   log.measuring = {"a device", "by a miracle", ""};
   const MeasuredUnion on_device = cache.measure(answer, {});
-  EXPECT_EQ(on_device.measures.area_angstrom2, 123);
+  EXPECT_EQ(on_device.measures.area_angstrom2(), 123);
   EXPECT_EQ(on_device.device, "a device");
   EXPECT_EQ(on_device.route, "by a miracle");
   UnionDerivatives derivatives;
@@ -183,7 +183,7 @@ TEST(EngineCache, MeasuresByTheDeviceOfItsEngine) {
 
   log.measuring = {"", "", "it is tired"};
   const MeasuredUnion instead = cache.measure(answer, {});
-  EXPECT_NEAR(instead.measures.area_angstrom2, kSphereAngstrom2, 1e-9);
+  EXPECT_NEAR(instead.measures.area_angstrom2(), kSphereAngstrom2, 1e-9);
   EXPECT_EQ(instead.device, on_cpu.device);
   EXPECT_EQ(instead.note, "Areas and volumes were computed on the CPU: it is tired.");
 }
@@ -194,7 +194,7 @@ TEST(EngineCache, MeasuresOfOtherBallsAreNotLeftToTheDevice) {
   EngineCache cache(fake_factory(log));
   const EngineAnswer first = cache.compute(few_balls(1), Request{}, {});
   cache.compute(few_balls(3), Request{}, {});
-  EXPECT_NEAR(cache.measure(first, {}).measures.area_angstrom2, kSphereAngstrom2, 1e-9);
+  EXPECT_NEAR(cache.measure(first, {}).measures.area_angstrom2(), kSphereAngstrom2, 1e-9);
   EXPECT_EQ(log.measured, 0);
 }
 

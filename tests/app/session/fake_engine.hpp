@@ -62,7 +62,7 @@ class FakeEngine : public Engine {
   DeviceMeasuring measure(const AlphaComplex&, UnionMeasures& to, const RunContext&) override {
     ++log_.measured;
     if (log_.measuring.device.empty()) return log_.measuring;
-    to.area_angstrom2 = 123;
+    to.total[MeasuredQuantity::area] = 123;
     return log_.measuring;
   }
   std::optional<SharedFaces> find_outer_faces(const AlphaComplex&) override {

@@ -20,22 +20,25 @@ INSTANTIATE_TEST_SUITE_P(Engines, EngineMeasures, ::testing::ValuesIn(engines())
 constexpr double kNear = 1e-12;  // relative
 
 void expect_same_bits(const UnionMeasures& found, const UnionMeasures& expected) {
-  EXPECT_EQ(found.area_angstrom2, expected.area_angstrom2);
-  EXPECT_EQ(found.volume_angstrom3, expected.volume_angstrom3);
-  EXPECT_EQ(found.ball_area_angstrom2, expected.ball_area_angstrom2);
-  EXPECT_EQ(found.ball_volume_angstrom3, expected.ball_volume_angstrom3);
+  EXPECT_EQ(found.area_angstrom2(), expected.area_angstrom2());
+  EXPECT_EQ(found.volume_angstrom3(), expected.volume_angstrom3());
+  EXPECT_EQ(found.ball_area_angstrom2(), expected.ball_area_angstrom2());
+  EXPECT_EQ(found.ball_volume_angstrom3(), expected.ball_volume_angstrom3());
 }
 
 // A device rounds differently. Errors are relative to a whole ball, since little of it may be left.
 void expect_near(const UnionMeasures& found, const UnionMeasures& expected,
                  const std::vector<double>& spheres) {
-  EXPECT_NEAR(found.area_angstrom2, expected.area_angstrom2, kNear * expected.area_angstrom2);
-  EXPECT_NEAR(found.volume_angstrom3, expected.volume_angstrom3, kNear * expected.volume_angstrom3);
-  ASSERT_EQ(found.ball_area_angstrom2.size(), expected.ball_area_angstrom2.size());
+  EXPECT_NEAR(found.area_angstrom2(), expected.area_angstrom2(), kNear * expected.area_angstrom2());
+  EXPECT_NEAR(found.volume_angstrom3(), expected.volume_angstrom3(),
+              kNear * expected.volume_angstrom3());
+  ASSERT_EQ(found.ball_area_angstrom2().size(), expected.ball_area_angstrom2().size());
   for (std::size_t i = 0; i < spheres.size(); ++i) {
-    EXPECT_NEAR(found.ball_area_angstrom2[i], expected.ball_area_angstrom2[i], kNear * spheres[i]);
+    EXPECT_NEAR(found.ball_area_angstrom2()[i], expected.ball_area_angstrom2()[i],
+                kNear * spheres[i]);
     const double ball = spheres[i] * std::sqrt(spheres[i] / (36 * std::acos(-1.0)));
-    EXPECT_NEAR(found.ball_volume_angstrom3[i], expected.ball_volume_angstrom3[i], kNear * ball);
+    EXPECT_NEAR(found.ball_volume_angstrom3()[i], expected.ball_volume_angstrom3()[i],
+                kNear * ball);
   }
 }
 

@@ -52,8 +52,8 @@ Boxed boxed(const BallSet& balls, int half_width, int corner_radius) {
   const double width = balls.lattice.angstrom(2.0 * half_width),
                radius = balls.lattice.angstrom(corner_radius);
   box.volume = width * width * width;
-  box.free_volume = box.volume - (of.volume_angstrom3 - 7 * ball_volume(radius));
-  box.area = of.area_angstrom2 - 7 * sphere_area(radius);
+  box.free_volume = box.volume - (of.volume_angstrom3() - 7 * ball_volume(radius));
+  box.area = of.area_angstrom2() - 7 * sphere_area(radius);
   return box;
 }
 void expect_boxed(const BallSet& balls, const std::string& name) {

@@ -70,9 +70,9 @@ void expect_euler(const BallSet& balls, const std::string& name) {
     EXPECT_NEAR(scaling, degree * value, 1e-11 * size) << name;
   };
   check(of.derivatives.volume_by_centre_angstrom2, of.derivatives.volume_by_radius_angstrom2, 3,
-        of.measures.volume_angstrom3);
+        of.measures.volume_angstrom3());
   check(of.derivatives.area_by_centre_angstrom, of.derivatives.area_by_radius_angstrom, 2,
-        of.measures.area_angstrom2);
+        of.measures.area_angstrom2());
 }
 
 TEST(UnionDerivatives, AreThoseOfAHomogeneousMeasure) {
@@ -101,8 +101,8 @@ TEST(UnionDerivatives, AgreeWithDifferences) {
       move(down, -kStep);
       const UnionMeasures a = measured(up, alpha), b = measured(down, alpha);
       const double width = 2e-6 * kStep;
-      return std::pair((a.area_angstrom2 - b.area_angstrom2) / width,
-                       (a.volume_angstrom3 - b.volume_angstrom3) / width);
+      return std::pair((a.area_angstrom2() - b.area_angstrom2()) / width,
+                       (a.volume_angstrom3() - b.volume_angstrom3()) / width);
     };
     for (std::size_t i = 0; i < balls.size(); ++i) {
       const auto x = slope([&](BallSet& s, int by) { s.centres[i].x += by; });

@@ -28,30 +28,30 @@ BallSet angstrom_balls(std::initializer_list<std::array<int, 4>> rows) {
 
 TEST(UnionMeasures, OfNoBallAreNothing) {
   const UnionMeasures none = measured(BallSet{});
-  EXPECT_EQ(none.area_angstrom2, 0);
-  EXPECT_EQ(none.volume_angstrom3, 0);
-  EXPECT_TRUE(none.ball_area_angstrom2.empty());
+  EXPECT_EQ(none.area_angstrom2(), 0);
+  EXPECT_EQ(none.volume_angstrom3(), 0);
+  EXPECT_TRUE(none.ball_area_angstrom2().empty());
 }
 
 TEST(UnionMeasures, OfOneBallAreItsOwnAtEveryAlpha) {
   const BallSet one = angstrom_balls({{1, 2, 3, 2}});
   for (const double alpha : {-3.0, 0.0, 5.0}) {
     const UnionMeasures of = measured(one, alpha);
-    EXPECT_DOUBLE_EQ(of.area_angstrom2, sphere_area(std::sqrt(4 + alpha)));
-    EXPECT_DOUBLE_EQ(of.volume_angstrom3, ball_volume(std::sqrt(4 + alpha)));
+    EXPECT_DOUBLE_EQ(of.area_angstrom2(), sphere_area(std::sqrt(4 + alpha)));
+    EXPECT_DOUBLE_EQ(of.volume_angstrom3(), ball_volume(std::sqrt(4 + alpha)));
   }
-  EXPECT_EQ(measured(one, -4).area_angstrom2, 0);
-  EXPECT_EQ(measured(one, -5).volume_angstrom3, 0);
+  EXPECT_EQ(measured(one, -4).area_angstrom2(), 0);
+  EXPECT_EQ(measured(one, -5).volume_angstrom3(), 0);
 }
 
 TEST(UnionMeasures, OfHiddenAndEqualBallsAreZero) {
   const UnionMeasures of =
       measured(angstrom_balls({{0, 0, 0, 3}, {0, 0, 1, 1}, {0, 0, 0, 3}, {0, 0, 0, 2}}));
-  EXPECT_DOUBLE_EQ(of.ball_area_angstrom2[0], sphere_area(3));
-  EXPECT_DOUBLE_EQ(of.ball_volume_angstrom3[0], ball_volume(3));
+  EXPECT_DOUBLE_EQ(of.ball_area_angstrom2()[0], sphere_area(3));
+  EXPECT_DOUBLE_EQ(of.ball_volume_angstrom3()[0], ball_volume(3));
   for (const std::size_t i : {1, 2, 3}) {
-    EXPECT_EQ(of.ball_area_angstrom2[i], 0);
-    EXPECT_EQ(of.ball_volume_angstrom3[i], 0);
+    EXPECT_EQ(of.ball_area_angstrom2()[i], 0);
+    EXPECT_EQ(of.ball_volume_angstrom3()[i], 0);
   }
 }
 
@@ -63,8 +63,8 @@ TEST(UnionMeasures, OfTrapsAreThoseOfAnotherProgram) {
   int sets = 0;
   while (table >> name >> area >> volume) {
     const UnionMeasures of = measured(balls_of_file(name + ".xyzr"));
-    EXPECT_NEAR(of.area_angstrom2, std::stod(area), 1e-11) << name;
-    EXPECT_NEAR(of.volume_angstrom3, std::stod(volume), 1e-11) << name;
+    EXPECT_NEAR(of.area_angstrom2(), std::stod(area), 1e-11) << name;
+    EXPECT_NEAR(of.volume_angstrom3(), std::stod(volume), 1e-11) << name;
     ++sets;
   }
   EXPECT_EQ(sets, 15);
@@ -79,13 +79,13 @@ TEST(UnionMeasures, OfEachBallOfAProteinAreThoseOfAnotherProgram) {
   std::size_t i = 0, rows = 0;
   double area = 0, volume = 0;
   for (; table >> i >> area >> volume; ++rows) {
-    EXPECT_NEAR(of.ball_area_angstrom2[i], area, 1e-11) << i;
-    EXPECT_NEAR(of.ball_volume_angstrom3[i], volume, 1e-11) << i;
-    EXPECT_EQ(of.ball_area_angstrom2[i] == 0, area == 0) << i;
+    EXPECT_NEAR(of.ball_area_angstrom2()[i], area, 1e-11) << i;
+    EXPECT_NEAR(of.ball_volume_angstrom3()[i], volume, 1e-11) << i;
+    EXPECT_EQ(of.ball_area_angstrom2()[i] == 0, area == 0) << i;
   }
   EXPECT_EQ(rows, 327u);
-  EXPECT_NEAR(of.area_angstrom2, 2971.32301600, 6e-9);
-  EXPECT_NEAR(of.volume_angstrom3, 8357.32154551, 6e-9);
+  EXPECT_NEAR(of.area_angstrom2(), 2971.32301600, 6e-9);
+  EXPECT_NEAR(of.volume_angstrom3(), 8357.32154551, 6e-9);
 }
 
 // Samples points of a spiral on each sphere, and of a grid over the union.
@@ -121,7 +121,7 @@ TEST(UnionMeasures, AgreeWithSampling) {
         free += !covered(c.x + r * across * std::cos(turn), c.y + r * across * std::sin(turn),
                          c.z + r * z, i);
       }
-      EXPECT_NEAR(of.ball_area_angstrom2[i], 1e-6 * sphere_area(r) * free / kPoints,
+      EXPECT_NEAR(of.ball_area_angstrom2()[i], 1e-6 * sphere_area(r) * free / kPoints,
                   1e-6 * sphere_area(r) * 0.01)
           << i;
     }
@@ -133,7 +133,7 @@ TEST(UnionMeasures, AgreeWithSampling) {
       }
     }
     const double sampled = 1e-9 * kStep * kStep * kStep * static_cast<double>(inside);
-    EXPECT_NEAR(of.volume_angstrom3, sampled, 0.003 * sampled);
+    EXPECT_NEAR(of.volume_angstrom3(), sampled, 0.003 * sampled);
   }
 }
 
@@ -148,10 +148,10 @@ TEST(UnionMeasures, AreTheSameBitsForAllThreadsAndEngines) {
     for (const int threads : {1, 2, 5}) {
       UnionDerivatives again;
       const UnionMeasures of = measure_union(balls, complex, {threads, &again});
-      EXPECT_EQ(of.ball_area_angstrom2, first.ball_area_angstrom2) << factory.name;
-      EXPECT_EQ(of.ball_volume_angstrom3, first.ball_volume_angstrom3) << factory.name;
-      EXPECT_EQ(of.area_angstrom2, first.area_angstrom2) << factory.name;
-      EXPECT_EQ(of.volume_angstrom3, first.volume_angstrom3) << factory.name;
+      EXPECT_EQ(of.ball_area_angstrom2(), first.ball_area_angstrom2()) << factory.name;
+      EXPECT_EQ(of.ball_volume_angstrom3(), first.ball_volume_angstrom3()) << factory.name;
+      EXPECT_EQ(of.area_angstrom2(), first.area_angstrom2()) << factory.name;
+      EXPECT_EQ(of.volume_angstrom3(), first.volume_angstrom3()) << factory.name;
       EXPECT_EQ(again.area_by_radius_angstrom, derivatives.area_by_radius_angstrom);
     }
   }
@@ -167,12 +167,12 @@ TEST(UnionMeasures, DoNotDependOnTheOrderOfBalls) {
     for (const double alpha : {0.0, 2.0}) {
       const UnionMeasures a = measured(balls, alpha * unit),
                           b = measured(testing::permuted(balls, order), alpha * unit);
-      const double area = std::max(1e-300, a.area_angstrom2), volume = a.volume_angstrom3;
+      const double area = std::max(1e-300, a.area_angstrom2()), volume = a.volume_angstrom3();
       // Caps of a ball that small ones cut at its rim are flat. Their rounding errors add up to
       // 1.4e-11 (60 seeds). Elsewhere errors stay below 1e-12.
       const double near = name.starts_with("at a rim") ? 5e-11 : 1e-12;
-      EXPECT_NEAR(a.area_angstrom2, b.area_angstrom2, near * area) << name;
-      EXPECT_NEAR(a.volume_angstrom3, b.volume_angstrom3, near * volume) << name;
+      EXPECT_NEAR(a.area_angstrom2(), b.area_angstrom2(), near * area) << name;
+      EXPECT_NEAR(a.volume_angstrom3(), b.volume_angstrom3(), near * volume) << name;
     }
   }
 }
@@ -187,16 +187,16 @@ TEST(UnionMeasures, OfBallsThatTouchFromInsideAreThoseOfTheLargeOne) {
                                         {9, 0, 12, 35},
                                         {0, -12, -9, 35}});
   const UnionMeasures of = measured(balls);
-  EXPECT_NEAR(of.area_angstrom2, sphere_area(50), 1e-14 * sphere_area(50));
-  EXPECT_NEAR(of.volume_angstrom3, ball_volume(50), 1e-14 * ball_volume(50));
+  EXPECT_NEAR(of.area_angstrom2(), sphere_area(50), 1e-14 * sphere_area(50));
+  EXPECT_NEAR(of.volume_angstrom3(), ball_volume(50), 1e-14 * ball_volume(50));
   Random random(10);
   for (int n = 0; n < 100; ++n) {
     for (const int factor : {1, 10000}) {
       const BallSet set = testing::balls_through_a_point(random, 9, factor);
       std::vector<BallIndex> order = {4, 8, 2, 7, 5, 0, 1, 6, 3};
       const UnionMeasures a = measured(set), b = measured(testing::permuted(set, order));
-      EXPECT_NEAR(a.area_angstrom2, b.area_angstrom2, 1e-13 * a.area_angstrom2) << n;
-      EXPECT_NEAR(a.volume_angstrom3, b.volume_angstrom3, 1e-13 * a.volume_angstrom3) << n;
+      EXPECT_NEAR(a.area_angstrom2(), b.area_angstrom2(), 1e-13 * a.area_angstrom2()) << n;
+      EXPECT_NEAR(a.volume_angstrom3(), b.volume_angstrom3(), 1e-13 * a.volume_angstrom3()) << n;
     }
   }
 }
@@ -215,13 +215,13 @@ TEST(UnionMeasures, StayWithinBoundsOnHardSets) {
         const double square =
             std::max(0.0, static_cast<double>(balls.weight(static_cast<BallIndex>(i))) + grown);
         const double r = balls.lattice.angstrom(std::sqrt(square));
-        EXPECT_GE(of.ball_area_angstrom2[i], 0);
-        EXPECT_LE(of.ball_area_angstrom2[i], sphere_area(r) * (1 + 1e-13)) << name << i;
-        EXPECT_GE(of.ball_volume_angstrom3[i], 0);
-        EXPECT_LE(of.ball_volume_angstrom3[i], ball_volume(r) * (1 + 1e-13)) << name << i;
+        EXPECT_GE(of.ball_area_angstrom2()[i], 0);
+        EXPECT_LE(of.ball_area_angstrom2()[i], sphere_area(r) * (1 + 1e-13)) << name << i;
+        EXPECT_GE(of.ball_volume_angstrom3()[i], 0);
+        EXPECT_LE(of.ball_volume_angstrom3()[i], ball_volume(r) * (1 + 1e-13)) << name << i;
       }
-      const double least = std::cbrt(36 * kPi * of.volume_angstrom3 * of.volume_angstrom3);
-      EXPECT_GE(of.area_angstrom2 * (1 + 1e-12), least) << name;
+      const double least = std::cbrt(36 * kPi * of.volume_angstrom3() * of.volume_angstrom3());
+      EXPECT_GE(of.area_angstrom2() * (1 + 1e-12), least) << name;
     }
   }
 }
@@ -246,7 +246,7 @@ TEST(Components, AreNumberedByTheirLowestBalls) {
   EXPECT_EQ(of.count, 3u);
   EXPECT_EQ(of.of_ball, (std::vector<std::uint32_t>{0, 1, 1, kNoGroup, 0, 2}));
   const UnionMeasures measures = measure_union(balls, complex);
-  const auto areas = sums_by_group(measures.ball_area_angstrom2, of.of_ball, of.count);
+  const auto areas = sums_by_group(measures.ball_area_angstrom2(), of.of_ball, of.count);
   EXPECT_DOUBLE_EQ(areas[0], 28 * kPi);
   EXPECT_DOUBLE_EQ(areas[1], 28 * kPi);
   EXPECT_DOUBLE_EQ(areas[2], 4 * kPi);

@@ -30,15 +30,16 @@ class MeasuresTest : public ViewerTest {
 TEST_F(MeasuresTest, ThePageHasTheNumbersOfThePicture) {
   open_measures();
   ASSERT_TRUE(memory().measured && memory().rows);
-  EXPECT_EQ(memory().measured->measures().area_angstrom2, expected_measures(0, 0).area_angstrom2);
+  EXPECT_EQ(memory().measured->measures().area_angstrom2(),
+            expected_measures(0, 0).area_angstrom2());
   EXPECT_EQ(memory().surface, "van der Waals surface");
   EXPECT_EQ(memory().rows->rows.size(), 46u) << "residues of crambin";
   EXPECT_TRUE(has("measures.row.1"));
   state().settings.request.solvent_radius_angstrom = 1.4;
   settle();
   const UnionMeasures accessible = expected_measures(0, 1.4);
-  EXPECT_EQ(memory().measured->measures().area_angstrom2, accessible.area_angstrom2);
-  EXPECT_EQ(memory().measured->measures().volume_angstrom3, accessible.volume_angstrom3);
+  EXPECT_EQ(memory().measured->measures().area_angstrom2(), accessible.area_angstrom2());
+  EXPECT_EQ(memory().measured->measures().volume_angstrom3(), accessible.volume_angstrom3());
   EXPECT_EQ(memory().surface, "solvent-accessible surface, probe of 1.4 Å");
 }
 
@@ -73,13 +74,14 @@ TEST_F(MeasuresTest, ChangesAndFilter) {
 
 TEST_F(MeasuresTest, TitlesSortAndRowsAreCopied) {
   open_measures();
-  run("click measures.column.area_angstrom2\n");
+  run("click measures.column.area_angstrom2()\n");
   settle();
   const std::vector<MeasureRow>& rows = memory().rows->rows;
   EXPECT_EQ(memory().query.column, "area_angstrom2");
-  EXPECT_TRUE(std::is_sorted(
-      rows.begin(), rows.end(),
-      [](const MeasureRow& a, const MeasureRow& b) { return a.area_angstrom2 > b.area_angstrom2; }))
+  EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end(),
+                             [](const MeasureRow& a, const MeasureRow& b) {
+                               return a.of[MeasuredQuantity::area] > b.of[MeasuredQuantity::area];
+                             }))
       << "the largest first";
   run("click measures.copy\n");
   settle();

@@ -107,9 +107,9 @@ void totals_line(PanelContext& ctx, const MeasureState& memory) {
     tooltip(ctx, help);
     ImGui::SameLine(0, ctx.px(16));
   };
-  total("measures.area", "area " + measure_text(m.area_angstrom2) + " Å²",
+  total("measures.area", "area " + measure_text(m.area_angstrom2()) + " Å²",
         "Exact surface area of the union of all balls, including the surfaces of voids.");
-  total("measures.volume", "volume " + measure_text(m.volume_angstrom3) + " Å³",
+  total("measures.volume", "volume " + measure_text(m.volume_angstrom3()) + " Å³",
         "Exact volume of the union of all balls.");
   const std::uint32_t parts = memory.measured->components.count;
   total("measures.components", number(parts) + (parts == 1 ? " component" : " components"),

@@ -63,7 +63,7 @@ TEST_F(MeasureRowsTest, AddUpByAtomResidueChainAndComponent) {
         MeasureGrouping::chain, MeasureGrouping::component}) {
     double area = 0, shares = 0;
     for (const MeasureRow& row : rows({.per = per}).rows) {
-      area += row.area_angstrom2;
+      area += row.of[MeasuredQuantity::area];
       shares += row.share_of_volume;
     }
     EXPECT_NEAR(area, whole, 1e-10);

@@ -89,6 +89,16 @@ ALPHASCOPE_INLINE BallPair ball_pair(const GrownBall& i, const GrownBall& j) {
   pair.square_disc = below > 0 ? below * (radius + fabs(pair.height[small])) : 0;
   return pair;
 }
+// The radius of the circle in which both spheres meet, by Heron's formula. At alpha 0, tangent
+// balls have radii and a distance that are whole numbers, so the result is exactly 0. For nearly
+// tangent balls half of the digits are right, because the radius is a root of their overlap.
+ALPHASCOPE_INLINE double circle_radius(const GrownBall& i, const GrownBall& j,
+                                       const BallPair& pair) {
+  const double d = pair.distance, sum = i.grown_radius + j.grown_radius;
+  const double difference = i.grown_radius - j.grown_radius;
+  const double square = (sum - d) * (sum + d) * ((d - difference) * (d + difference));
+  return square > 0 ? sqrt(square) / (2 * d) : 0;
+}
 // The height of the cap of ball `end` beyond the radical plane.
 ALPHASCOPE_INLINE double cap_height(const BallPair& pair, int end, double radius) {
   const double height = radius - pair.height[end];

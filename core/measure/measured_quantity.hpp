@@ -11,8 +11,9 @@
 
 namespace alphascope {
 
-enum class MeasuredQuantity : std::uint8_t { area, volume };
-inline constexpr int kMeasuredQuantities = 2;
+// arc_length: of the arcs on the surface in which two spheres meet, half of it for each ball.
+enum class MeasuredQuantity : std::uint8_t { area, volume, arc_length };
+inline constexpr int kMeasuredQuantities = 3;
 
 // A value of each quantity.
 template <class T>
@@ -41,6 +42,8 @@ ALPHASCOPE_INLINE constexpr int power_of_length(MeasuredQuantity q) {
   switch (q) {
     case MeasuredQuantity::area:
       return 2;
+    case MeasuredQuantity::arc_length:
+      return 1;
     case MeasuredQuantity::volume:
       break;
   }
@@ -48,11 +51,17 @@ ALPHASCOPE_INLINE constexpr int power_of_length(MeasuredQuantity q) {
 }
 
 // The exponent of a power of two above every term of a quantity, in units of the grown radius R to
-// power_of_length(). No angle is above 2 pi, and no length above 2 R.
+// power_of_length(). No angle is above 2 pi, and no length above 2 R. A whole sum may have four
+// times as much. A term of arcs is below 8 R, but a ball can meet n others, with n below 2^32. They
+// cut caps of angular radius t off its sphere, with arcs of length l on the surface. The sectors
+// between arcs and poles do not overlap, so the sum of l tan(t / 2) is at most 4 pi R. No l is
+// above 4 pi R tan(t / 2). So all arcs have at most 4 pi R sqrt(n), and half of it is below 2^19 R.
 ALPHASCOPE_INLINE constexpr int term_bits(MeasuredQuantity q) {
   switch (q) {
     case MeasuredQuantity::area:
       return 6;
+    case MeasuredQuantity::arc_length:
+      return 17;
     case MeasuredQuantity::volume:
       break;
   }
@@ -67,6 +76,8 @@ constexpr QuantityName quantity_name(MeasuredQuantity q) {
   switch (q) {
     case MeasuredQuantity::area:
       return {"area", "Å²", "area_angstrom2"};
+    case MeasuredQuantity::arc_length:
+      return {"arcs", "Å", "arc_length_angstrom"};
     case MeasuredQuantity::volume:
       break;
   }

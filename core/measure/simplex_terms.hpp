@@ -7,6 +7,13 @@
 // A_i = R_i² pi (4 - 2 edges + tetrahedra) + sum over edges of R_i h_ij X_ij + sum over triangles
 // of their corners on open sides, where X is the angle at an edge that no tetrahedron fills.
 // 3 V_i = R_i A_i + sum over j of h_ij D_ij, where D is the area of the wall between i and j.
+// The arcs of edge ij on the surface, in which spheres i and j meet, have the length r_ij L_ij,
+// where r is the radius of their circle and L the angle of the circle outside all other balls:
+// L_ij = 2 pi - dihedral angles of its tetrahedra - half angles of its triangles' open sides.
+// A tetrahedron covers its dihedral angle of the circle. Beyond an open side of a triangle, half of
+// the arc inside the third ball is covered. These are the terms of the area's derivative, too
+// (simplex_derivatives.hpp). Pairs that are no open edge have no arc. Each ball gets half.
+//
 // A sink has ball(i) and add(quantity, i, x). The volume gets V_i - R_i A_i / 3. If kDerivatives
 // holds, it also has the three functions of simplex_derivatives.hpp.
 #pragma once
@@ -47,6 +54,7 @@ ALPHASCOPE_INLINE void edge_terms(const BallIndex (&i)[2], const bool (&end_is_o
   for (int n = 0; n < 2; ++n) {
     sink.add(MeasuredQuantity::area, i[n], 2 * kPi * ball[n].grown_radius * pair.height[n]);
     sink.add(MeasuredQuantity::volume, i[n], kPi / 3 * pair.height[n] * pair.square_disc);
+    sink.add(MeasuredQuantity::arc_length, i[n], kPi * circle_radius(ball[0], ball[1], pair));
   }
   if constexpr (Sink::kDerivatives) {
     const PairMotion motion = pair_motion(ball[0], ball[1], pair);
@@ -61,10 +69,17 @@ ALPHASCOPE_INLINE void triangle_terms(const BallIndex (&i)[3], int open_sides, S
   const BallPair pair[3] = {ball_pair(ball[1], ball[2]), ball_pair(ball[0], ball[2]),
                             ball_pair(ball[0], ball[1])};
   const BallTriple triple = ball_triple(ball, pair);
+  double arc[3];  // half of what the triangle covers on one side, by the edge opposite each ball
+  for (int m = 0; m < 3; ++m) {
+    arc[m] = 0.5 * triple.half_angle[m] *
+             circle_radius(ball[m == 0 ? 1 : 0], ball[m == 2 ? 1 : 2], pair[m]);
+  }
   for (int m = 0; m < 3; ++m) {
     sink.add(MeasuredQuantity::area, i[m], open_sides * triple.area[m]);
     sink.add(MeasuredQuantity::volume, i[m],
              open_sides * (triple.volume[m] - ball[m].grown_radius * triple.area[m] / 3));
+    sink.add(MeasuredQuantity::arc_length, i[m],
+             -open_sides * (arc[m == 0 ? 1 : 0] + arc[m == 2 ? 1 : 2]));
   }
   if constexpr (Sink::kDerivatives) {
     triangle_derivatives(i, ball, pair, triple, open_sides, sink);
@@ -100,7 +115,7 @@ ALPHASCOPE_INLINE void tetrahedron_terms(const BallIndex (&i)[4], const OpenFace
   const BallTetrahedron t = ball_tetrahedron(ball);
   double volume[4];
   orthoscheme_shares(t, volume);
-  double area[4] = {};
+  double area[4] = {}, arc[4] = {};
   for (int n = 0; n < 4; ++n) {
     if (open.balls >> n & 1) area[n] = kPi * ball[n].square_radius;
   }
@@ -111,6 +126,9 @@ ALPHASCOPE_INLINE void tetrahedron_terms(const BallIndex (&i)[4], const OpenFace
     const BallPair pair = ball_pair(ball[a], ball[b]);
     area[a] -= ball[a].grown_radius * pair.height[0] * angle;
     area[b] -= ball[b].grown_radius * pair.height[1] * angle;
+    const double covered = 0.5 * angle * circle_radius(ball[a], ball[b], pair);
+    arc[a] -= covered;
+    arc[b] -= covered;
     volume[a] -= pair.height[0] * pair.square_disc * angle / 6;
     volume[b] -= pair.height[1] * pair.square_disc * angle / 6;
     if constexpr (Sink::kDerivatives) {
@@ -120,7 +138,10 @@ ALPHASCOPE_INLINE void tetrahedron_terms(const BallIndex (&i)[4], const OpenFace
     }
   }
   for (int n = 0; n < 4; ++n) {
-    if (open.balls >> n & 1) sink.add(MeasuredQuantity::area, i[n], area[n]);
+    if (open.balls >> n & 1) {
+      sink.add(MeasuredQuantity::area, i[n], area[n]);
+      sink.add(MeasuredQuantity::arc_length, i[n], arc[n]);
+    }
     sink.add(MeasuredQuantity::volume, i[n], volume[n]);
   }
   if constexpr (Sink::kDerivatives) tetrahedron_derivatives(i, ball, t, open.faces, sink);

@@ -90,6 +90,12 @@ const Column<Row> kColumns[] = {
      .help = "Its share of the whole volume. Files have 0 to 1.",
      .value = [](const Row& r) -> CellValue { return r.row.share_of_volume; },
      .text = [](const Row& r) { return percent(r.row.share_of_volume); }},
+    {.id = "arc_length_angstrom",
+     .title = "arcs",
+     .unit = "Å",
+     .help = "The length of the arcs on the surface in which two spheres meet. Each of the two "
+             "balls has half of an arc.",
+     .value = [](const Row& r) -> CellValue { return r.row.of[MeasuredQuantity::arc_length]; }},
     {.id = "area_by_shift_angstrom",
      .title = "area/shift",
      .unit = "Å",

@@ -433,9 +433,11 @@ TEST_F(CliCavities, MeasuresAreExactAndAddUp) {
   EXPECT_EQ(measures["surface"], "van der Waals surface");
   EXPECT_NEAR(measures["area_angstrom2"], 6 * pi, 1e-12);
   EXPECT_NEAR(measures["volume_angstrom3"], 9 * pi / 4, 1e-12);
+  EXPECT_NEAR(measures["arc_length_angstrom"], std::sqrt(3.0) * pi, 1e-12);
   ASSERT_EQ(measures["atoms"].size(), 2u);
   EXPECT_EQ(measures["atoms"][0]["name"], "#1");
   EXPECT_NEAR(measures["atoms"][0]["area_angstrom2"], 3 * pi, 1e-12);
+  EXPECT_NEAR(measures["atoms"][0]["arc_length_angstrom"], std::sqrt(0.75) * pi, 1e-12);
   EXPECT_NEAR(measures["atoms"][0]["exposed_share"], 0.75, 1e-12);
   EXPECT_FALSE(measures["atoms"][0].contains("area_by_x_angstrom"));
   // With alpha 1 both radii are the square root of 2. Half a diameter and 1/2 Å are free.

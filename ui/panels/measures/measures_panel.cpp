@@ -34,10 +34,10 @@ struct ColumnPlace {
   float width;  // pixels at scale 1; 0: the remaining width
 };
 using Places = std::span<const ColumnPlace>;
-constexpr ColumnPlace kPlaces[] = {{"number", 52},          {"name", 0},
-                                   {"atoms", 62},           {"area_angstrom2", 92},
-                                   {"share_of_area", 68},   {"volume_angstrom3", 92},
-                                   {"share_of_volume", 68}, {"exposed_share", 80}};
+constexpr ColumnPlace kPlaces[] = {
+    {"number", 52},          {"name", 0},           {"atoms", 62},
+    {"area_angstrom2", 92},  {"share_of_area", 68}, {"volume_angstrom3", 92},
+    {"share_of_volume", 68}, {"exposed_share", 80}, {"arc_length_angstrom", 80}};
 // Rows of atoms have no column for the number of atoms. Without it the derivatives have room.
 constexpr ColumnPlace kPlacesWithDerivatives[] = {{"number", 52},
                                                   {"name", 0},

@@ -107,7 +107,8 @@ TEST_F(CliConventions, UsageErrorsSayWhatIsMissing) {
     std::string arguments, said;
   } cases[] = {{"",
                 "alphascope-cli: name a command: info, compute, cavities, channel, measure, "
-                "export, explain, steps, verify, bench, screenshot, frames, columns, help."},
+                "export, explain, steps, formats, verify, bench, screenshot, frames, columns, "
+                "help."},
                {"compute " + file, "alphascope-cli: --alpha is required."},
                {"compute " + file + "--alpha", "--alpha needs a value."},
                {"compute " + file + "--alpha 1 --alpha 2", "--alpha can be given only once."},
@@ -230,8 +231,8 @@ TEST_F(CliConventions, ManualAndCompletionsHoldEveryOption) {
 TEST_F(CliConventions, BashCompletes) {
   EXPECT_EQ(completed("alphascope-cli comp", 2), "compute\n");
   EXPECT_EQ(completed("alphascope-cli \"\"", 2),
-            "info compute cavities channel measure export explain steps verify bench screenshot "
-            "frames columns help\n");
+            "info compute cavities channel measure export explain steps formats verify bench "
+            "screenshot frames columns help\n");
   EXPECT_EQ(completed("alphascope-cli help comp", 3), "compute\n");
   EXPECT_EQ(completed("alphascope-cli --vers", 2), "--version\n");
   EXPECT_EQ(completed("alphascope-cli compute --eng", 3), "--engine\n");

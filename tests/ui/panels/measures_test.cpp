@@ -74,7 +74,7 @@ TEST_F(MeasuresTest, ChangesAndFilter) {
 
 TEST_F(MeasuresTest, TitlesSortAndRowsAreCopied) {
   open_measures();
-  run("click measures.column.area_angstrom2()\n");
+  run("click measures.column.area_angstrom2\n");
   settle();
   const std::vector<MeasureRow>& rows = memory().rows->rows;
   EXPECT_EQ(memory().query.column, "area_angstrom2");

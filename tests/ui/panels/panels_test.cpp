@@ -257,7 +257,7 @@ TEST(PanelsTest, AMissingSpeedHasItsReason) {
   EXPECT_NE(missing_times(s, true)[0].find("tetrahedra only"), std::string::npos);
   s.ours.cold->tetrahedra_only = false;
   s.cgal.cold->rebuilt = true;
-  EXPECT_NE(missing_times(s, true)[0].find("No speed-up: CGAL built"), std::string::npos);
+  EXPECT_NE(missing_times(s, true)[0].find("No speed-up: CGAL prepared"), std::string::npos);
   s.cgal.cold->rebuilt = false;
   s.ours.cold->rests_on_cgal = s.cgal.cold->rests_on_cgal = true;
   EXPECT_NE(missing_times(s, true)[0].find("both times are of a threshold"), std::string::npos);

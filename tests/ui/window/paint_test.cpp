@@ -94,7 +94,7 @@ TEST_F(PaintTest, ColoursOfOnesOwnStayOnTop) {
 
 TEST_F(PaintTest, WhatCannotBeIsSaid) {
   open_crambin();
-  EXPECT_NE(refusal("view.colour_balls green").find("\"green\" is nothing that balls"),
+  EXPECT_NE(refusal("view.colour_balls green").find("\"green\" is not a colour scheme of balls"),
             std::string::npos);
   EXPECT_NE(refusal("view.colour_simplices b_factor").find("simplices"), std::string::npos);
   std::ofstream(folder_ / "a.xyz") << "2\n\nC 0 0 0\nO 1.2 0 0\n";

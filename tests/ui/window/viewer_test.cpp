@@ -483,6 +483,7 @@ TEST_F(ViewerTest, PicturesSayTheSameAsTheCommandLines) {
   for (auto* texts : {&window, &cli}) {  // "alphascope 0.1.0 (…)" and "alphascope-cli 0.1.0 (…)"
     std::string& program = (*texts)["Software"];
     program.erase(0, program.find(' '));
+    texts->erase("alphascope:note");  // this test is in no installation, so it finds no GPU library
   }
   EXPECT_EQ(cli.erase("alphascope:command"), 1u) << "which no picture of a window has";
   EXPECT_EQ(window, cli);

@@ -463,7 +463,7 @@ TEST(SessionFile, ANameThatIsThereTwiceIsRefusedWithItsLine) {
       parse_session("s.json", head + c.rest);
       ADD_FAILURE() << c.rest;
     } catch (const ReadError& error) {
-      EXPECT_EQ(error.reason(), c.place + " is there twice");
+      EXPECT_EQ(error.reason(), c.place + " occurs twice");
       EXPECT_EQ(error.line(), c.line) << error.what();
     }
   }

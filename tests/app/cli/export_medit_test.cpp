@@ -108,7 +108,8 @@ TEST_F(CliExportMedit, VerticesNameTheirBalls) {
   EXPECT_EQ(mesh.vertices[0], (std::array<double, 4>{0, 0, 0, 1}));
   EXPECT_EQ(mesh.vertices[1], (std::array<double, 4>{3, 0, 0, 3}));
   ASSERT_EQ(mesh.simplices.at("Edges").size(), 1u);
-  EXPECT_EQ(mesh.simplices.at("Edges")[0], (std::vector<std::size_t>{1, 2, 1})) << "singular";
+  EXPECT_EQ(mesh.simplices.at("Edges")[0], (std::vector<std::size_t>{1, 2, 3}))
+      << "interior, since the balls span a line only";
 }
 
 TEST_F(CliExportMedit, TetrahedraAloneAreEnough) {

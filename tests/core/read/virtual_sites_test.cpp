@@ -181,7 +181,7 @@ TEST(StatedElements, ChargesAreNoPartOfThem) {
   const Element expected[] = {30, 8, 7, 17, 6};
   for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(m.atoms[k].element, expected[k]) << k;
   EXPECT_EQ(prepare_balls(m).balls->radii[0], 740);
-  EXPECT_TRUE(is_noted(m, "no element: 1"));
+  EXPECT_TRUE(is_noted(m, "invalid element: 1"));
 }
 
 TEST(StatedElements, NamesFromTheFirstColumn) {

@@ -310,7 +310,8 @@ TEST(PaintWords, WhatIsWrongIsNamedWithTheRemedy) {
                                 "chain, "),
             0u);
   EXPECT_NE(error("alpha").find("a colour scheme of balls"), std::string::npos);
-  EXPECT_NE(error("b_factor", PaintTarget::simplices).find("simplices can be"), std::string::npos);
+  EXPECT_NE(error("b_factor", PaintTarget::simplices).find("a colour scheme of simplices"),
+            std::string::npos);
   EXPECT_NE(error("").find("Write element"), std::string::npos);
   EXPECT_NE(error("#12345").find("such as #5aa9e6"), std::string::npos);
   EXPECT_EQ(error("chain,viridis"), "\"viridis\": chain has neither map nor range. Leave it out.");

@@ -22,9 +22,7 @@ class ActivityJob : public ViewerJob {
   std::optional<RunningJob> running() const override {
     const Worker::Activity activity = owner_.activity();
     if (!activity.busy) return std::nullopt;
-    const std::chrono::duration<double> seconds = Clock::now() - since_.value_or(Clock::now());
-    return RunningJob{id_, owner_.title(), activity.stage, activity.share > 0 ? activity.share : -1,
-                      seconds.count()};
+    return running_job(id_, owner_.title(), activity, since_.value_or(Clock::now()));
   }
   void cancel() override { owner_.cancel(); }
   JobNews poll() override {

@@ -47,10 +47,7 @@ void FileJob::end(const std::string& text, const Worker::Failure* failure) {
 
 std::optional<RunningJob> FileJob::running() const {
   if (!task_) return std::nullopt;
-  const Worker::Activity activity = worker_.activity();
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since_;
-  return RunningJob{id_, task_->title, activity.stage, activity.share > 0 ? activity.share : -1,
-                    seconds.count()};
+  return running_job(id_, task_->title, worker_.activity(), since_);
 }
 
 JobNews FileJob::poll() {

@@ -2,8 +2,16 @@
 #include "app/viewer/jobs/job_list.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace alphascope {
+
+RunningJob running_job(JobId id, std::string title, const Worker::Activity& activity,
+                       std::chrono::steady_clock::time_point since) {
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since;
+  return {id, std::move(title), activity.stage, activity.share > 0 ? activity.share : -1,
+          seconds.count()};
+}
 
 bool JobList::poll() {
   bool frees_memory = false;

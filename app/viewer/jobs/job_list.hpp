@@ -2,11 +2,13 @@
 // and an outcome.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/viewer/parts/due_frames.hpp"
+#include "core/run/worker.hpp"
 #include "ui/panels/view_state.hpp"
 
 namespace alphascope {
@@ -26,6 +28,10 @@ class ViewerJob {
   virtual void cancel() = 0;                              // no effect if none runs
   virtual JobNews poll() = 0;                             // call once a frame on the main thread
 };
+
+// The job that a worker runs, as panels show it. `since`: its start.
+RunningJob running_job(JobId id, std::string title, const Worker::Activity& activity,
+                       std::chrono::steady_clock::time_point since);
 
 class JobList {
  public:

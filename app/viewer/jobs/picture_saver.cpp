@@ -168,12 +168,10 @@ JobNews PictureSaver::poll() {
 
 std::optional<RunningJob> PictureSaver::running() const {
   if (!saving_) return std::nullopt;
-  const Worker::Activity activity = worker_.activity();
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since_;
-  return RunningJob{
+  return running_job(
       JobId::picture,
       (saving_->recording ? "Recording " : "Saving ") + saving_->path.filename().string(),
-      activity.stage, activity.share > 0 ? activity.share : -1, seconds.count()};
+      worker_.activity(), since_);
 }
 
 }  // namespace alphascope

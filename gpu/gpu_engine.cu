@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/engines/engine_of_executors.hpp"
+#include "core/geometry/alpha.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/measure/union_measurer.hpp"
 #include "gpu/memory/device_buffer.cuh"

@@ -8,6 +8,11 @@
 
 #include "core/document/reference/reference.hpp"
 #include "core/explain/power_diagram.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/selection/atom_address.hpp"
 #include "ui/number_text.hpp"
 

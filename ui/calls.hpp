@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <string>
 
-#include "core/geometry/real_point.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {
 
 class RefSet;
 struct ExportRequest;
+struct RealPoint;
 struct RecordRequest;
 struct SaveTableRequest;
 struct ScreenshotRequest;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/settings/clip.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/geometry/real_point.hpp"
 
 namespace alphascope {

@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/document/settings/clip.hpp"
-
 namespace alphascope {
+
+struct Clip;
 
 using PicturePoint = std::array<double, 2>;  // pixels, from the top left of the picture
 

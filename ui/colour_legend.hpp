@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/document/measures/paint_balls.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
+
+struct ColourMeaning;
 
 // A legend of a quantity has `stops`. A legend of categories has `entries`; so has a quantity for
 // objects without a value.

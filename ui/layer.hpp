@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "core/complex/simplices.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
+
+struct BallSet;
 
 // Positions are in Å, in the coordinates of the file.
 struct LayerSphere {

@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "ui/colour_legend.hpp"
 #include "ui/fitted_text.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
+
+struct ColourLegend;
 
 // Pixels from the picture's top left; y points down.
 struct MarkBox {

@@ -8,6 +8,9 @@
 #include <new>
 #include <thread>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/cli/text/terminal.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
 namespace {

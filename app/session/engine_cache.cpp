@@ -7,6 +7,8 @@
 
 #include "app/session/rounding_note.hpp"
 #include "core/engines/answers_from_known.hpp"
+#include "core/measure/engine_measures.hpp"
+#include "core/measure/union_measures.hpp"
 
 namespace alphascope {
 

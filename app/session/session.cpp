@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/engines/answers_from_known.hpp"
+#include "core/measure/engine_measures.hpp"
 #include "core/run/freed_on_other_thread.hpp"
 
 namespace alphascope {

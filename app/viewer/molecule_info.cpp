@@ -7,8 +7,10 @@
 #include <tuple>
 
 #include "core/geometry/grown_radius.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
 #include "ui/panels/whole_state.hpp"
 #include "ui/widgets/format.hpp"

@@ -125,7 +125,7 @@ void Viewer::take_session() {
   opening_.poll();
   lessons_.poll();
   if (preferences_.poll()) due_.ask();
-  state_.listing = folder_reader_.listing(wanted_listing(state_.memory));
+  state_.listing = folder_reader_.listing(wanted_listing(state_.browser));
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
   if (changes.molecule && s.opened) memory_.note_freed(file_.take_molecule(line_scale()));

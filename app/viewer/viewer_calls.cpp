@@ -6,6 +6,7 @@
 
 #include "app/viewer/parts/call_queue.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 

@@ -7,13 +7,15 @@
 #include <memory>
 #include <vector>
 
-#include "core/complex/triangulation.hpp"
+#include "core/complex/simplices.hpp"
 #include "core/geometry/alpha.hpp"
-#include "core/triangulation/flow.hpp"
-#include "core/triangulation/incidence.hpp"
-#include "core/triangulation/membership.hpp"
+#include "core/geometry/ball_index.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
+
+struct CavityGround;
+struct Membership;
 
 // Decides on empty tetrahedra from which some ways of the flow end at infinity and others at a
 // sink.
@@ -21,21 +23,6 @@ enum class OutsideRule {
   castp,  // outside iff all ways end at infinity
   pocket  // outside iff at least one way ends at infinity
 };
-
-// The part of a cavity search that does not depend on alpha. Below dimension 3 there are no
-// cavities, and incidence and flow are empty.
-struct CavityGround {
-  std::shared_ptr<const BallSet> balls;
-  std::shared_ptr<const Triangulation> triangulation;
-  Incidence incidence;
-  Flow flow;
-};
-
-// Works in the caller's task arena. Throws Cancelled.
-CavityGround make_cavity_ground(std::shared_ptr<const BallSet> balls,
-                                std::shared_ptr<const Triangulation> triangulation,
-                                FlowTies ties = FlowTies::perturbed,
-                                const RunContext& context = {});
 
 // Triangles not in K_alpha through which a pocket opens. They are joined at shared edges and
 // vertices that are not in K_alpha. Ascending indices of Incidence::triangles.

@@ -7,7 +7,12 @@
 #include <limits>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/complex/face_class.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/triangle_distance.hpp"
+#include "core/predicates/orthosphere.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {

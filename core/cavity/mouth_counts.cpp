@@ -8,6 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/predicates/orthosphere.hpp"
+#include "core/triangulation/incidence.hpp"
+#include "core/triangulation/membership.hpp"
 #include "core/triangulation/union_find.hpp"
 
 namespace alphascope {

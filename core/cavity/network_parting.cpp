@@ -6,7 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/mouth_counts.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/triangulation/membership.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/gates.hpp"
 #include "core/run/parallel.hpp"
+#include "core/triangulation/incidence.hpp"
+#include "core/triangulation/membership.hpp"
 #include "core/triangulation/union_find.hpp"
 
 namespace alphascope {

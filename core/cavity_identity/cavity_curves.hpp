@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/cavity_identity/cavity_identity.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_ground.hpp"
 #include "core/channel/empty_space.hpp"
 #include "core/channel/plane_ascent.hpp"
 

@@ -16,6 +16,7 @@
 #include "core/channel/grown_triangulation.hpp"
 #include "core/channel/passage.hpp"
 #include "core/channel/way_graph.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/geometry/principal_axes.hpp"
 
 namespace alphascope {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/complex/simplex_hash.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {

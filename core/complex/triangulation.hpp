@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/complex/simplices.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 

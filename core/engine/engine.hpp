@@ -8,6 +8,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/engine/known_results.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/run/work_threads.hpp"
 

@@ -5,11 +5,11 @@
 #include <memory>
 #include <utility>
 
-#include "core/complex/alpha_complex.hpp"
-
 namespace alphascope {
 
 class Filtration;
+struct AlphaComplex;
+struct BallSet;
 struct Triangulation;
 
 // Results for the set as a whole, which serve every alpha. Each part may be null.

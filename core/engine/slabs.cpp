@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
+
 namespace alphascope {
 namespace {
 

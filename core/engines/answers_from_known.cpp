@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
 

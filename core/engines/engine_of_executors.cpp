@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/engine/slabs.hpp"
+#include "core/geometry/alpha.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_set.hpp"
+
 namespace alphascope {
 
 // Cyclic Jacobi rotations. Ten sweeps reach double precision for 3 x 3 (it converges

@@ -8,7 +8,10 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "core/geometry/alpha.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/text/printable.hpp"
 

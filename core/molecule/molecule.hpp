@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/name_table.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/grown_balls.hpp"
 
 namespace alphascope {

@@ -12,7 +12,10 @@
 #include <bit>
 #include <string>
 
+#include "core/geometry/alpha.hpp"
 #include "core/molecule/atom_type.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "core/molecule/atom_type.hpp"
 #include "core/molecule/element_table.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/radii/fallback_radii.hpp"
 #include "core/text/letter_case.hpp"

@@ -9,10 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/molecule/molecule.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
+
+struct Molecule;
 
 struct ReaderInput {
   std::filesystem::path source;  // only for messages and Molecule::source

@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/lookalike.hpp"
 #include "core/text/letter_case.hpp"

@@ -23,6 +23,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/run/cancel_token.hpp"
 #include "core/run/uninterrupted_step.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)

@@ -8,8 +8,11 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/neighbours/coincident.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/radii/given_radius.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/atom_filter.hpp"
 #include "core/selection/atom_groups.hpp"
 

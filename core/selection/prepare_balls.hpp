@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/ball_set.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/radii/radii_set.hpp"
+#include "core/geometry/lattice.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/selection/ball_options.hpp"
 
 namespace alphascope {
+
+struct BallSet;
+struct Molecule;
 
 // Atoms of one kind with a radius that the set did not have.
 struct GuessedRadius {

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/text/grouped_number.hpp"

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "core/molecule/molecule.hpp"
+#include "core/molecule/residue_reason.hpp"
 #include "core/selection/contents.hpp"
 #include "core/selection/treatments.hpp"
 
 namespace alphascope {
+
+struct Molecule;
 
 // Residues of one name with the same kind and reason, both in the file and now.
 struct ResidueGroup {

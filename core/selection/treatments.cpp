@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "core/selection/selection_masks.hpp"

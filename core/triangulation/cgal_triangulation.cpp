@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/complex/count_limits.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"

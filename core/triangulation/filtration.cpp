@@ -11,6 +11,7 @@
 
 #include "core/complex/face_groups.hpp"
 #include "core/complex/simplex_hash.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/ties.hpp"
 

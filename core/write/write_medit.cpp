@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/complex/outward_face.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/write/text_writer.hpp"
 
 namespace alphascope {

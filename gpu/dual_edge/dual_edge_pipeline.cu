@@ -1,5 +1,6 @@
 // Puts sets of balls on the device: the plan of a run and its grid. The run itself is in
 // dual_edge_run.cu.
+#include "core/geometry/lattice_point.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "gpu/dual_edge/grid_kernels.cuh"
 #include "gpu/dual_edge/pipeline_state.cuh"

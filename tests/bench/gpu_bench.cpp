@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/bench/read_balls.hpp"

@@ -11,6 +11,8 @@
 #include <string>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/scene/camera.hpp"

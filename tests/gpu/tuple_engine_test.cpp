@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/alpha.hpp"
 #include "core/tuples/tuple_engine.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/gpu/how_much.hpp"

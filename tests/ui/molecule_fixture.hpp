@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/engine/engine.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/scene/mesh/ball_geometry.hpp"
 
 namespace alphascope::testing {

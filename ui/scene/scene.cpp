@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/scene/mesh/vtk_arrays.hpp"
 #include "ui/scene/picture/frame_grab.hpp"
 #include "ui/scene/picture/step_text.hpp"

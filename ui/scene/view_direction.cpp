@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/document/settings/clip.hpp"
+#include "core/geometry/alpha.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text/grouped_number.hpp"
+#include "ui/number_text.hpp"
 
 namespace alphascope {
 namespace {

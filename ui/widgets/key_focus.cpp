@@ -8,6 +8,12 @@
 #include <string_view>
 #include <utility>
 
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/real_point.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/widgets/keys.hpp"
 
 namespace alphascope {
@@ -16,7 +22,7 @@ namespace {
 constexpr int kF10 = key::kF1 + 9;
 
 KeyState& keys_of(PanelContext& ctx) {
-  return ctx.state.memory.keys;
+  return ctx.state.keys;
 }
 
 // Whether the topmost popup is a menu or list; dialogs are popups as well.
@@ -122,7 +128,7 @@ void press_stop(const KeyState::Stop& stop) {
 
 void go_to_stop(PanelContext& ctx, const KeyState::Stop& stop) {
   keys_of(ctx).at.back() = {stop.name, true};
-  if (!stop.visible) ctx.state.memory.reveal = stop.name;
+  if (!stop.visible) ctx.state.scroll.widget = stop.name;
   if (types(stop.kind)) start_typing(keys_of(ctx), stop);
 }
 
@@ -229,7 +235,7 @@ void begin_key_focus(PanelContext& ctx) {
   keys.slid.clear();
   give_held_characters(keys);
   if (std::exchange(keys.begins, false)) hold_characters(keys);
-  follow_dialogs(keys, ctx.state.memory.dialogs.size());
+  follow_dialogs(keys, ctx.state.dialogs.open.size());
   if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1)) keys.at.back().shown = false;
   menu_keys(keys);
   if (keys.list_open && std::exchange(keys.mark_list, false)) {
@@ -290,7 +296,7 @@ void type_into(PanelContext& ctx, const std::string& name) {
 }
 
 ImGuiInputTextFlags caret_flags(const PanelContext& ctx, const char* name) {
-  return ctx.state.memory.keys.caret == name ? ImGuiInputTextFlags_CallbackAlways : 0;
+  return ctx.state.keys.caret == name ? ImGuiInputTextFlags_CallbackAlways : 0;
 }
 
 // Places the caret; for a path it selects the file's name without ending and number: in

@@ -5,10 +5,11 @@
 #include <string>
 
 #include "core/chart/plot.hpp"
-#include "core/molecule/rgb8.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
+
+struct Rgb8;
 
 // A colour of our own on a plot.
 ChartPaint plot_colour(const Rgb8& colour, float opacity = 1);

@@ -11,6 +11,12 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/options/option_values.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/predicates/flow_predicate.hpp"
+#include "core/predicates/wide_int.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
 namespace {

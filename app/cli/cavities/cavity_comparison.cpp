@@ -12,6 +12,8 @@
 #include "app/cli/text/text.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/document/tables/column_json.hpp"
+#include "core/predicates/wide_int.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {

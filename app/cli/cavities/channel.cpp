@@ -19,14 +19,22 @@
 #include "app/cli/text/text.hpp"
 #include "app/options/option_values.hpp"
 #include "core/channel/ways_through.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/channels/channel_export.hpp"
 #include "core/document/channels/channel_json.hpp"
 #include "core/document/channels/channel_records.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/channels/channel_text.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/key.hpp"
 #include "core/geometry/point_text.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/predicates/orthosphere.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/triangulation/flow.hpp"
 
 namespace alphascope::cli {
 namespace {

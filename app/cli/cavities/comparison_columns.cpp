@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/document/store/key.hpp"
+
 namespace alphascope::cli {
 namespace {
 

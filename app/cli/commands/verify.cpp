@@ -15,6 +15,7 @@
 #include "app/cli/text/text.hpp"
 #include "app/options/option_values.hpp"
 #include "app/session/rounding_note.hpp"
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -17,6 +17,7 @@
 #include "app/session/system_memory.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/display_preset.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_parts.hpp"
 #include "ui/annotation_layer.hpp"

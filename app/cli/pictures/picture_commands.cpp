@@ -12,6 +12,7 @@
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/document/settings/paint.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -1,5 +1,11 @@
 // Commands that cut the picture open.
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/real_point.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
 
 namespace alphascope {

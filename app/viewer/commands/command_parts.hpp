@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/document/commands/commands.hpp"
+#include "core/document/reference/atom_set.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/view_state.hpp"
 

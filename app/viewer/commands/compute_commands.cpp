@@ -3,6 +3,8 @@
 
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/session/setting_ids.hpp"
+#include "core/document/store/key.hpp"
+#include "ui/panels/playback.hpp"
 #include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
@@ -305,7 +307,7 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .why_not = without_molecule(s),
                 .run = [&s](const Arguments&) {
                   s.playback.alpha = s.playback.models = false;
-                  s.memory.show_benchmark = true;
+                  s.dialogs.show_benchmark = true;
                   return Outcome();
                 }});
 }

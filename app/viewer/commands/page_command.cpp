@@ -52,7 +52,7 @@ CommandSpec section_command(ViewState& s) {
                      .help = "Opens radii, chains, colours, light or other settings",
                      .run =
                          [&s](const Arguments& arguments) {
-                           s.memory.go_to_section = arguments.text("section");
+                           s.scroll.section = arguments.text("section");
                            return Outcome();
                          }},
                     {.name = "section", .help = "Which section", .example = "molecule"},

@@ -7,6 +7,7 @@
 
 #include "app/viewer/jobs/job_list.hpp"
 #include "core/run/worker.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 

@@ -12,6 +12,7 @@
 #include "app/viewer/jobs/job_list.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/run/worker.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 

@@ -6,9 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/document/export/program_name.hpp"
 #include "core/files/atomic_file.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/thread_priority.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 

@@ -10,6 +10,7 @@
 #include "app/viewer/jobs/file_job.hpp"
 #include "core/document/session/session_file.hpp"
 #include "core/run/worker.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 

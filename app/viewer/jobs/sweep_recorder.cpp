@@ -8,6 +8,8 @@
 #include <mutex>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/viewer/jobs/picture_saver.hpp"
+#include "core/geometry/alpha.hpp"
 
 namespace alphascope {
 

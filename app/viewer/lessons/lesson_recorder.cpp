@@ -14,6 +14,7 @@
 
 #include "core/document/picture/frame_names.hpp"
 #include "core/files/files_read.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 
 namespace alphascope {
 namespace {

@@ -40,7 +40,7 @@ void History::note_changes(bool by_itself) {
 void History::show_settings() {
   state_.settings = editor_.now();
   state_.playback.alpha = state_.playback.models = false;
-  state_.memory.number = {};  // typed text that is not an entry yet is dropped
+  state_.number = {};  // typed text that is not an entry yet is dropped
   state_.expression_error.reset();
 }
 

@@ -5,6 +5,7 @@
 #include "app/viewer/mouse/gestures.hpp"
 #include "app/viewer/session_text.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/selection/selection_expression.hpp"
 
 namespace alphascope {
 namespace {
@@ -64,7 +65,7 @@ void SettingsSender::send_selection() {
     if (state_.expression_error) {
       wanted.balls.selection = options_.balls.selection;
       // The typed expression stays in its field, so that it can be corrected.
-      state_.memory.expression_shown = wanted.balls.selection;
+      state_.expression.shown = wanted.balls.selection;
     }
   }
   if (wanted == options_) return;

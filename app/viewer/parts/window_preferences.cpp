@@ -4,6 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/real_point.hpp"
+#include "ui/theme.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -22,7 +29,7 @@ void WindowPreferences::begin_with(const ViewerOptions& options) {
   state_.window.presenter_size = p.presenter_size;
   std::error_code ignored;
   if (std::filesystem::is_directory(p.last_folder, ignored)) {
-    state_.memory.browser_folder = p.last_folder;
+    state_.browser.folder = p.last_folder;
   }
   state_.recent = p.recent;
   if (needs_gpu(p.engine)) {
@@ -40,7 +47,7 @@ Preferences WindowPreferences::preferred() const {
   p.scale = state_.window.control_scale;
   p.presenter_size = state_.window.presenter_size;
   p.engine = state_.settings.request.engine;
-  p.last_folder = state_.memory.browser_folder;
+  p.last_folder = state_.browser.folder;
   const HostSize size = host_.size();
   if (size.width <= 0 || size.height <= 0) return p;  // minimised
   const auto at_scale_1 = [&size, this](int pixels) {

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "core/radii/amber_radii.hpp"
 #include "ui/scene/display_style.hpp"
 
 namespace alphascope {

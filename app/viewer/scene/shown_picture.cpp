@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/radii/radii_set.hpp"
 #include "ui/scene/display_style.hpp"
 #include "ui/scene/mesh/drawing_memory.hpp"
 

@@ -18,6 +18,8 @@
 #include "app/viewer/script/timed_moves.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/files/output_ending.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/run/freed_on_other_thread.hpp"
 #include "core/text/text_parts.hpp"
 #include "ui/no_calls.hpp"
@@ -129,7 +131,7 @@ class ScriptRunner {
   WidgetRect place(const std::string& name) {
     auto it = find(name);
     if (it != viewer_.widgets().end() && !it->second.visible) {
-      viewer_.state().memory.reveal = it->first;
+      viewer_.state().scroll.widget = it->first;
       frames(2);
       it = find(name);
     }

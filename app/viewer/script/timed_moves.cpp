@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/viewer/viewer.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "core/run/picture_stages.hpp"
 #include "ui/widgets/set_alpha.hpp"

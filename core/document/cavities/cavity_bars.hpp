@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "core/cavity/cavity_lives.hpp"
+#include "core/complex/triangulation.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/tables/column.hpp"
+#include "core/geometry/lattice.hpp"
 
 namespace alphascope {
 

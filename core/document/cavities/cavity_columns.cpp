@@ -5,7 +5,25 @@
 #include <cstdint>
 #include <string>
 
+#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_measures.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
+#include "core/cavity_identity/network_radius.hpp"
+#include "core/channel/bottlenecks.hpp"
+#include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_records.hpp"
+#include "core/document/cavities/known_cavities.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/store/key.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/ball_index.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/element.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 namespace {

@@ -46,11 +46,7 @@ struct CavityLines {
   std::vector<CavityLine> of;                    // by row of the table
 
   // Whether these lines are up to date, so that no new ones need be requested.
-  bool is_of(const Inputs& in) const {
-    return table->ground->balls == in.balls &&
-           table->question.alpha_angstrom2 == in.alpha_angstrom2 &&
-           table->question.split_networks == in.split_networks;
-  }
+  bool is_of(const Inputs& in) const;
 };
 // Numbers continue those of `before`; null: they begin anew. Requires Inputs::atoms.
 Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before);

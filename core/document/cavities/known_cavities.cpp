@@ -1,6 +1,8 @@
 // Facts on a cavity that follow from several results.
 #include "core/document/cavities/known_cavities.hpp"
 
+#include "core/cavity/cavity_ground.hpp"
+
 namespace alphascope {
 
 bool KnownCavities::differs_from_exact(std::size_t row) const {

@@ -3,7 +3,13 @@
 
 #include <cstdint>
 
+#include "core/channel/channel.hpp"
 #include "core/chart/readable_number.hpp"
+#include "core/document/channels/channel_results.hpp"
+#include "core/document/store/key.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/real_point.hpp"
 #include "core/text/fixed_digits.hpp"
 
 namespace alphascope {

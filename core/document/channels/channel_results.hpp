@@ -9,9 +9,13 @@
 #include "core/cavity_shape/cavity_places.hpp"
 #include "core/channel/channel.hpp"
 #include "core/channel/ways_through.hpp"
-#include "core/document/cavities/known_cavities.hpp"
 
 namespace alphascope {
+
+template <class T>
+struct Definition;
+struct CavityBottlenecks;
+struct Inputs;
 
 // Points where a channel from a cavity may begin and end: those of the largest clearance, for radii
 // without the solvent.

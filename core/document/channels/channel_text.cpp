@@ -3,6 +3,13 @@
 
 #include <cstdio>
 
+#include "core/complex/face_class.hpp"
+#include "core/engine/known_results.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/predicates/orthosphere.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/selection/atom_address.hpp"
 
 namespace alphascope {

@@ -6,6 +6,9 @@
 #include <optional>
 #include <sstream>
 
+#include "core/document/commands/commands.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/letter_case.hpp"
 
 namespace alphascope {

@@ -5,9 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/commands/commands.hpp"
-
 namespace alphascope {
+
+class Commands;
+struct CommandSpec;
 
 struct CommandMatch {
   const CommandSpec* command = nullptr;

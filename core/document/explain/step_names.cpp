@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -1,6 +1,8 @@
 // Names of files, and the check for scripts.
 #include "core/document/export/shape_export.hpp"
 
+#include "core/molecule/molecule.hpp"
+
 namespace alphascope {
 
 namespace fs = std::filesystem;

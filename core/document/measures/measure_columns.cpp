@@ -8,6 +8,8 @@
 
 #include "core/document/measures/measure_names.hpp"
 #include "core/document/measures/measure_records.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
 #include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {

@@ -1,6 +1,7 @@
 // Names of surfaces.
 #include "core/document/measures/measure_names.hpp"
 
+#include "core/document/settings/request.hpp"
 #include "core/text/short_number.hpp"
 
 namespace alphascope {

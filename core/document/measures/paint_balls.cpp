@@ -8,7 +8,11 @@
 #include <numeric>
 
 #include "core/document/measures/measure_results.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_class.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/text/grouped_number.hpp"
 

@@ -6,6 +6,10 @@
 
 #include "core/document/reference/reference.hpp"
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 

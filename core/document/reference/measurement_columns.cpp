@@ -3,7 +3,11 @@
 
 #include <cstdint>
 
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/write/csv.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,8 @@
 
 #include "core/files/read_error.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/radii/radii_set.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/document/store/inputs.hpp"
+#include "core/document/store/key.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/memory_need.hpp"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/document/store/definition.hpp"
+#include "core/document/store/key.hpp"
 
 namespace alphascope {
 

@@ -4,6 +4,11 @@
 #include <bit>
 #include <string>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/key.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/run/internal_error.hpp"
 
 namespace alphascope {

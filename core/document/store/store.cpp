@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/document/store/key.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/document/store/definition.hpp"
+#include "core/document/store/key.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/run/worker.hpp"
 

@@ -10,6 +10,8 @@
 #include <unordered_set>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/frame_marks.hpp"
 #include "core/read/molecule_builder.hpp"
 #include "core/read/pdb/pdb_assembly.hpp"

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_groups.hpp"
 
 namespace alphascope {

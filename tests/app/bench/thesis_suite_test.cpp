@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "app/bench/thesis_contest.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/radii_set.hpp"
 #include "tests/app/session/fake_engine.hpp"
 
 namespace alphascope {

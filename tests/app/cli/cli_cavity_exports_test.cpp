@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/write/csv.hpp"
 #include "tests/app/cli/cli_fixture.hpp"

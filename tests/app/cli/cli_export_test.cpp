@@ -10,6 +10,7 @@
 #include <cstring>
 #include <set>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/read/read_molecule.hpp"
 #include "tests/app/cli/cli_fixture.hpp"

@@ -1,4 +1,5 @@
 // Tests the real alphascope-cli on small files: results, exit codes, and messages for bad input.
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/app/cli/cli_fixture.hpp"
 #include "tests/support/molecules.hpp"
 

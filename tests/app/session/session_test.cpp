@@ -9,6 +9,9 @@
 #include <fstream>
 #include <thread>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/app/session/fake_engine.hpp"
 #include "tests/support/dimer.hpp"

@@ -14,7 +14,12 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/lattice_point.hpp"
+#include "core/predicates/flow_predicate.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/hash_steps.hpp"
+#include "core/triangulation/membership.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/reference/rational_cavities.hpp"

@@ -12,8 +12,10 @@
 #include <tuple>
 #include <vector>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/membership.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 

@@ -15,8 +15,11 @@
 
 #include "core/cavity/cavity_depth.hpp"
 #include "core/cavity/cavity_table.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/membership.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "core/channel/clearance.hpp"
+#include "core/geometry/alpha.hpp"
 #include "tests/core/cavity/flooded_grid.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"

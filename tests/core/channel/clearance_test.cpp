@@ -8,6 +8,8 @@
 
 #include "core/channel/equal_clearance.hpp"
 #include "core/channel/plane_ascent.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

@@ -9,6 +9,7 @@
 #include "core/complex/compare.hpp"
 #include "core/engine/engine.hpp"
 #include "core/engines/answers_from_known.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/support/random_balls.hpp"

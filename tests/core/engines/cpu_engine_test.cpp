@@ -6,6 +6,7 @@
 
 #include "core/engine/engine.hpp"
 #include "core/engines/route.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/neighbours/uniform_grid.hpp"
 #include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"

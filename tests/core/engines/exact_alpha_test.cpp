@@ -9,6 +9,9 @@
 #include <random>
 #include <string>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/verify/verify.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/random_balls.hpp"

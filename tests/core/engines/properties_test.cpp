@@ -11,6 +11,7 @@
 
 #include "core/complex/compare.hpp"
 #include "core/dual_edge/cpu_dual_edges.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/neighbours/uniform_grid.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

@@ -12,6 +12,7 @@
 #include "core/engine/engine.hpp"
 #include "core/engines/route.hpp"
 #include "core/explain/ball_steps.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "tests/core/explain/star_of.hpp"
 #include "tests/support/keeping_engine.hpp"

@@ -11,6 +11,7 @@
 
 #include "core/engine/engine.hpp"
 #include "core/explain/ball_steps.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/tuples/tuple_engine.hpp"
 #include "tests/core/explain/star_of.hpp"
 #include "tests/support/expect_same.hpp"

@@ -11,6 +11,7 @@
 
 #include "core/files/files_read.hpp"
 #include "core/files/text_limits.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "tests/core/measure/measured_sets.hpp"
 

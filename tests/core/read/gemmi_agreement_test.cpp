@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/lattice_point.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/core/read/data_table.hpp"
 

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_reason.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/core/read/residue_dialects.hpp"

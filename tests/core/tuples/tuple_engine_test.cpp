@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/tuples/tuple_compute.hpp"
 #include "core/tuples/tuple_input.hpp"
 #include "tests/support/dual_edge_only_engine.hpp"

@@ -8,6 +8,8 @@
 #include <tuple>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/verify/verify.hpp"
 #include "core/verify/verify_missing.hpp"

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "core/complex/compare.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/verify/verify.hpp"
 
 namespace alphascope::testing {

@@ -147,7 +147,7 @@ TEST_F(LessonRecordTest, WhatCannotBeIsRefused) {
 }
 
 TEST_F(LessonRecordTest, TheDialogRecordsTheOpenLesson) {
-  RecordState& m = viewer_->state().memory.record;
+  RecordState& m = viewer_->state().record;
   m.options.width = m.options.height = 64;
   open_crambin();
   run("file.record\nframes 2\nclick record.kind.2\nframes 2\n");

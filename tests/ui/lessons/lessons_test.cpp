@@ -6,6 +6,7 @@
 
 #include "app/viewer/lessons/lesson_files.hpp"
 #include "app/viewer/resources.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/baseline.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"

@@ -139,7 +139,7 @@ TEST_F(ContextMenuTest, IsAboutASimplexAndAboutNothing) {
   EXPECT_TRUE(items().empty());
   run("right-click " + at(0.01, 0.02));
   choose("context.save");
-  EXPECT_TRUE(state().memory.show_save);
+  EXPECT_TRUE(state().dialogs.show_save);
 }
 
 TEST_F(ContextMenuTest, TheKeyboardOpensItAndADragDoesNot) {

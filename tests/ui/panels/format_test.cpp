@@ -9,6 +9,7 @@
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/fixed_digits.hpp"
 #include "core/text/short_number.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/explain/ball_text.hpp"
 
 namespace alphascope {

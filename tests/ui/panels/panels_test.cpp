@@ -2,6 +2,9 @@
 #include <cmath>
 #include <functional>
 
+#include "core/document/reference/reference.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/colour_legend.hpp"
@@ -325,24 +328,24 @@ TEST(PanelsTest, AChoiceOfTimesStaysAlsoWhenThereAreNone) {
 TEST(PanelsTest, SavingSaysWhatItReplacesAndWhichFolderIsMissing) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
-  p.state.memory.show_save = true;
+  p.state.dialogs.show_save = true;
   const auto folder = std::filesystem::temp_directory_path();
-  p.state.memory.save_path = (folder / "alphascope no such picture.png").string();
+  p.state.dialogs.save_path = (folder / "alphascope no such picture.png").string();
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("save.replaces"));
   EXPECT_FALSE(p.rects.contains("save.no_folder"));
   const float bottom = p.rects["save.ok"].y1;
-  p.state.memory.save_path = (folder / "alphascope no such folder" / "x.png").string();
+  p.state.dialogs.save_path = (folder / "alphascope no such folder" / "x.png").string();
   p.frame(2);
   EXPECT_TRUE(p.rects.contains("save.no_folder"));
   EXPECT_FLOAT_EQ(p.rects["save.ok"].y1, bottom) << "nothing jumps while one types";
-  p.state.memory.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/README.md";
+  p.state.dialogs.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/README.md";
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("save.replaces")) << "it will be README.md.png";
-  p.state.memory.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/docs/images/cavity.png";
+  p.state.dialogs.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/docs/images/cavity.png";
   p.frame(2);
   EXPECT_TRUE(p.rects.contains("save.replaces"));
-  p.state.memory.save_path = (folder / "figure 1").string();
+  p.state.dialogs.save_path = (folder / "figure 1").string();
   p.frame(2);
   p.click("save.ok");
   ASSERT_TRUE(p.asked.screenshot);
@@ -353,7 +356,7 @@ TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
   const auto saved_with = [&](std::initializer_list<const char*> clicks) {
-    p.state.memory.show_save = true;
+    p.state.dialogs.show_save = true;
     p.frame(3);
     for (const char* name : clicks) p.click(name);
     p.click("save.ok");
@@ -466,7 +469,7 @@ TEST(PanelsStay, WhereTheyAreWhateverIsSaid) {
       {"guessed", [](auto& s) { s.molecule.radius_rows.resize(1); }},
       {"summary", [](auto& s) { s.molecule.summary = "used 4,558 of 4,558 atoms"; }},
       {"error", [](auto& s) { s.expression_error.emplace(8, "this ) has no opening ("); }},
-      {"typed", [](auto& s) { s.memory.expression_typed = "chain A"; }},
+      {"typed", [](auto& s) { s.expression.typed = "chain A"; }},
       {"no balls", [](auto& s) { s.settings.display.balls = false; }},
       {"no tetrahedra", [](auto& s) { s.settings.display.tetrahedra = false; }},
       {"edges", [](auto& s) { s.settings.display.edges = true; }},

@@ -9,6 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/texture_pixels.hpp"
 #include "ui/scene/pick/ball_pick.hpp"

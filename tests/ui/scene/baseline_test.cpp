@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/document/settings/display_preset.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "tests/ui/baseline.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/png_pixels.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/molecule/rgb8.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "ui/scene/scene.hpp"
 #include "ui/window/egl_context.hpp"

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/run/work_threads.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "ui/scene/mesh/simplex_colours.hpp"

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "ui/clip_handle.hpp"
 #include "ui/scene/pick/pick.hpp"

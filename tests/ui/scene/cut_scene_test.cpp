@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "ui/scene/mesh/layer_mesh.hpp"

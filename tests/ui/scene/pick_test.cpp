@@ -9,6 +9,9 @@
 #include <random>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 

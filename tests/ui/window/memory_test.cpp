@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/session/system_memory.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/freed_memory.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"

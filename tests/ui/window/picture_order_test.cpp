@@ -16,6 +16,7 @@
 #include "core/engine/engine.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/texture_pixels.hpp"
+#include "ui/colour_legend.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {

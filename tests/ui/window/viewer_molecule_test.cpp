@@ -2,6 +2,7 @@
 // answers.
 #include <gtest/gtest.h>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/assembly.hpp"
 #include "tests/support/dimer.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -99,12 +100,12 @@ TEST_F(ViewerMoleculeTest, ABadExpressionChangesNothingAndStaysToBeMended) {
   run("click molecule.expression\ntype chain A)\nkey enter\nwait-idle\n");
   const ViewState& s = viewer_->state();
   EXPECT_EQ(s.expression_error.value().column(), 8u);
-  EXPECT_EQ(s.memory.expression_typed, "chain A)");
+  EXPECT_EQ(s.expression.typed, "chain A)");
   EXPECT_TRUE(s.error.empty()) << "beside the field, not as a dialog";
   EXPECT_EQ(hash(), before);
   open_file(haemoglobin());
   EXPECT_FALSE(s.expression_error);
-  EXPECT_TRUE(s.memory.expression_typed.empty()) << "of the file before";
+  EXPECT_TRUE(s.expression.typed.empty()) << "of the file before";
 }
 
 TEST_F(ViewerMoleculeTest, ATypedRadiusRecomputesAndIsCounted) {

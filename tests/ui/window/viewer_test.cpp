@@ -11,6 +11,7 @@
 #include "app/viewer/options.hpp"
 #include "app/viewer/session_text.hpp"
 #include "core/document/settings/display_preset.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -56,16 +57,16 @@ TEST_F(ViewerTest, ADroppedFileThatCannotBeReadIsNotToldAsOpened) {
 }
 
 TEST_F(ViewerTest, ADroppedFileIsTheAnswerToTheDialogThatAsksForOneAndToNoOther) {
-  SharedPanelState& memory = viewer_->state().memory;
+  BrowserState& memory = viewer_->state().browser;
   for (const BrowserPurpose purpose : {BrowserPurpose::molecule, BrowserPurpose::save}) {
-    memory.browser_folder = folder_;
-    memory.browser_purpose = purpose;
-    memory.show_browser = true;
+    memory.folder = folder_;
+    memory.purpose = purpose;
+    memory.show = true;
     viewer_->open_dropped({crambin()});
     run("wait-idle\n");
     const bool asks = purpose == BrowserPurpose::molecule;
-    EXPECT_EQ(memory.show_browser, !asks);
-    EXPECT_EQ(memory.browser_folder, asks ? crambin().parent_path() : folder_);
+    EXPECT_EQ(memory.show, !asks);
+    EXPECT_EQ(memory.folder, asks ? crambin().parent_path() : folder_);
   }
 }
 

@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/selection/selection_error.hpp"
+
 namespace alphascope {
 namespace {
 

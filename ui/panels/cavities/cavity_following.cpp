@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/widgets/format.hpp"
 

@@ -6,9 +6,17 @@
 #include <vector>
 
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_records.hpp"
 #include "core/document/channels/network_results.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/text/grouped_number.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/widgets/format.hpp"
 

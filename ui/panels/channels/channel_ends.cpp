@@ -2,9 +2,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/triangulation/flow.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/widgets/number_field.hpp"
 
 namespace alphascope {

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "core/document/channels/channel_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/principal_axes.hpp"
-#include "ui/layer.hpp"
 
 namespace alphascope {
+
+struct FoundChannel;
+struct Layer;
 
 // `ways` leads from outside to outside, so there is no other end to choose.
 enum class ChannelFrom : std::uint8_t { cavity, mouth, atoms, middle, point, ways };

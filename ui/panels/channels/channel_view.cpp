@@ -2,9 +2,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/chart/colour_scale.hpp"
 #include "core/document/store/answer.hpp"
+#include "ui/layer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,19 +4,30 @@
 #include <cmath>
 #include <utility>
 
+#include "core/channel/clearance.hpp"
 #include "core/chart/svg.hpp"
 #include "core/document/channels/channel_export.hpp"
 #include "core/document/channels/channel_records.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/principal_axes.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/molecule/residue_kind.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/text/as_sentence.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

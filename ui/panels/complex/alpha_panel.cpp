@@ -3,11 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/alpha/alpha_slider.hpp"
 #include "core/document/alpha/signature.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
+#include "core/radii/radii_set.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/complex/alpha_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/number_field.hpp"
@@ -221,7 +230,7 @@ void solvent(PanelContext& ctx) {
   row_label(ctx, "Solvent radius");
   double value = radius;
   const double high = std::max(5.0, radius);
-  const bool typing = ctx.state.memory.number.name == "alpha.solvent";
+  const bool typing = ctx.state.number.name == "alpha.solvent";
   if (value_slider(ctx, "alpha.solvent", value, 0, high, kSolventRule,
                    short_number_text(radius, 3) + " Å", 56)) {
     radius = typing ? std::round(value * 1000) / 1000 : std::round(value * 100) / 100;

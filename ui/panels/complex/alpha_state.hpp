@@ -1,8 +1,6 @@
 // The state of the section on alpha between frames.
 #pragma once
 
-#include "core/document/alpha/alpha_slider.hpp"
-
 namespace alphascope {
 
 struct AlphaState {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/document/commands/commands.hpp"
 #include "ui/number_text.hpp"
 
 namespace alphascope {

@@ -1,12 +1,25 @@
 // The page of timings: our engine's times beside CGAL's, and whether both complexes are equal.
 #include <optional>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/run/work_threads.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/complex/timings_state.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/running_job.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

@@ -2,6 +2,10 @@
 #include "ui/panels/complex/timings_text.hpp"
 
 #include "core/document/store/answer.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/run/work_threads.hpp"
+#include "ui/number_text.hpp"
+#include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

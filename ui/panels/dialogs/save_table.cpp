@@ -7,6 +7,7 @@
 
 #include "core/files/output_ending.hpp"
 #include "core/text/as_sentence.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
@@ -114,14 +115,14 @@ std::string content_text(const TableState& memory) {
 }
 
 void save(PanelContext& ctx) {
-  const TableState& memory = ctx.state.memory.save_table;
+  const TableState& memory = ctx.state.save_table;
   ctx.calls.jobs.save_table({memory.table, memory.format, target(memory)});
 }
 
 }  // namespace
 
 void draw_save_table(PanelContext& ctx) {
-  TableState& memory = ctx.state.memory.save_table;
+  TableState& memory = ctx.state.save_table;
   const std::string title = "Save: " + (memory.table ? memory.table->what : "") + "###save_table";
   if (memory.table) {
     const std::string& name = memory.table->file_name;

@@ -5,15 +5,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/explain/explanation_results.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/element.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/atom_address.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/explain/ball_text.hpp"
 #include "ui/panels/explain/details_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/grouped_number.hpp"
 
 namespace alphascope {

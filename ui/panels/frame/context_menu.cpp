@@ -6,8 +6,17 @@
 #include <functional>
 #include <utility>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/run/cancel_token.hpp"
 #include "core/selection/atom_address.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/frame/context_state.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace alphascope {

@@ -5,10 +5,19 @@
 #include <algorithm>
 #include <span>
 
+#include "core/document/commands/commands.hpp"
 #include "core/document/measures/measure_columns.hpp"
 #include "core/document/measures/measure_records.hpp"
+#include "core/document/reference/atom_measurements.hpp"
 #include "core/document/store/store.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/radii/radii_set.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/measures/measure_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"

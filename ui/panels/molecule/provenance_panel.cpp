@@ -1,7 +1,11 @@
 // The list of the numbers' provenance, in full for a paper, with a button that copies it.
 #include <algorithm>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/selection/selection_error.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,10 +5,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
 #include "core/chart/flat_svg.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/real_point.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/molecule/sandbox.hpp"
+#include "core/radii/radii_set.hpp"
+#include "core/run/work_threads.hpp"
+#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/sandbox/sandbox_state.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 namespace {
@@ -26,7 +43,7 @@ ImU32 colour(const FlatColour& ink) {
 class Paper {
  public:
   Paper(PanelContext& ctx, ImVec2 corner, ImVec2 size)
-      : memory_(ctx.state.memory.sandbox), corner_(corner), size_(size) {}
+      : memory_(ctx.state.sandbox), corner_(corner), size_(size) {}
 
   void fit(const FlatBox& box) {
     memory_.middle = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2};
@@ -77,7 +94,7 @@ bool same(const FlatContent& a, const FlatContent& b) {
 // Makes the shapes if the result on screen is flat. For a moment after the sandbox became flat, it
 // is not.
 void make_shapes(ViewState& state, const FlatBox& box) {
-  SandboxState& m = state.memory.sandbox;
+  SandboxState& m = state.sandbox;
   if (!state.result || !is_flat(*state.result->balls)) {
     m.shapes.clear();
     m.shapes_of = nullptr;
@@ -188,7 +205,7 @@ double solvent(const ViewState& state) {
 
 // Finds the centre or rim under the mouse. A centre precedes a rim, and the nearest wins.
 void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
-  SandboxState& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.sandbox;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   m.hovered = FlatPart::paper;
   float nearest = ctx.px(kReach);
@@ -211,7 +228,7 @@ void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
 // Finds the smallest ball that contains the mouse, if no centre or rim is near. The mouse takes it
 // like its centre.
 void look_inside(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
-  SandboxState& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.sandbox;
   if (m.hovered != FlatPart::paper) return;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   const FlatPoint p = paper.place(mouse);
@@ -227,7 +244,7 @@ void look_inside(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
 }
 
 void take_hold(PanelContext& ctx, const FlatPoint& mouse) {
-  SandboxState& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.sandbox;
   m.held = m.hovered;
   if (m.held == FlatPart::paper) {
     m.grip = mouse;
@@ -240,7 +257,7 @@ void take_hold(PanelContext& ctx, const FlatPoint& mouse) {
 }
 
 void drag(PanelContext& ctx, const FlatPoint& mouse) {
-  SandboxState& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.sandbox;
   Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   if (m.held == FlatPart::paper) {
     for (int d = 0; d < 2; ++d) m.middle[d] -= mouse[d] - m.grip[d];
@@ -264,7 +281,7 @@ void drag(PanelContext& ctx, const FlatPoint& mouse) {
 void add_at(PanelContext& ctx, const FlatPoint& mouse) {
   ViewState& s = ctx.state;
   Sandbox& sandbox = *s.settings.open.sandbox;
-  const SandboxState& m = s.memory.sandbox;
+  const SandboxState& m = s.sandbox;
   if (sandbox.balls.size() >= kMostSandboxBalls) {
     s.show_error("There is no room for another ball", why_no_sandbox(sandbox.balls.size() + 1));
     return;
@@ -276,7 +293,7 @@ void add_at(PanelContext& ctx, const FlatPoint& mouse) {
 
 void mouse_on_paper(PanelContext& ctx, Paper& paper, ImVec2 corner, ImVec2 size) {
   ViewState& s = ctx.state;
-  SandboxState& m = s.memory.sandbox;
+  SandboxState& m = s.sandbox;
   ImGui::SetCursorScreenPos(corner);
   ImGui::InvisibleButton("##flat", size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -317,7 +334,7 @@ void draw_moved(PanelContext& ctx, const Paper& paper) {
 }
 
 void draw_marks(PanelContext& ctx, const Paper& paper) {
-  const SandboxState& m = ctx.state.memory.sandbox;
+  const SandboxState& m = ctx.state.sandbox;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const auto ring = [&](std::size_t ball, ImU32 ink, float width) {
@@ -363,13 +380,13 @@ void draw_hint(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 }  // namespace
 
 double flat_angstrom_per_pixel(const ViewState& state) {
-  const double pixels = state.memory.sandbox.pixels_per_angstrom;
+  const double pixels = state.sandbox.pixels_per_angstrom;
   return pixels > 0 ? 1 / pixels : 0;
 }
 
 void draw_flat_view(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ViewState& s = ctx.state;
-  SandboxState& m = s.memory.sandbox;
+  SandboxState& m = s.sandbox;
   s.viewport.hovered = false;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};

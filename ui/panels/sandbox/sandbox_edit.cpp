@@ -1,6 +1,10 @@
 // Makes a sandbox of the balls on screen, and selects, removes and rounds in it.
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "core/document/reference/ref_set.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/molecule/sandbox.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "ui/panels/view_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +66,7 @@ double snapped(double angstrom, double step) {
 }
 
 bool shows_flat_drawing(const ViewState& state) {
-  return state.memory.sandbox.drawing && state.settings.open.sandbox &&
+  return state.sandbox.drawing && state.settings.open.sandbox &&
          state.settings.open.sandbox->flat && state.molecule.loaded;
 }
 

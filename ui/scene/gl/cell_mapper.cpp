@@ -25,6 +25,8 @@
 #include <string>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "ui/scene/gl/cell_shader.hpp"
 #include "ui/window/egl_context.hpp"
 

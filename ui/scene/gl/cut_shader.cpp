@@ -13,6 +13,8 @@
 #include <cstring>
 #include <string>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/geometry/alpha.hpp"
 #include "core/molecule/atom_colours.hpp"
 
 namespace alphascope {

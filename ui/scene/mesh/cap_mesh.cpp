@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/scene/mesh/simplex_colours.hpp"
 
 namespace alphascope {

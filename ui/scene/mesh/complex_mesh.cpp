@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/indices_where.hpp"
 #include "ui/scene/mesh/simplex_colours.hpp"

@@ -9,6 +9,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/outer_faces.hpp"
 #include "ui/scene/mesh/alpha_scale.hpp"

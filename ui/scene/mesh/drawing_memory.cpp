@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/text/grouped_number.hpp"
 

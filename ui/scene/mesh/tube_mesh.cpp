@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/rgb8.hpp"
 
 namespace alphascope {

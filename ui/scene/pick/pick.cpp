@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 namespace {
 

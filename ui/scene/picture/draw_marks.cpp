@@ -7,6 +7,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "ui/colour_legend.hpp"
 #include "ui/scene/picture/mark_mask.hpp"
 
 namespace alphascope {

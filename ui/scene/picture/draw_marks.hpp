@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/colour_legend.hpp"
 #include "ui/picture_marks.hpp"
 #include "ui/scene/picture/frame_grab.hpp"
 #include "ui/scene/picture/placed_label.hpp"

@@ -13,6 +13,8 @@
 #include "core/document/lessons/lesson.hpp"
 #include "core/engine/engine.hpp"
 #include "core/explain/explanation.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/support/keeping_engine.hpp"

@@ -11,6 +11,7 @@
 #include "core/document/session/settings_fields.hpp"
 #include "core/files/file_hash.hpp"
 #include "core/files/read_error.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

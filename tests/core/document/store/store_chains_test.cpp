@@ -2,6 +2,7 @@
 // waiting result. Also tests results that other code has made.
 #include <stdexcept>
 
+#include "core/document/store/key.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 
 namespace alphascope {

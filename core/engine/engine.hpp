@@ -90,8 +90,9 @@ struct EngineOptions {
 std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls,
                                         EngineOptions options = {});
 
-// CGAL's Regular_triangulation_3 (its parallel code from 3 threads on), then classification. All
-// other engines are compared with this one. (core/engines/cgal_engine.cpp)
+// CGAL's Regular_triangulation_3 (its parallel code for three threads or more and some thousand
+// balls), then classification. All other engines are compared with this one.
+// (core/engines/cgal_engine.cpp)
 std::unique_ptr<Engine> make_cgal_engine(std::shared_ptr<const BallSet> balls,
                                          EngineOptions options = {});
 

@@ -43,7 +43,7 @@ CellValue depth(const Row& r) {
   return r.of.depths ? CellValue(r.of.depths->of_angstrom[r.row]) : CellValue();
 }
 
-// A void has no mouth, so neither the mouths' area nor the depth says anything.
+// A void has no mouth, so it has neither an area of mouths nor a depth.
 std::string dash_of_void(const Row& r, const CellValue& value) {
   return cavity(r).is_void() && value.index() != 0 ? "–" : readable_cell(value);
 }

@@ -1,4 +1,5 @@
-// The list of columns, and their values. Nested values of JSON are in cavity_json.cpp.
+// The list of columns of the table of cavities, and how a row gives their values. Nested values of
+// JSON are in cavity_json.cpp.
 #include "core/document/cavities/cavity_columns.hpp"
 
 #include <cmath>

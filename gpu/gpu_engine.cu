@@ -25,7 +25,8 @@ std::string version_text(int version) {
   return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
 }
 
-// Launches a test kernel, because a driver that looks healthy can still fail at the first launch.
+// Launches a test kernel, because a driver that reports no fault can still fail at the first
+// launch.
 void run_probe() {
   gpu::DeviceBuffer<int> out;
   out.reserve(32);
@@ -157,7 +158,7 @@ class GpuExecutor : public Executor {
   }
 
  private:
-  // The last result if it is `complex`. Balls and alpha determine a complex.
+  // The last result on the device if it is `complex`: if alpha and hash are the same.
   std::optional<gpu::DeviceComplex> on_device(const AlphaComplex& complex) const {
     std::optional<gpu::DeviceComplex> there = pipeline_.on_device();
     const bool same =

@@ -17,8 +17,8 @@ namespace alphascope {
 struct CavityGround;
 struct Membership;
 
-// Decides on empty tetrahedra from which some ways of the flow end at infinity and others at a
-// sink.
+// The rule for an empty tetrahedron from which some ways of the flow (core/triangulation/flow.hpp)
+// end at infinity and others at a sink.
 enum class OutsideRule {
   castp,  // outside iff all ways end at infinity
   pocket  // outside iff at least one way ends at infinity
@@ -51,9 +51,9 @@ struct Cavity {
   std::uint32_t network = kWhole;
   std::vector<Mouth> passages;
 
-  // A pocket with at least this many mouths is a network of connected gaps rather than one hole.
-  // Symmetry gives a hollow shell fewer mouths. A cage of 24 equal parts opens at its eight
-  // threefold and six fourfold axes: 14 mouths.
+  // A pocket with at least this many mouths is a network of connected gaps rather than one hole. A
+  // symmetric hollow shell has fewer mouths and is no network: a cage of 24 equal parts opens at
+  // its eight threefold and six fourfold axes, so it has 14.
   static constexpr std::size_t kMouthsOfNetwork = 20;
 
   // A part without mouths can be open to other parts, and is no void then.

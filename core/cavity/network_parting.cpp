@@ -1,5 +1,5 @@
-// Searches the alpha at which a network falls apart, in the ranges without network and in steps of
-// the slider.
+// Searches the alpha at which a network falls apart: tries multiples of a step in the ranges where
+// counts of mouths, with rounded alpha values, show no network.
 #include "core/cavity/network_parting.hpp"
 
 #include <algorithm>

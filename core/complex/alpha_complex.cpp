@@ -1,4 +1,4 @@
-// Hash and memory of a complex.
+// Computes the hash of a complex and the bytes that it holds.
 #include "core/complex/alpha_complex.hpp"
 
 #include <cstdio>

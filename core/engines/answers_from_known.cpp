@@ -1,4 +1,4 @@
-// Checks of known results, their bytes, and thresholds of them.
+// Checks known results, counts their bytes, and answers by thresholds of them.
 #include "core/engines/answers_from_known.hpp"
 
 #include <cmath>

@@ -94,7 +94,8 @@ const FileFormat* recognise_format(const std::filesystem::path& path, std::strin
     how_well = fits;
     best = &format;
   }
-  // Recognition can be wrong where a title begins like another format: "solid water".
+  // find_lookalike() can be wrong where a title begins like another format ("solid water"), so a
+  // certain format wins.
   return how_well < Recognised::certain && find_lookalike(text).certain ? nullptr : best;
 }
 

@@ -1,4 +1,5 @@
-// The list of columns, and their values. Nested values of JSON are in cavity_json.cpp.
+// The list of columns of the table of cavities, and how a row gives their values. Nested values of
+// JSON are in cavity_json.cpp.
 #include "core/document/cavities/cavity_columns.hpp"
 
 #include <cmath>
@@ -61,7 +62,7 @@ CellValue depth(const Row& r) {
   return r.of.depths ? CellValue(r.of.depths->of_angstrom[r.row]) : CellValue();
 }
 
-// A void has no mouth, so neither the mouths' area nor the depth says anything.
+// A void has no mouth, so it has neither an area of mouths nor a depth.
 std::string dash_of_void(const Row& r, const CellValue& value) {
   return cavity(r).is_void() && value.index() != 0 ? "–" : readable_cell(value);
 }

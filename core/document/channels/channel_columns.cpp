@@ -1,4 +1,5 @@
-// The lists of columns, and their values. Nested values of JSON are in channel_records.cpp.
+// The lists of columns of a channel's samples and of ways, and how a row gives their values. Nested
+// values of JSON are in channel_records.cpp.
 #include "core/document/channels/channel_columns.hpp"
 
 #include <cstdint>

@@ -37,8 +37,8 @@ std::uint64_t number_of(const ChannelEnds& ends) {
   return Key{number, std::bit_cast<std::uint64_t>(ends.end_radius_angstrom), 0}.number();
 }
 
-// Progress of a search with an unknown number of triangulations. Each triangulation advances by
-// half of the remaining share; the centre line follows.
+// Progress of a search with an unknown number of triangulations. Each triangulation takes half of
+// the share that remains; the centre line has the last part.
 class SearchShare {
  public:
   static constexpr double kSearch = 0.8;
@@ -82,7 +82,8 @@ std::shared_ptr<const FoundChannel> make_channel(const Inputs& in, const Channel
   return found;
 }
 
-// A search holds the widest open scene, and the next two that it tests.
+// A search holds the triangulation of the widest growth known to be open, and the next two that it
+// tests.
 MemoryNeed search_memory(const Inputs& in) {
   constexpr std::uint64_t kScenes = 3, kProfile = 1'000'000;
   return {kProfile, kScenes * triangulation_memory(in.balls->size()).peak + kProfile};

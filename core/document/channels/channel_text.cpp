@@ -1,4 +1,5 @@
-// Texts and colours on channels.
+// Makes texts on channels: what passes, how much is covered, which atoms touch. Also the colours of
+// bands of width.
 #include "core/document/channels/channel_text.hpp"
 
 #include <cstdio>

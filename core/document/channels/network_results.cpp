@@ -1,4 +1,4 @@
-// Definition of the end of a network, with its memory.
+// The definition of the derived result on where a network falls apart, with its memory and key.
 #include "core/document/channels/network_results.hpp"
 
 #include <memory>

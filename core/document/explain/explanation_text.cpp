@@ -1,4 +1,5 @@
-// Sentences on an Explanation, under headings.
+// Makes the sentences of an explanation: whether the simplex is there, why, and which arithmetic
+// decided.
 #include "core/document/explain/explanation_text.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tables of the names.
+// The tables of names for counts, boxes and marks of steps.
 #include "core/document/explain/step_names.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// One Exporter that writes all formats, and their list.
+// The list of export formats, and the class Exporter with a function for each.
 #include "core/document/export/complex_export.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The list of columns, and their values.
+// The list of columns of the table of areas and volumes, and how a row gives their values.
 #include "core/document/measures/measure_columns.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Splits such lists and reports errors in them.
+// Splits lists such as "resn HEM=#ff8800; chain A=#888", and reports errors in them.
 #include "core/document/reference/atom_words.hpp"
 
 #include <algorithm>

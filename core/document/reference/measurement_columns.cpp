@@ -1,4 +1,4 @@
-// The list of columns, and their values.
+// The list of columns of measured distances and angles, and how a row gives their values.
 #include "core/document/reference/measurement_columns.hpp"
 
 #include <cstdint>

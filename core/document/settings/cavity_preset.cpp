@@ -1,4 +1,5 @@
-// The options of that body, and the list of differences.
+// Sets the options of the body that compare with CASTp's, and lists the differences of other
+// options.
 #include "core/document/settings/cavity_preset.hpp"
 
 #include "core/document/settings/open_options.hpp"

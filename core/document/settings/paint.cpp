@@ -1,4 +1,4 @@
-// The table of schemes, and reading and writing of paints.
+// The table of colour schemes; reads and writes paints as text.
 #include "core/document/settings/paint.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A finished text as a derived result, for code that takes any derived result.
+// Wraps a text that exists already as a derived result, for code that writes any derived result.
 #pragma once
 
 #include <functional>

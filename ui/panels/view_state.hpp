@@ -61,7 +61,8 @@ struct SessionProblem {
 };
 
 inline constexpr double kTooltipDelaySeconds = 0.4;
-// Limit for comparing with CGAL unasked. With more balls CGAL would keep half of the cores busy.
+// Most balls for which the window compares with CGAL after each change. With more, CGAL would
+// occupy the cores for long.
 inline constexpr std::size_t kMostBallsToCompareUnasked = 200000;
 
 enum class BrowserPurpose : std::uint8_t { molecule, radii_table, session, session_molecule, save };
@@ -93,7 +94,7 @@ struct SharedPanelState {
   std::filesystem::path browser_folder;  // empty: the program chooses one
   std::filesystem::path browser_base;    // base of relative paths that are typed
   std::string browser_typed;
-  bool browser_by_hand = false;  // the user typed it; it is not the name of the chosen entry
+  bool browser_by_hand = false;  // the user typed browser_typed; else it is the chosen entry's path
   std::string browser_begun;     // first letters of a name; the first entry with them gets chosen
   std::filesystem::path browser_selected;
   bool browser_all_files = false, browser_hidden_ones = false;
@@ -119,9 +120,9 @@ struct SharedPanelState {
              clip_part_hovered = HandlePart::none;  // held by the mouse, and under it or held
   std::string expression_typed;
   bool expression_entered = false;  // the user entered it, and no answer is shown yet
-  std::string expression_shown;  // expression in force when expression_typed was last taken from it
-  std::string confirm_assembly;  // id of the assembly that the dialog asks about; empty: none
-  std::string reveal;            // a widget to be scrolled into sight, for scripts
+  std::string expression_shown;     // the selection from which expression_typed was last filled
+  std::string confirm_assembly;     // id of the assembly that the dialog asks about; empty: none
+  std::string reveal;               // a widget to be scrolled into sight, for scripts
   std::string go_to_section;  // id of a section at the left, to be opened and scrolled to the top
   bool sections_overflow = false;  // the sections at the left do not fit
   double mouse_still_seconds = 0;  // since the mouse moved or a button was down
@@ -163,7 +164,7 @@ struct ViewState {
   ViewportInfo viewport;
   std::string device_text;       // "CPU · 2 threads"
   std::optional<GpuDevice> gpu;  // empty: the search has not ended
-  std::string engine_note;       // why another engine than the expected one was used; may be empty
+  std::string engine_note;       // why another engine than expected was used; empty: none was
   std::string version;
   ProgramName program;           // as files that are written name it
   std::size_t memory_bytes = 0;  // memory of the whole program

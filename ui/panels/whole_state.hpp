@@ -1,5 +1,5 @@
-// ViewState with all types that its lists hold, for sources that make or copy one. Panels need
-// view_state.hpp only.
+// Includes view_state.hpp and the types that it only declares. Sources that make or copy a
+// ViewState need it; panels do not.
 #pragma once
 
 #include "ui/colour_legend.hpp"

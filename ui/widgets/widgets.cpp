@@ -81,8 +81,8 @@ bool text_field(PanelContext& ctx, const char* name, std::string& text, const ch
   KeyState& keys = ctx.state.memory.keys;
   const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | caret_flags(ctx, name);
   ImGui::PushID(name);
-  // If the program has changed the text meanwhile, ImGui would overwrite it with its own; so typing
-  // ends.
+  // While a field is typed into, ImGui keeps a copy of its text. If the program has changed the
+  // text, typing ends here, since the copy would overwrite the change.
   const bool active = GImGui->ActiveId == ImGui::GetID("##text");
   if (active && keys.field == name && keys.field_text != text) ImGui::ClearActiveID();
   const bool entered = ImGui::InputTextWithHint("##text", hint, &text, flags, &place_caret, &keys);
@@ -203,8 +203,8 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, to_imgui(ctx.palette.field));
   ImGui::PushStyleColor(ImGuiCol_HeaderActive, to_imgui(ctx.palette.field));
   const bool wanted = ctx.state.memory.go_to_section == name;
-  auto& closed = ctx.state.window.closed_sections;  // ImGui's own state would not be saved in
-                                                    // sessions
+  auto& closed = ctx.state.window.closed_sections;  // sessions save this set, and not ImGui's own
+                                                    // state
   if (wanted) closed.erase(name);
   ImGui::SetNextItemOpen(!closed.contains(name));
   const bool open = ImGui::CollapsingHeader(title);
@@ -226,8 +226,8 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
 
 namespace {
 
-// Places a tooltip below a field or button, or beside a menu or list, so that it covers neither.
-// For large items, such as the view, it stays at the mouse.
+// Places a tooltip below a field or button, or above it if there is no room below. In a menu or
+// list it lies beside the list. For large items, such as the view, it stays at the mouse.
 void place_tooltip(const PanelContext& ctx, ImVec2 size) {
   const ImGuiLastItemData& item = GImGui->LastItemData;
   const ImGuiWindow* const window = GImGui->CurrentWindow;

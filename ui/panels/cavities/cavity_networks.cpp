@@ -15,7 +15,7 @@
 namespace alphascope {
 namespace {
 
-// Returns the chosen network, else the largest.
+// Returns the row of the chosen network, else of the largest one.
 std::optional<std::size_t> network_row(const CavityPage& page) {
   const std::vector<CavityLine>& lines = page.rows.lines->of;
   if (page.selected_rows.size() == 1 && lines[page.selected_rows.front()].is_network) {

@@ -15,7 +15,8 @@
 namespace alphascope {
 namespace {
 
-// More cavities would tell nothing, neither in the picture nor in the list of residues.
+// Most cavities that can be chosen at once. With more, picture and list of residues would be
+// unreadable.
 constexpr std::size_t kMostChosen = 1000;
 
 std::string count_text(std::size_t n, const char* one, const char* many) {

@@ -9,7 +9,7 @@
 namespace alphascope {
 namespace {
 
-// A thread of this radius shows the course of the way where it is narrower or closed.
+// Where the channel is narrower than this or closed, the tube has this radius.
 constexpr double kThinnest = 0.15;  // Å
 
 Colour colour_of(WaterBand band) {

@@ -11,8 +11,8 @@ bool lacks_cold(const ColdAndWarm& timings) {
   return timings.any() && !timings.cold;
 }
 
-// With fewer balls, both times are mostly those of starting threads and reading the clock. Then the
-// faster engine changes from run to run.
+// With fewer balls, most of the time goes into starting threads and reading the clock. Which engine
+// is faster then changes from run to run.
 constexpr std::size_t kLeastBalls = 100;
 
 bool too_few_balls(const ViewState& state) {

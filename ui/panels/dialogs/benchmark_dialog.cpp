@@ -112,8 +112,8 @@ std::string header_text(std::string name) {
   return name;
 }
 
-// Returns the width that other columns leave to the last one, pixels. It holds notes: sentences,
-// which can be wrapped.
+// Returns the width that the other columns leave for the last one, pixels. The last column has
+// notes, whose sentences are wrapped.
 float note_width(PanelContext& ctx, float table_width) {
   const BenchmarkInfo& b = ctx.state.benchmark;
   const ImGuiStyle& style = ImGui::GetStyle();

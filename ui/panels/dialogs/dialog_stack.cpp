@@ -1,5 +1,4 @@
-// The list of all dialogs, and functions that open, nest and close them and lead keys to the
-// topmost.
+// Lists all dialogs. Opens, nests and closes them, and leads keys to the topmost one.
 #include "ui/panels/dialogs/dialog_stack.hpp"
 
 #include <algorithm>

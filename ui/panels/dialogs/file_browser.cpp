@@ -88,7 +88,7 @@ void close(SharedPanelState& m) {
   if (for_saving(m)) m.browser_folder = m.saving.opens_from;
 }
 
-// Takes the path for the dialog that looks for a place. A folder keeps the file name typed there.
+// Hands the path to the dialog that saves. If it is a folder, the file name in that dialog stays.
 void save_there(SharedPanelState& m, const fs::path& path) {
   std::error_code ignored;
   const bool folder = fs::is_directory(path, ignored);
@@ -235,7 +235,8 @@ std::size_t jump_target(SharedPanelState& m, const FolderListing& list, std::siz
   }
   m.browser_jump_seconds = ImGui::GetTime();
   if (m.browser_jump.empty()) return now;
-  // Typing the same letter again leads to the next name.
+  // A single letter is looked for behind the chosen entry, so the same letter after a pause leads
+  // to the next name.
   const bool on = m.browser_jump.size() == 1 && now < list.entries.size();
   const std::size_t found = find_entry(list, m.browser_jump, on ? now + 1 : 0);
   return found < list.entries.size() ? found : now;
@@ -252,7 +253,7 @@ bool leaves_path(const PanelContext& ctx) {
   return leaves;
 }
 
-// Text that begins like a path, and pasted text, goes into the field for the path. Other letters
+// Puts pasted text, and text that begins with / or ~, into the field for the path. Other letters
 // jump to a name.
 void begin_path(PanelContext& ctx) {
   SharedPanelState& m = ctx.state.memory;

@@ -13,8 +13,8 @@ namespace alphascope {
 
 void open_save_dialog(PanelContext& ctx, TableToSave table) {
   TableState& memory = ctx.state.memory.save_table;
-  // The last format stays if it is a table's and this table has it. Other formats serve one
-  // purpose.
+  // JSON stays chosen if it was and this table has it. Formats for other programs serve one table
+  // only, so none of them stays.
   memory.format = table.json && memory.format == kJsonFormat ? kJsonFormat : kCsvFormat;
   memory.path.clear();
   memory.table = std::make_shared<const TableToSave>(std::move(table));

@@ -27,7 +27,8 @@ StepsRequest asked_steps(const PanelContext& ctx, BallIndex ball) {
   return asked;
 }
 
-// Wants the steps of this ball. A job for an earlier question is cancelled if it has run for long.
+// Asks the store for the steps of this ball. If a job for an earlier question has run for long,
+// cancels it.
 Derived<ExplainedSteps> want_steps(PanelContext& ctx, BallIndex ball) {
   constexpr double kLong = 0.15;  // seconds; an earlier answer that is nearly ready is better shown
   StepsState& memory = ctx.state.steps;

@@ -77,7 +77,8 @@ void submenu(PanelContext& ctx, const char* name, const char* label,
   ImGui::EndMenu();
 }
 
-// Names the measure by the number of atoms selected, so that the user knows which one is made.
+// Returns the label of the entry that measures. The number of selected atoms decides between
+// distance, angle and dihedral angle.
 const char* measure_label(const PanelContext& ctx, const Ref& what) {
   const Selection& picked = ctx.state.settings.selection;
   const std::size_t from = picked.items.size() - (picked.items.contains(what) ? 1 : 0);

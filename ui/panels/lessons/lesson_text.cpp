@@ -47,7 +47,7 @@ void put_span(const PanelContext& ctx, Pen& pen, const LessonSpan& span) {
   }
 }
 
-struct Way {  // size of the letters; drawn or only measured
+struct Way {  // factor on the letters' size; whether text is drawn or only measured
   float size = 1;
   bool draws = true;
 };

@@ -73,7 +73,7 @@ bool follow(PanelContext& ctx, Lives& memory, Known& known, const Derived<Cavity
   return true;
 }
 
-// Returns the row of a bar. The table on screen may be of other balls than the bars; then kNoRow.
+// Returns the row of a bar; kNoRow if the table on screen is of other balls than the bars.
 std::size_t row_of(const Lives& memory, const CavityPage& page, std::size_t bar) {
   const bool same = memory.lines && memory.lines == page.rows.lines;
   return same ? memory.rows.at(bar) : Lives::kNoRow;

@@ -112,7 +112,7 @@ void legend_line(PanelContext& ctx, const Signature& signature, double alpha) {
   record(ctx, "signature.values");
 }
 
-// One every two pixels.
+// Returns evenly spaced values of alpha, one for every two pixels.
 std::vector<double> alphas_of(const PlotRange& range, float width) {
   std::vector<double> alphas;
   const int points = 1 + static_cast<int>(width / 2);

@@ -1,4 +1,4 @@
-// The list of the numbers' provenance, in full for a paper, with a button that copies it.
+// Lists where the numbers come from, in full as a paper needs it. A button copies the list.
 #include <algorithm>
 
 #include "ui/panels/panels.hpp"

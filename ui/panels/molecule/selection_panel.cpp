@@ -218,7 +218,7 @@ void expression_message(PanelContext& ctx, bool pending) {
 void expression(PanelContext& ctx) {
   ViewState& s = ctx.state;
   SharedPanelState& m = s.memory;
-  // The file is another, or the user took the expression back.
+  // Another file is open, or an undo has changed the expression.
   if (s.settings.open.balls.selection != m.expression_shown) {
     m.expression_shown = m.expression_typed = s.settings.open.balls.selection;
   }

@@ -151,8 +151,8 @@ MarkBox shifted(MarkBox box, float down) {
   return box;
 }
 
-// Moves the box up or down by as few of its heights as needed, at most four, until it covers no
-// other box. Empty: there is no such place.
+// Moves the box up or down until it covers no other box, by as few of its heights as needed. If
+// four heights are too few, the result is empty.
 std::optional<MarkBox> free_place(const MarkBox& box, const std::vector<MarkBox>& others,
                                   float height) {
   constexpr int kMostSteps = 4;

@@ -80,7 +80,7 @@ class MeshBuilder {
 
  private:
   // Finds outside faces without classes. The complex of a faulty engine may have classes that
-  // contradict its tetrahedra, and must still be drawn for the comparison with CGAL.
+  // contradict its tetrahedra. The comparison with CGAL must still draw it.
   ResultArray<FaceCode> outside_of_all() const {
     try {
       return outer_faces(complex_, cancel_);

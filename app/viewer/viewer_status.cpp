@@ -1,5 +1,5 @@
-// Shows failures. If a single request of the user fails, a dialog opens. If computing or changing
-// the model fails, which a slider may ask for in each frame, a line in the window says so.
+// Shows failures. If a single request of the user fails, a dialog opens. A slider may ask in each
+// frame for computing or changing the model. If that fails, a line in the window says so.
 #include <cmath>
 #include <new>
 #include <string>

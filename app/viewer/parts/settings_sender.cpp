@@ -10,8 +10,8 @@
 namespace alphascope {
 namespace {
 
-// While the user moves the slider of models or a ball, the model that is being computed may finish,
-// so pictures keep coming. The next request waits for it at most this long.
+// While the user moves a ball or the slider of models, the model that is being computed may finish.
+// So pictures keep coming. The next request waits for it at most this long.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
 }  // namespace

@@ -39,8 +39,8 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# jobs: prints how many compilers may run at once. Each needs up to 1.5 GiB for a source with CGAL
-# or VTK, so free memory limits their number, as the cores do.
+# jobs: prints how many compilers may run at once. For a source with CGAL or VTK, a compiler needs
+# up to 1.5 GiB. So free memory limits their number, as the cores do.
 jobs() {
   local cores gibibytes
   cores=$(nproc)

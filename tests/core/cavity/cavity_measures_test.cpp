@@ -351,8 +351,8 @@ TEST(CavityMeasures, ASmallBallOnALargeOneIsFilledUpToItsCentre) {
     const double x0 = (apart * apart + large * large - small * small) / (2.0 * apart);
     const double r = std::sqrt(large * large - x0 * x0);
     const auto from_outside = [&](double x, double y) {
-      // The nearest outside point is on the large sphere or on the small one, if the point lies in
-      // the cone over that sphere's patch. Otherwise it is on the arc.
+      // If the point lies in the cone over a sphere's patch, the nearest outside point is on that
+      // sphere. Otherwise it is on the arc.
       const bool of_large = y * x0 > x * r || (x < 0 && y >= 0);
       const bool of_small = y * (apart - x0) > (apart - x) * r || x > apart;
       const double to_arc = std::hypot(x - x0, y - r);

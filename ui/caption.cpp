@@ -24,8 +24,7 @@ std::string counts_text(const AlphaComplex& c) {
          counted(c.triangles.size(), "triangle", "triangles") + ", " + tetrahedra;
 }
 
-// Shows all digits that were typed, because a reader could not reproduce the complex from a rounded
-// alpha.
+// Shows all digits of a typed alpha, since a rounded alpha may give another complex.
 std::string alpha_text(const Alpha& alpha) {
   constexpr int kDecimals = 6;
   constexpr std::int64_t kBeyondThem = Alpha::kParts / 1000000;

@@ -11,8 +11,8 @@ namespace alphascope {
 
 struct ColourMeaning;
 
-// A legend of a quantity has `stops`. A legend of categories has `entries`; so has a quantity for
-// objects without a value.
+// A legend of a quantity has `stops`. A legend of categories has `entries`. A quantity has an entry
+// as well if some objects have no value.
 struct ColourLegend {
   struct Stop {
     Colour colour;

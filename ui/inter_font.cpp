@@ -1,4 +1,5 @@
-// Includes the font files through the assembler. As C++ arrays they took seconds to compile.
+// Puts the font files into the program by the assembler's .incbin. C++ arrays of the same bytes
+// took seconds to compile.
 #include "ui/inter_font.hpp"
 
 #define ALPHASCOPE_BYTES_OF(name, file)                       \

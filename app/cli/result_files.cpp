@@ -25,7 +25,8 @@ std::string indented(std::string text, const char* margin) {
   return result;
 }
 
-// Empties the columns that depend on the run. They remain as columns, so that tables can be joined.
+// Empties columns that depend on the run, such as times. The columns themselves stay, so tables of
+// several runs can be joined.
 CsvRow without_run(CsvRow row) {
   for (auto& [name, value] : row) {
     for (const char* of_run : {"wall_ms", "device", "route", "measured_by"}) {

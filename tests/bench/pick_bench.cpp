@@ -46,7 +46,7 @@ std::vector<PickLine> lines_of_sight(const BallGeometry& balls) {
   return lines;
 }
 
-// CPU time of this thread, so that a busy machine does not matter.
+// Returns the CPU time of this thread, which other programs hardly change.
 double cpu_milliseconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

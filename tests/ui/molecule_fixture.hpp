@@ -1,5 +1,5 @@
-// A small made-up molecule for tests of the window: a rod of atoms in two colours. It needs no file
-// and no OpenGL.
+// A small invented molecule for tests of the window: a rod of atoms in two colours. Making it needs
+// neither a file nor OpenGL.
 #pragma once
 
 #include <cmath>

@@ -62,6 +62,11 @@ struct ViewParts;
 struct ViewportInfo;
 struct WindowSettings;
 
+inline constexpr double kTooltipDelaySeconds = 0.4;
+// Most balls for which the window compares with CGAL after each change. With more, CGAL would
+// occupy the cores for long.
+inline constexpr std::size_t kMostBallsToCompareUnasked = 200000;
+
 struct SampleMolecule {
   std::string name, detail;  // "Crambin", "1CRN · 327 atoms"
   std::filesystem::path path;
@@ -102,7 +107,7 @@ struct ViewValues {
   std::vector<std::shared_ptr<const Layer>> layers;
   bool measures_wanted = false;  // areas and volumes are shown; set anew in each frame
   std::string device_text;       // "CPU · 2 threads"
-  std::string engine_note;       // why another engine than the expected one was used; may be empty
+  std::string engine_note;       // why another engine than expected was used; empty: none was
   std::string version;
   std::size_t memory_bytes = 0;    // memory of the whole program
   std::uint64_t free_bytes = 0;    // memory that the machine could still give; 0: unknown

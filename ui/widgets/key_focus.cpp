@@ -14,6 +14,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
 
 namespace alphascope {
@@ -73,8 +74,8 @@ void menu_keys(KeyState& keys) {
   }
 }
 
-// Each dialog remembers its own stop. When the topmost dialog closes, the stop of the one below
-// counts again.
+// Keeps one place of the keyboard focus for the window and for each open dialog. When the topmost
+// dialog closes, the place in the one below holds again.
 void follow_dialogs(KeyState& keys, std::size_t dialogs) {
   if (dialogs + 1 > keys.at.size()) keys.fresh = true;
   if (dialogs + 1 < keys.at.size()) keys.fresh = false;
@@ -96,8 +97,8 @@ bool types(KeyStop kind) {
   return kind == KeyStop::type || kind == KeyStop::path || kind == KeyStop::type_when_asked;
 }
 
-// ImGui drops characters typed in the frame in which a field begins. So they are kept for the next
-// frame.
+// Keeps the typed characters for the next frame. ImGui would drop them in the frame in which a
+// field begins.
 void hold_characters(KeyState& keys) {
   ImGuiIO& io = ImGui::GetIO();
   keys.held.assign(io.InputQueueCharacters.begin(), io.InputQueueCharacters.end());
@@ -132,8 +133,8 @@ void go_to_stop(PanelContext& ctx, const KeyState::Stop& stop) {
   if (types(stop.kind)) start_typing(keys_of(ctx), stop);
 }
 
-// A dialog that has just opened begins with its first field for typing. So the user can type at
-// once.
+// Leads the keyboard to the first text field of a dialog that has just opened, so the user can type
+// at once.
 void enter_dialog(PanelContext& ctx) {
   KeyState& keys = keys_of(ctx);
   const auto on_top = [&](const auto& stop) { return of_top(keys, stop); };
@@ -299,8 +300,8 @@ ImGuiInputTextFlags caret_flags(const PanelContext& ctx, const char* name) {
   return ctx.state.keys.caret == name ? ImGuiInputTextFlags_CallbackAlways : 0;
 }
 
-// Places the caret; for a path it selects the file's name without ending and number: in
-// "/data/frame-%04d.png" "frame".
+// Places the caret at the end. For a path it selects the file's name without number and ending:
+// "frame" in "/data/frame-%04d.png".
 int place_caret(ImGuiInputTextCallbackData* data) {
   KeyState& keys = *static_cast<KeyState*>(data->UserData);
   keys.caret.clear();

@@ -15,6 +15,7 @@
 #include "core/geometry/shortest_number.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/number_typing.hpp"
@@ -81,8 +82,8 @@ bool type(PanelContext& ctx, const char* name, const std::string& shown, std::st
 }
 
 // A click elsewhere hides the reason, which covers widgets below. On a page, that click or Escape
-// also discards the typed text. In a dialog the text stays, because confirming uses what the fields
-// show.
+// also discards the typed text. In a dialog the text stays, because the Confirm button uses the
+// texts in the fields.
 void tell_reason(PanelContext& ctx, const char* name, RefusedNumber& refused) {
   const bool over = ImGui::IsItemHovered(), elsewhere = !over && ImGui::IsMouseClicked(0);
   const bool escaped = !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key::kEscape, false);
@@ -121,7 +122,7 @@ bool field(PanelContext& ctx, const char* name, Number& value, const Read& read)
   return true;
 }
 
-// Whether the widget is a field now, after a Ctrl+click or Enter.
+// Whether the slider or drag is a field for typing now. A Ctrl+click or Enter makes it one.
 template <class Number>
 bool is_field(PanelContext& ctx, const char* name, const Number& value) {
   NumberTyping& typing = ctx.state.number;

@@ -17,6 +17,7 @@
 #include "ui/calls.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/rgb8.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

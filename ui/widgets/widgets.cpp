@@ -20,12 +20,16 @@
 #include "ui/fitted_text.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/frame/mouse_state.hpp"
+#include "ui/panels/frame/scroll_state.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 
@@ -95,8 +99,8 @@ bool text_field(PanelContext& ctx, const char* name, std::string& text, const ch
   KeyState& keys = ctx.state.keys;
   const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | caret_flags(ctx, name);
   ImGui::PushID(name);
-  // If the program has changed the text meanwhile, ImGui would overwrite it with its own; so typing
-  // ends.
+  // While a field is typed into, ImGui keeps a copy of its text. If the program has changed the
+  // text, typing ends here, since the copy would overwrite the change.
   const bool active = GImGui->ActiveId == ImGui::GetID("##text");
   if (active && keys.field == name && keys.field_text != text) ImGui::ClearActiveID();
   const bool entered = ImGui::InputTextWithHint("##text", hint, &text, flags, &place_caret, &keys);
@@ -217,8 +221,8 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, to_imgui(ctx.palette.field));
   ImGui::PushStyleColor(ImGuiCol_HeaderActive, to_imgui(ctx.palette.field));
   const bool wanted = ctx.state.scroll.section == name;
-  auto& closed = ctx.state.window.closed_sections;  // ImGui's own state would not be saved in
-                                                    // sessions
+  auto& closed = ctx.state.window.closed_sections;  // sessions save this set, and not ImGui's own
+                                                    // state
   if (wanted) closed.erase(name);
   ImGui::SetNextItemOpen(!closed.contains(name));
   const bool open = ImGui::CollapsingHeader(title);
@@ -240,8 +244,8 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
 
 namespace {
 
-// Places a tooltip below a field or button, or beside a menu or list, so that it covers neither.
-// For large items, such as the view, it stays at the mouse.
+// Places a tooltip below a field or button, or above it if there is no room below. In a menu or
+// list it lies beside the list. For large items, such as the view, it stays at the mouse.
 void place_tooltip(const PanelContext& ctx, ImVec2 size) {
   const ImGuiLastItemData& item = GImGui->LastItemData;
   const ImGuiWindow* const window = GImGui->CurrentWindow;

@@ -90,8 +90,8 @@ bool percent_slider(PanelContext& ctx, const char* name, float& value, float low
 bool disclosure(PanelContext& ctx, const char* name, const std::string& title,
                 const Colour& colour);
 
-// Draws a line in the place of a disclosure() that has nothing to list. So things below do not move
-// when the disclosure comes and goes.
+// Draws a line instead of a disclosure() that has nothing to list. The line is as high, so the
+// things below do not move.
 void nothing_to_disclose(PanelContext& ctx, const char* text);
 
 // Keeps room for `lines` lines from the cursor position `top` on, even if fewer were drawn.

@@ -1,4 +1,4 @@
-// Runs ImGui's frames. ImGui's OpenGL backend has a loader of its own.
+// Runs ImGui's frames. ImGui's OpenGL backend loads OpenGL's functions by itself.
 #include "ui/window/imgui_frame.hpp"
 
 #define GL_GLEXT_PROTOTYPES

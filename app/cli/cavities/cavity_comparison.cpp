@@ -122,7 +122,8 @@ void print_variants(const CavityComparison& comparison) {
   }
 }
 
-// The columns of the first answer's cavities, with one for each answer before the last two.
+// Prints the cavities of the first answer. The volumes in each answer are a column, before the last
+// two columns.
 void print_side_by_side(const CavityComparison& comparison, std::size_t shown) {
   constexpr PrintedColumn kPrinted[] = {
       {"id", 4},

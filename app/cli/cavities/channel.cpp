@@ -1,6 +1,6 @@
-// Runs alphascope-cli channel: finds the largest ball that can move through a molecule, and the
-// profile of its way. The way may also start at a point or cavity, and end at another point or a
-// mouth.
+// Runs alphascope-cli channel, which finds the largest ball that can move through a molecule, and
+// the radii along its way. The way may also start at a point or cavity, and end at another point or
+// a mouth.
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -42,8 +42,8 @@ namespace {
 struct ChannelOptions {
   InputOptions input;
   BodyOptions body;
-  // Three coordinates each (Å), or empty. A channel without a start point begins in a cavity.
-  // Without both it leads through the molecule.
+  // Each has three coordinates (Å) or is empty. A channel without a start point begins in the
+  // cavity `cavity`. Without either it leads through the molecule.
   std::vector<double> point, to, along;
   int cavity = 0;              // its number in the table of `cavities`; 0: none
   std::vector<double> mouths;  // numbers of the cavity's mouths, from 1: the end, or both ends

@@ -56,7 +56,7 @@ std::string table_ids(const char* between) {
   return ids;
 }
 
-// A row of the list itself.
+// A row of the printed list: a column, and the table that it belongs to.
 struct ListedColumn {
   const TableInfo& table;
   const ColumnInfo& info;

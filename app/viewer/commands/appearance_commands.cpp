@@ -53,7 +53,7 @@ std::function<std::string()> without_picture(const ViewState& s) {
 
 namespace {
 
-// A command on the atoms of its parameter or, without one, on the selection.
+// Makes a command on the atoms that its parameter names or, without a name, on the selection.
 CommandSpec on_atoms(ViewState& s, CommandSpec spec, std::function<void(const AtomSet&)> act) {
   spec.parameters.push_back(which_atoms());
   spec.why_not = without_picture(s);

@@ -1,5 +1,5 @@
-// Commands that show a page below the view or a section at its left. Synonyms in the palette find a
-// panel by its content.
+// Commands that show a page below the view or a section at its left. With synonyms, the palette
+// finds a panel by its content too.
 #include <functional>
 #include <string>
 #include <utility>

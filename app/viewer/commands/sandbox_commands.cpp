@@ -29,7 +29,7 @@ SandboxPlace place_of(const Arguments& arguments) {
   return {arguments.number("x"), arguments.number("y"), arguments.number("z")};
 }
 
-// The index of the ball, which may not exist.
+// Returns the index of the ball, even if there is no such ball.
 std::size_t ball_of(const Arguments& arguments) {
   return static_cast<std::size_t>(arguments.number("ball")) - 1;
 }

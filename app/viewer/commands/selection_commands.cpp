@@ -69,7 +69,7 @@ CommandSpec by_name(ViewState& s, bool more) {
           }};
 }
 
-// Sets the row only: the page chooses the cavity when its table is ready.
+// The command only notes the row. The page chooses the cavity when its table is ready.
 CommandSpec select_cavity(ViewState& s) {
   static constexpr NumberRule kRowRule{"The number", 1, 1e6, "", true};
   return {.id = "cavities.choose",

@@ -35,7 +35,8 @@ CommandSpec open_command(ViewState& s) {
           }};
 }
 
-// Until the steps are known, next and back count from the step that will be shown first.
+// A command that goes to another step. Before the steps are known, next and back change the step
+// that will be shown first.
 struct Move {
   const char *id, *title, *help, *key;
   void (*go)(StepsState& memory);

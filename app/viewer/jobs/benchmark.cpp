@@ -186,7 +186,8 @@ std::optional<RunningJob> Benchmark::running() const {
   return RunningJob{JobId::benchmark, "Benchmark", info_.progress, info_.share, seconds.count()};
 }
 
-// A run that was cancelled or has failed keeps its rows: they are valid and can be exported.
+// Takes the end of a run. Rows of a cancelled or failed run stay, because they are valid and can be
+// exported.
 void Benchmark::finish() {
   running_ = false;
   info_.error = failure_;

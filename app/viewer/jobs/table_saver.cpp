@@ -77,7 +77,8 @@ void TableSaver::fail(const std::string& why) {
   wanted_.reset();
 }
 
-// Wants the table's text. Fails if the picture changed before all its numbers were ready.
+// Asks the store for the table's text. Fails if the picture has changed before all numbers were
+// ready.
 void TableSaver::want() {
   const TableToSave& table = *wanted_->table;
   const bool other = inputs_.balls_key != table.inputs.balls_key ||
@@ -87,7 +88,8 @@ void TableSaver::want() {
                 " was not written, because the picture changed before all numbers were ready. "
                 "Save the table again.");
   }
-  // Needed after cancel() of an earlier request.
+  // An earlier request may have been cancelled, and the store makes a cancelled result only after
+  // retry().
   if (!std::exchange(begun_, true)) store_.retry(definition().id);
   const Inputs& of = table.of_the_picture ? inputs_ : table.inputs;
   if (const FormatToSave* other_one = other_format()) return want_as(other_one->writer, of);

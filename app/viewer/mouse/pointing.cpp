@@ -45,7 +45,7 @@ std::optional<Pointing::UnderMouse> Pointing::under(int x, int y) const {
   if (references == nullptr) return std::nullopt;
   const auto hit = scene_.shown().pick(x, y, kBesideALine * scale);
   if (!hit) return std::nullopt;
-  if (hit->corners == 0) return UnderMouse{};  // a panel's mesh covers the rest
+  if (hit->corners == 0) return UnderMouse{};  // a body that a panel draws, without a name
   if (hit->layer == kAtomInFront) return under_atom(hit->index);
   if (hit->layer == kBesideBody) {
     const LeftOutAtom& atom = scene_.shown().beside_body().atoms.at(hit->index);

@@ -15,7 +15,7 @@
 namespace alphascope {
 
 bool Opening::may_open(const std::filesystem::path& path) {
-  if (benchmark_busy_()) {  // it uses the open molecule, and its times would include the reading
+  if (benchmark_busy_()) {  // it uses the open molecule, and reading would disturb its times
     state_.show_error(
         "A benchmark is running",
         path.filename().string() +
@@ -44,7 +44,7 @@ void Opening::open(const std::filesystem::path& path) {
 void Opening::open_dropped(const std::vector<std::filesystem::path>& files) {
   const DroppedFiles dropped = choose_dropped(files);
   if (!dropped.opened) return;
-  // The file answers an open dialog that asks for a file.
+  // If a dialog asks for a file, the dropped file is the answer.
   const BrowserPurpose asked = state_.browser.purpose;
   if (asked == BrowserPurpose::molecule || asked == BrowserPurpose::session) {
     state_.browser.show = false;

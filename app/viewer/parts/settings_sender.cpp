@@ -1,4 +1,5 @@
-// Decides when a changed setting is sent: a slider must not get ahead of what it shows.
+// Decides when changed settings are sent. A moving slider waits for the results of its earlier
+// values.
 #include "app/viewer/parts/settings_sender.hpp"
 
 #include "app/viewer/molecule_info.hpp"
@@ -10,8 +11,8 @@
 namespace alphascope {
 namespace {
 
-// While the slider of models moves, a model that is being computed may finish, so that pictures
-// keep coming. The next request waits for it no longer than this.
+// While the user moves a ball or the slider of models, the model that is being computed may finish.
+// So pictures keep coming. The next request waits for it at most this long.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
 }  // namespace
@@ -69,7 +70,7 @@ void SettingsSender::send_selection() {
     }
   }
   if (wanted == options_) return;
-  OpenOptions as_frames = options_;  // a slider or a dragged ball changes model and sandbox often
+  OpenOptions as_frames = options_;  // these two may change in every frame
   as_frames.balls.model = wanted.balls.model;
   as_frames.sandbox = wanted.sandbox;
   const bool may_wait = wanted == as_frames && !settled() && state_.error.empty() &&

@@ -22,7 +22,8 @@ bool ShownFile::take_molecule(float line_scale) {
     // Colours and looks that the molecule decides, before its first picture.
     p_.sender.send_look(line_scale);
   }
-  // A new selection of the same molecule keeps the last result on screen until its own is there.
+  // After a new selection in the same molecule, the last result stays on screen until the next is
+  // ready.
   p_.scene.set_molecule(s.opened);
   return another;
 }
@@ -37,7 +38,7 @@ void ShownFile::take_file() {
   state.cavities.wanted_row.reset();
   state.playback.models = false;
   state.steps.playing = false;
-  Settings fresh;  // keeps what is no matter of one file
+  Settings fresh;  // gets the settings that do not belong to one file
   fresh.request = state.settings.request;
   fresh.display = state.settings.display;
   state.settings = fresh;
@@ -74,7 +75,8 @@ void ShownFile::close_dialogs() {
   s.notice = "The dialog was closed because another file was opened.";
 }
 
-// Colours by element where there is only one chain. A colour that the user has chosen stays.
+// Colours by element if there is only one chain, else by chain. Colours that the user has chosen
+// stay.
 void ShownFile::colour_by_what_differs(const Molecule& molecule) {
   DisplaySettings& d = p_.state.settings.display;
   const Paint automatic{automatic_colour_, {}, {}, {}};

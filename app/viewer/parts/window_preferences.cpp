@@ -19,7 +19,7 @@ constexpr double kPresenterTimes = 1.5, kPresenterLines = 1.4;
 
 }  // namespace
 
-// Options of the command line take precedence over preferences.
+// Applies the preferences, unless an option of the command line says otherwise.
 void WindowPreferences::begin_with(const ViewerOptions& options) {
   set_scale_ = options.scale;
   const Preferences& p = keeper_.now();
@@ -40,7 +40,8 @@ void WindowPreferences::begin_with(const ViewerOptions& options) {
   noted_ = preferred();
 }
 
-// The window's present preferences. Values that are unknown keep their last value.
+// Returns the present values of all preferences. A minimised window has no size, and keeps the last
+// one.
 Preferences WindowPreferences::preferred() const {
   Preferences p = noted_;
   p.light_theme = state_.window.theme == Theme::light;
@@ -60,7 +61,7 @@ Preferences WindowPreferences::preferred() const {
   return p;
 }
 
-// Notes only changes by the user. Values from an option or a session are no preference.
+// Notes changes by the user as preferences. Values from options or sessions are not noted.
 void WindowPreferences::note() {
   const Preferences seen = preferred();
   if (seen == noted_) return;

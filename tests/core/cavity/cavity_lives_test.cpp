@@ -1,4 +1,5 @@
-// Tests lives of cavities against the cavities at one alpha after the other.
+// Tests lives of cavities: at each of many alphas, the living cavities are those of the complex
+// there.
 #include "core/cavity/cavity_lives.hpp"
 
 #include <gtest/gtest.h>

@@ -190,8 +190,8 @@ TEST_P(Properties, StaysUsableWhenCancelled) {
   EXPECT_GT(complex.timings.stages.size(), 0u);
 }
 
-// Balls have long lists, from which most neighbours are dropped. A ball whose centre lies in the
-// cell of a larger one has an empty list. Centres are dense, so many tie.
+// Balls have many neighbours, and most of these are dropped. A ball whose centre lies in the cell
+// of a larger one has none left. Centres are dense, so many cases are ties.
 TEST_P(Properties, LongListsEqualCgal) {
   Random random(2024);
   int compared = 0;

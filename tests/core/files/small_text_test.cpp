@@ -97,7 +97,7 @@ TEST(TextLimits, AreSaidInTheirUnit) {
   EXPECT_EQ(fault_beyond(std::uint64_t{8} << 30), limit + "8192 MiB" + kLarge);
 }
 
-// Lines are checked while a text grows. The long one is the third.
+// The lengths of lines are checked while a text is being read. Here the third line is too long.
 TEST(TextLimits, ALineIsTooLongWhereverItIsCut) {
   const std::filesystem::path path = "a.pdb";
   LineLengths lengths(path);

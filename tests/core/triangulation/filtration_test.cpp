@@ -62,7 +62,8 @@ TEST(Filtration, SeparatesValuesOfOneFloat) {
   EXPECT_GT(separated, 100u);
 }
 
-// Most of the hash is known beforehand. Small and large sets, at, between and beyond alpha values.
+// A threshold updates a hash that is mostly known beforehand. It must be the sum over the
+// simplices, for small and large sets, at alpha values, between them and beyond.
 TEST(Filtration, TheHashIsThatOfTheSimplices) {
   Random random(29);
   std::vector<NamedBalls> sets = testing::large_hard_sets(random);

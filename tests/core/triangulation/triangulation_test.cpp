@@ -101,7 +101,7 @@ TEST(Triangulation, OfLargeHardSetsEqualsThatOfCgalUsedDirectly) {
   EXPECT_GT(compared, 3000u);
 }
 
-// Includes hidden and coincident balls.
+// The sets have hidden and coincident balls, too.
 TEST(Triangulation, DoesNotDependOnThreads) {
   Random random(23);
   for (const int high_radius : {30, 900}) {
@@ -152,7 +152,7 @@ TEST(Triangulation, ItsMakingCanBeCancelled) {
   }
 }
 
-// The store decides by these numbers what it makes.
+// The store decides by these numbers whether a result fits into the budget.
 TEST(MemoryNeed, BytesAreThoseOfAllArrays) {
   Triangulation t;
   t.tetrahedra.resize(2);

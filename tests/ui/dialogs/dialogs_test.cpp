@@ -24,7 +24,7 @@ class DialogsTest : public ::testing::Test {
     p.state = loaded_state();
     p.frame(2);
   }
-  // Several dialogs must not replace one another from frame to frame.
+  // Expects these widgets in every frame. Dialogs must not replace one another from frame to frame.
   void expect_steady(std::initializer_list<const char*> widgets) {
     for (int i = 0; i < 6; ++i) {
       p.frame();
@@ -162,7 +162,8 @@ TEST_F(DialogsTest, WhatCannotBeWrittenIsSaidBeforeItIsTried) {
   p.state.dialogs.export_path = "/tmp/alphascope no such file.stl";
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("export.unwritable"));
-  // A folder of this name. The user who runs the tests may be allowed to write everywhere else.
+  // A folder with the file's name stops the export. An unwritable path would not, if the user who
+  // runs the tests may write everywhere.
   const std::string folder = std::filesystem::temp_directory_path() / "alphascope_folder.stl";
   std::filesystem::create_directory(folder);
   p.state.dialogs.export_path = folder;
@@ -206,7 +207,7 @@ class ErrorsTest : public testing::ViewerTest {
     viewer_ = std::make_unique<Viewer>(*host_, options, services);
     open_crambin();
   }
-  ~ErrorsTest() override { viewer_.reset(); }  // before objects that its services use
+  ~ErrorsTest() override { viewer_.reset(); }  // before what its services use
   bool no_memory_ = false;
   std::string fault_;
 };
@@ -224,7 +225,8 @@ TEST_F(ErrorsTest, AStepThatFailsIsALineAndNotADialog) {
   EXPECT_TRUE(s.result);
 }
 
-// The error at one alpha says nothing about the next, which may be cancelled or take long.
+// The message about one alpha must disappear when alpha changes, even if the next answer takes long
+// or is cancelled.
 TEST_F(ErrorsTest, TheErrorGoesWithItsAlpha) {
   no_memory_ = true;
   run("click alpha.water\nwait-idle\nframes 3\n");  // other balls need another engine

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 class ExportFromTheWindow : public testing::ViewerTest {
  protected:
-  // The file without lines on its program and engine.
+  // Returns the lines of the file, except those that name program and engine.
   std::string lines_of(const std::string& name) {
     std::istringstream lines(bytes(name));
     std::string kept;

@@ -1,5 +1,5 @@
 // Tests the file dialog: keys, typed paths, and its messages. There is no renderer and no worker.
-// The listing is made here; the program makes it on another thread.
+// The test lists folders itself; in the program another thread does so.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

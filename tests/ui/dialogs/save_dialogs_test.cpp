@@ -105,7 +105,7 @@ TEST_F(SaveDialogs, OfferNoFolderOfSamples) {
   });
 }
 
-// No file is named for another format, and none gets a second ending.
+// A name with another format's ending is refused. It gets no second ending.
 TEST_F(SaveDialogs, AnotherEndingIsRefused) {
   const struct {
     std::string dialog, wrong, right, written;
@@ -187,7 +187,7 @@ TEST_F(SaveDialogs, BrowseTakesTheNameOfAFileAndCancelLeavesAll) {
   EXPECT_EQ(state().dialogs.export_path, path("old.stl"));
 }
 
-// For every choice in the dialog, and whether or not the path can be written.
+// Tries every choice in the dialog, with paths that can be written and others.
 TEST_F(SaveDialogs, NothingJumps) {
   state().record.show = true;
   p.frame(4);

@@ -322,7 +322,8 @@ TEST_F(CavitiesTest, FilesForOtherProgramsAreThoseOfTheCommandLine) {
     }
     return text;
   };
-  // The lengths at the file's beginning include that of the program's name.
+  // Returns a GLB file from its geometry on. The lengths at its beginning depend on the length of
+  // the program's name.
   const auto geometry = [](const std::string& glb) {
     return glb.substr(glb.find(std::string("BIN\0", 4)));
   };
@@ -387,7 +388,7 @@ TEST_F(CavitiesTest, WhatIsChosenFollowsIntoWhatItMergesWithAndComesBack) {
   use_preset();
   run("click cavities.all\nframes 3\n");
   settle();
-  // With a smaller probe cavities merge. One of those is chosen.
+  // With a smaller probe, some cavities merge. The test chooses one of them.
   const auto at_first = page().rows.lines;
   const auto numbers = at_first->numbers;
   run("solvent.set 1.2\n");

@@ -124,7 +124,7 @@ TEST_F(ChannelsTest, ACupHasNoWayThrough) {
   EXPECT_FALSE(memory().shown);
   EXPECT_TRUE(has("channels.problem"));
   EXPECT_FALSE(has("channels.way.1"));
-  // A channel that ends inside says nothing about the whole.
+  // A channel that ends inside the molecule gives no verdict on the whole way.
   run("click channels.from\nclick channels.from.3\nclick channels.to\nclick channels.to.0\n");
   settle();
   ASSERT_TRUE(memory().shown && memory().shown->channel);
@@ -153,7 +153,7 @@ TEST_F(ChannelsTest, ShowingTheBottleneckSelectsTheAtomsThatTouchIt) {
   EXPECT_GE(channel().touching.size(), 3u);
 }
 
-// Seen from an end, its wide part would hide it.
+// The view turns to the channel's side. From an end, the wide part would hide the narrow one.
 TEST_F(ChannelsTest, IsSeenFromTheSide) {
   open_tube(false);
   for (const char* name : {"channels.show", "channels.across"}) {
@@ -307,7 +307,7 @@ TEST_F(ChannelsTest, SavesWhatItCopiesAndAllOfTheChannelAsJson) {
   }
 }
 
-// The formats are those of cavities. A script comes with the files that it opens.
+// A channel is saved in the formats of cavities. A script is saved with the files that it opens.
 TEST_F(ChannelsTest, IsSavedForOtherPrograms) {
   open_tube(false);
   const auto save = [&](const std::string& name) {

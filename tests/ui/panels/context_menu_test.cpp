@@ -19,7 +19,8 @@ class ContextMenuTest : public ViewerTest {
   static std::string at(double x, double y) {
     return "view " + std::to_string(x) + " " + std::to_string(y) + "\n";
   }
-  // Places with something of this kind, each on another atom or simplex.
+  // Returns `wanted` places in the view at which the item's name begins with `start`. Each is on
+  // another atom or simplex.
   std::vector<std::string> places(const std::string& start, std::size_t wanted) {
     std::vector<std::string> found;
     std::string last;

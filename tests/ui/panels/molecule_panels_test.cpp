@@ -1,4 +1,5 @@
-// Tests the molecule panel: every rule for opening a file is a control with its effect.
+// Tests the molecule panel: every option for opening a file has a control, and each control has its
+// effect.
 #include <algorithm>
 
 #include "core/document/reference/reference.hpp"

@@ -212,7 +212,8 @@ TEST_F(NumberFields, PictureSizesAreWholeAndBounded) {
   }
 }
 
-// A wrong number is kept whatever is clicked next, and nothing is made with the old one.
+// A dialog keeps a wrong number, whatever the user clicks next. It must not do its work with the
+// old number.
 TEST_F(NumberFields, AWrongNumberKeepsADialogFromItsWork) {
   p.state.dialogs.show_save = true;
   p.frame(3);

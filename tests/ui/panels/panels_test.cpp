@@ -167,7 +167,8 @@ TEST(PanelsTest, WorkOfUnknownLengthHasNoBarThatLooksLikeAShare) {
   EXPECT_FALSE(p.rects.contains("view.busy_bar"));
 }
 
-// A run that rebuilds its cache is slower than one that uses it, with any engine.
+// A run that prepares its data again is slower than one that reuses them, with any engine. So such
+// runs are not compared.
 TEST(PanelsTest, SpeedsOfDifferentWorkAreNotCompared) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
@@ -266,7 +267,7 @@ TEST(PanelsTest, AMissingSpeedHasItsReason) {
   EXPECT_NE(missing_times(s, true)[0].find("both times are of a threshold"), std::string::npos);
 }
 
-// For two balls one run said "slower than CGAL" and the next one "faster".
+// For two balls, one run printed "slower than CGAL" and the next one "faster than CGAL".
 TEST(PanelsTest, OfFewBallsNoEngineIsCalledFaster) {
   ViewState s = loaded_state();
   ASSERT_TRUE(speed_up(s, true));
@@ -446,7 +447,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PanelsAtEverySize,
                          ::testing::Values(Size{1100, 700, 1}, Size{1280, 800, 1},
                                            Size{1920, 1080, 1}, Size{1280, 800, 2}));
 
-// Texts that depend on a choice have reserved room, so nothing below them moves.
+// Texts that depend on a choice have room reserved. So nothing below them moves when they change.
 TEST(PanelsStay, WhereTheyAreWhateverIsSaid) {
   Panels p({1280, 1400, 1});
   p.state = loaded_state();

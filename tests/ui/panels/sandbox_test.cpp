@@ -23,7 +23,7 @@ class SandboxTest : public ViewerTest {
     for (const FlatShape& shape : state().sandbox.shapes) count += shape.kind == kind;
     return count;
   }
-  // The place of the view that shows this place of the drawing, as "0.25 0.5" for scripts.
+  // Returns where the view shows this point of the drawing, such as "0.25 0.5" for scripts.
   std::string in_view(const FlatPoint& place) {
     const SandboxState& m = state().sandbox;
     const ViewportInfo& v = state().viewport;

@@ -28,7 +28,7 @@ struct Subject {
   PictureSettings settings;
 };
 
-// So small that all drivers agree on which of two faces is in front.
+// Makes a molecule so small that all drivers agree which of two faces is in front.
 std::shared_ptr<const BallSet> molecule() {
   return testing::rod(5);
 }

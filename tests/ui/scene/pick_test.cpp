@@ -113,7 +113,7 @@ TEST_F(PickTest, BallsAsWithoutBoxes) {
   }
 }
 
-// Balls are in order or shuffled. Picking finds the same ball after a look at few of them.
+// The balls are in order or shuffled. Picking must find the same ball, and test few of them.
 TEST(BoxTree, TriesFewThingsInAnyOrder) {
   constexpr int kSide = 36;
   auto ordered = std::make_shared<BallGeometry>();

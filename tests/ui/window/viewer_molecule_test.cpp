@@ -63,7 +63,8 @@ TEST_F(ViewerMoleculeTest, EveryToggleGivesTheComplexOfItsRule) {
   EXPECT_NE(molecule().summary.find("not selected"), std::string::npos) << molecule().summary;
 }
 
-// A command may come between the picture's arrival and its first drawing, which fits the view.
+// A command may change the view before a new molecule is first drawn. The first drawing fits the
+// view, and must not undo the command.
 TEST_F(ViewerMoleculeTest, AViewAskedForBeforeTheFirstDrawingFitsAllTheSame) {
   const auto saved = [&](const std::string& name) {
     run("view.save_camera " + name + "\nframes 2\n");

@@ -244,7 +244,7 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
 }
 
-// The same view, drawn by the window's own scene and by the background's.
+// Compares one view, as the window's scene draws it and as the background thread's scene does.
 TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
   open_crambin();
   run("click alpha.preset.3\nmove view 0.3 0.4\ndown\nmove view 0.6 0.5\nup\n");
@@ -355,7 +355,8 @@ TEST_F(ViewerTest, AViewOfNothingSaysSoAndHasAWayBack) {
   EXPECT_FALSE(viewer_->widgets().contains("view.trouble"));
 }
 
-// The view turns about the middle of the balls, where another selection may have a ball.
+// The camera is close to the middle of the balls. Another selection may have a ball around it, and
+// is then fitted into the view.
 TEST_F(ViewerTest, ASelectionAroundTheCameraIsFitted) {
   open_crambin();
   viewer_->state().settings.display.ball_scale = 0.05f;

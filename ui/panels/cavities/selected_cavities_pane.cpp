@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/chart/colour_map.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/commands/commands.hpp"
@@ -19,13 +20,15 @@
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/complex/display_rows.hpp"
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {
 
-// More cavities would tell nothing, neither in the picture nor in the list of residues.
+// Most cavities that can be chosen at once. With more, picture and list of residues would be
+// unreadable.
 constexpr std::size_t kMostChosen = 1000;
 
 std::string count_text(std::size_t n, const char* one, const char* many) {

@@ -21,8 +21,10 @@
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

@@ -19,10 +19,14 @@
 #include "ui/number_text.hpp"
 #include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
+#include "ui/panels/window_settings.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/number_typing.hpp"
 
 namespace alphascope {
 namespace {

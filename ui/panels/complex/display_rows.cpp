@@ -7,6 +7,7 @@
 
 #include "core/document/commands/commands.hpp"
 #include "ui/number_text.hpp"
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {

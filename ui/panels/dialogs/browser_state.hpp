@@ -18,7 +18,7 @@ struct BrowserState {
   std::filesystem::path folder;  // empty: the program chooses one
   std::filesystem::path base;    // base of relative paths that are typed
   std::string typed;
-  bool by_hand = false;  // the user typed it; it is not the name of the chosen entry
+  bool by_hand = false;  // the user typed `typed`; else it is the path of the chosen entry
   std::string begun;     // first letters of a name; the first entry with them gets chosen
   std::filesystem::path selected;
   bool all_files = false, hidden_ones = false;

@@ -1,5 +1,4 @@
-// The list of all dialogs, and functions that open, nest and close them and lead keys to the
-// topmost.
+// Lists all dialogs. Opens, nests and closes them, and leads keys to the topmost one.
 #include "ui/panels/dialogs/dialog_stack.hpp"
 
 #include <algorithm>
@@ -14,6 +13,11 @@
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
 #include "ui/calls.hpp"
+#include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
+#include "ui/panels/dialogs/picture_requests.hpp"
+#include "ui/panels/dialogs/table_state.hpp"
+#include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/number_field.hpp"

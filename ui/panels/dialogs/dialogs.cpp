@@ -6,14 +6,19 @@
 
 #include "core/chart/colour_scale.hpp"
 #include "core/document/commands/commands.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/run/cancel_token.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

@@ -11,6 +11,8 @@
 #include "ui/panels/dialogs/save_target.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

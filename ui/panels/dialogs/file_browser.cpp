@@ -10,6 +10,7 @@
 #include "core/document/picture/caption_parts.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/ref_set.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/radii/radii_choice.hpp"
@@ -18,6 +19,7 @@
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
+#include "ui/panels/dialogs/save_state.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
@@ -25,6 +27,7 @@
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -99,7 +102,7 @@ void close(ViewState& s) {
   if (for_saving(s.browser)) s.browser.folder = s.saving.opens_from;
 }
 
-// Takes the path for the dialog that looks for a place. A folder keeps the file name typed there.
+// Hands the path to the dialog that saves. If it is a folder, the file name in that dialog stays.
 void save_there(ViewState& s, const fs::path& path) {
   std::error_code ignored;
   const bool folder = fs::is_directory(path, ignored);
@@ -244,7 +247,8 @@ std::size_t jump_target(BrowserState& m, const FolderListing& list, std::size_t 
   }
   m.jump_seconds = ImGui::GetTime();
   if (m.jump.empty()) return now;
-  // Typing the same letter again leads to the next name.
+  // A single letter is looked for behind the chosen entry, so the same letter after a pause leads
+  // to the next name.
   const bool on = m.jump.size() == 1 && now < list.entries.size();
   const std::size_t found = find_entry(list, m.jump, on ? now + 1 : 0);
   return found < list.entries.size() ? found : now;
@@ -261,7 +265,7 @@ bool leaves_path(const PanelContext& ctx) {
   return leaves;
 }
 
-// Text that begins like a path, and pasted text, goes into the field for the path. Other letters
+// Puts pasted text, and text that begins with / or ~, into the field for the path. Other letters
 // jump to a name.
 void begin_path(PanelContext& ctx) {
   BrowserState& m = ctx.state.browser;

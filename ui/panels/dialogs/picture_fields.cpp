@@ -13,9 +13,12 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "ui/caption.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

@@ -22,7 +22,10 @@
 #include "ui/panels/dialogs/picture_requests.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/number_field.hpp"
 
 namespace alphascope {

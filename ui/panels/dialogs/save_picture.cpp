@@ -11,6 +11,8 @@
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 

@@ -17,8 +17,10 @@
 #include "ui/calls.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/save_state.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/theme.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

@@ -12,6 +12,7 @@
 #include "ui/panels/dialogs/session_problem.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

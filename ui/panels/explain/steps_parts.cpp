@@ -10,6 +10,7 @@
 #include "core/document/explain/step_names.hpp"
 #include "core/document/explain/steps_results.hpp"
 #include "core/document/export/program_name.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
@@ -20,6 +21,8 @@
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/style.hpp"
 #include "ui/widgets/table_cells.hpp"
 
 namespace alphascope {

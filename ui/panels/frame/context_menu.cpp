@@ -18,6 +18,7 @@
 #include "ui/calls.hpp"
 #include "ui/panels/frame/context_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -86,7 +87,8 @@ void submenu(PanelContext& ctx, const char* name, const char* label,
   ImGui::EndMenu();
 }
 
-// Names the measure by the number of atoms selected, so that the user knows which one is made.
+// Returns the label of the entry that measures. The number of selected atoms decides between
+// distance, angle and dihedral angle.
 const char* measure_label(const PanelContext& ctx, const Ref& what) {
   const Selection& picked = ctx.state.settings.selection;
   const std::size_t from = picked.items.size() - (picked.items.contains(what) ? 1 : 0);

@@ -5,6 +5,7 @@
 #include "core/document/commands/commands.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
 
 namespace alphascope {

@@ -10,8 +10,11 @@
 #include "core/document/store/key.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

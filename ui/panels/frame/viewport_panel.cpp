@@ -20,6 +20,8 @@
 #include "ui/caption.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/frame/context_state.hpp"
+#include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/frame/running_jobs.hpp"
 #include "ui/panels/frame/view_marks.hpp"
 #include "ui/panels/panels.hpp"
@@ -31,6 +33,7 @@
 #include "ui/running_job.hpp"
 #include "ui/view_problem.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

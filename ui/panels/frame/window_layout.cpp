@@ -15,9 +15,12 @@
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/frame/mouse_state.hpp"
+#include "ui/panels/frame/scroll_state.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/style.hpp"
 
@@ -31,8 +34,8 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
 constexpr float kRightWidth = 340;
 constexpr float kLeftWidth = 320, kBottomHeight = 262, kStatusHeight = 27;
 constexpr float kLeastBottom = 76, kLeastView = 180;
-// Limits beside a lesson. If less width is left for the view, the sections at the left disappear.
-// The page below then takes at most this share of the height.
+// Limits while a lesson is open. If less width than this is left for the view, the sections at the
+// left are not drawn. The page below takes at most this share of the height.
 constexpr float kLeastViewBesideLesson = 360, kBottomBesideLesson = 0.34f;
 
 struct Area {
@@ -99,7 +102,7 @@ void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float hei
   ImGui::PushItemWidth(-1);
   for (const PanelSpec& s : panels_at(PanelPlace::left)) ctx.panels.of(s).draw(ctx);
   ImGui::PopItemWidth();
-  // Independent of the buttons, which would otherwise come and go.
+  // `room` was taken above the buttons, so they do not change the answer and cannot flicker.
   overflow = ImGui::GetCursorPosY() > room;
   ImGui::EndChild();
   hairline(ctx, {ctx.px(kLeftWidth) - 1, top}, {ctx.px(kLeftWidth) - 1, top + height});

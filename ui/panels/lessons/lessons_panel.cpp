@@ -21,6 +21,8 @@
 #include "ui/panels/lessons/lesson_text.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -70,8 +72,8 @@ void draw_list(PanelContext& ctx) {
 
 // --- the open lesson
 
-// Returns a function that returns the derived result. It returns null for a result that is not
-// ready or not of the picture's balls.
+// Returns a function that asks the store for a result. It returns null if the result is not ready,
+// or belongs to other balls than the picture.
 template <class T>
 std::function<std::shared_ptr<const T>()> wanted(PanelContext& ctx, const Definition<T>& what) {
   return [&ctx, &what]() -> std::shared_ptr<const T> {
@@ -252,7 +254,7 @@ void draw_head(PanelContext& ctx) {
   if (ImGui::CalcTextSize("Lessons").x + ctx.px(12) + buttons <= right) {
     strong_text(ctx, "Lessons");
   } else {
-    ImGui::NewLine();  // the buttons say as much
+    ImGui::NewLine();  // the buttons show the same
   }
   ImGui::SameLine(right - buttons);
   if (button(ctx, "lesson.presenter", size, {0, 0}, ButtonKind::quiet)) {

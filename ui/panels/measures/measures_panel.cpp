@@ -22,6 +22,7 @@
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
 
@@ -141,14 +142,15 @@ std::string shown_text(const MeasureState& memory) {
   return text;
 }
 
-// Says which device measured, how long it took, and why the GPU did not if it should have.
+// Says how long measuring took and on which device. If it should have been a GPU and was not, says
+// why.
 std::string measured_text(const MeasuredUnion& by) {
   std::string text = "Measured in " + milliseconds_text(by.milliseconds) + " on " + by.device;
   if (!by.route.empty()) text += ": " + by.route;
   return text + "." + (by.note.empty() ? "" : "\n" + by.note);
 }
 
-// Whether the complex on screen, the inputs and the references are of the same atoms.
+// Whether the complex on screen, the inputs and the references belong to the same balls.
 bool fits(const PanelContext& ctx) {
   const auto& answer = ctx.state.result;
   const auto& atoms = ctx.state.references;

@@ -29,9 +29,11 @@
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
 #include "ui/widgets/set_alpha.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -124,7 +126,7 @@ void legend_line(PanelContext& ctx, const Signature& signature, double alpha) {
   record(ctx, "signature.values");
 }
 
-// One every two pixels.
+// Returns evenly spaced values of alpha, one for every two pixels.
 std::vector<double> alphas_of(const PlotRange& range, float width) {
   std::vector<double> alphas;
   const int points = 1 + static_cast<int>(width / 2);

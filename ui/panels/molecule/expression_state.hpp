@@ -8,7 +8,7 @@ namespace alphascope {
 struct ExpressionState {
   std::string typed;
   bool entered = false;  // the user entered it, and no answer is shown yet
-  std::string shown;     // expression in force when `typed` was last taken from it
+  std::string shown;     // the selection from which `typed` was last filled
 };
 
 }  // namespace alphascope

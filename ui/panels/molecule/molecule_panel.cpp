@@ -8,7 +8,9 @@
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

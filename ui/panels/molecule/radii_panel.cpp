@@ -10,6 +10,7 @@
 #include "core/document/commands/number_input.hpp"
 #include "core/document/export/program_name.hpp"
 #include "core/document/settings/clip.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/settings/radius_edits.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -24,9 +25,11 @@
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

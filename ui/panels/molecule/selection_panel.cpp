@@ -10,6 +10,7 @@
 #include "core/document/commands/commands.hpp"
 #include "core/document/export/program_name.hpp"
 #include "core/document/settings/clip.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_kind.hpp"
@@ -22,9 +23,11 @@
 #include "ui/panels/molecule/expression_state.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -233,7 +236,7 @@ void expression_message(PanelContext& ctx, bool pending) {
 void expression(PanelContext& ctx) {
   ViewState& s = ctx.state;
   ExpressionState& m = s.expression;
-  // The file is another, or the user took the expression back.
+  // Another file is open, or an undo has changed the expression.
   if (s.settings.open.balls.selection != m.shown) {
     m.shown = m.typed = s.settings.open.balls.selection;
   }

@@ -11,6 +11,7 @@
 #include "core/document/export/program_name.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/ref_set.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
@@ -19,12 +20,15 @@
 #include "core/molecule/sandbox.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
@@ -91,8 +95,8 @@ bool same(const FlatContent& a, const FlatContent& b) {
   return a.discs == b.discs && a.cells == b.cells && a.complex == b.complex && a.chosen == b.chosen;
 }
 
-// Makes the shapes if the result on screen is flat. For a moment after the sandbox became flat, it
-// is not.
+// Makes the shapes if the complex on screen is flat. It may lag behind the sandbox, and not be flat
+// yet.
 void make_shapes(ViewState& state, const FlatBox& box) {
   SandboxState& m = state.sandbox;
   if (!state.result || !is_flat(*state.result->balls)) {
@@ -133,8 +137,8 @@ int sides_of(float radius) {
   return std::clamp(static_cast<int>(std::ceil(M_PI / angle)), 12, 256);
 }
 
-// Fills a disc in horizontal slabs. ImGui's fans of slivers cover more pixels outside, and take
-// several times as long in software OpenGL. The rim is not smooth, so a line must cover it.
+// Fills a disc with horizontal slabs. ImGui's fans of thin triangles take several times as long in
+// software OpenGL. The rim is not smooth, so the caller must draw a line over it.
 void fill_disc(ImDrawList* draw, ImVec2 centre, float radius, ImU32 ink) {
   const int slabs = sides_of(radius) / 2;
   const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
@@ -188,8 +192,8 @@ void draw_shape(PanelContext& ctx, const Paper& paper, const FlatShape& shape) {
   for (int k = 0; k < (count == 2 ? 1 : count); ++k) {
     const ImVec2 a = points[static_cast<std::size_t>(k)],
                  b = points[static_cast<std::size_t>((k + 1) % count)];
-    // Two cells share each side, in opposite directions, and only one of them draws it. A side
-    // without a neighbour is out of sight.
+    // Two cells share each side, in opposite directions, and only one of them draws it. A side of
+    // one cell only is out of sight.
     if (shape.kind == FlatKind::cell && (a.x < b.x || (a.x == b.x && a.y < b.y))) continue;
     if (style.dashed) {
       dashed_line(draw, a, b, line, width, ctx.px(4));
@@ -225,8 +229,8 @@ void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
   }
 }
 
-// Finds the smallest ball that contains the mouse, if no centre or rim is near. The mouse takes it
-// like its centre.
+// If no centre or rim is near, finds the smallest ball around the mouse. A drag then moves it as by
+// its centre.
 void look_inside(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
   SandboxState& m = ctx.state.sandbox;
   if (m.hovered != FlatPart::paper) return;

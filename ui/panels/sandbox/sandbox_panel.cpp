@@ -6,6 +6,7 @@
 #include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/dimension_words.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/sandbox.hpp"

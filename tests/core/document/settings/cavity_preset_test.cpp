@@ -47,7 +47,7 @@ TEST(CavityPreset, ARadiusOfTheFileStays) {
             std::vector<std::string>{"radii from the file"});
 }
 
-// Each differing choice is named, since no other setting may pass for CASTp's.
+// Each choice that differs from CASTp's is named, so that no other settings are taken for CASTp's.
 TEST(CavityPreset, EveryOtherChoiceIsNamed) {
   OpenOptions preset;
   Request request;

@@ -13,6 +13,8 @@
 
 namespace alphascope {
 
+struct UnionDerivatives;
+
 // One thread at a time may use it.
 class EngineCache {
  public:

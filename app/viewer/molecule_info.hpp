@@ -8,6 +8,8 @@
 
 namespace alphascope {
 
+struct GrownRadius;
+
 MoleculeInfo describe_molecule(const OpenedMolecule& opened);
 
 // Elements with their radii, the most frequent first. Radii are grown by the solvent radius (Å) and

@@ -13,6 +13,8 @@
 
 namespace alphascope {
 
+struct BallSet;
+
 // Tetrahedra that are connected through triangles. The surface of a solid has an outer sheet, and
 // another sheet around each void. The triangles of the latter face into the void.
 struct BoundarySolid {

@@ -7,6 +7,8 @@
 
 namespace alphascope {
 
+struct BallSet;
+
 // `threads` changes only the time. With three or more, and at least some thousand balls, CGAL's
 // parallel code runs in the caller's task arena; else its sequential code runs. Throws Cancelled,
 // and std::length_error for more balls or tetrahedra than can be handled.

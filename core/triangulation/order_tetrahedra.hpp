@@ -6,6 +6,8 @@
 
 namespace alphascope {
 
+struct BallSet;
+
 struct UnorderedTetrahedra {
   static constexpr std::uint32_t kOutside = ~std::uint32_t{0};
 

@@ -12,6 +12,7 @@
 namespace alphascope {
 
 struct DisplayField;
+struct Measurement;
 
 // Each returns a test for a command that needs a molecule or a result. The test says why the
 // command cannot run; empty if it can.

@@ -10,6 +10,7 @@
 #include "app/viewer/parts/due_frames.hpp"
 #include "core/run/worker.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 

@@ -20,6 +20,8 @@
 
 namespace alphascope {
 
+struct ExportRequest;
+
 class SaveJobs {
  public:
   struct Parts {  // of the window; they must outlive this

@@ -9,6 +9,8 @@
 
 namespace alphascope {
 
+struct LeftOutAtom;
+
 struct HitText {
   std::string line;     // for the status bar
   std::string tooltip;  // several lines

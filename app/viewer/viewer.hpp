@@ -117,7 +117,7 @@ class Viewer {
   bool frame_is_due() const;
 
   Host& host_;
-  ViewState state_;
+  WholeState state_;
   Commands commands_;  // act on state_
   WidgetRects rects_;
   PanelSet panels_;

@@ -13,7 +13,9 @@
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/frame/scroll_state.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
 

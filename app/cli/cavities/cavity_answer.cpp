@@ -7,6 +7,7 @@
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/session/rounding_note.hpp"
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/channels/network_results.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/predicates/flow_predicate.hpp"

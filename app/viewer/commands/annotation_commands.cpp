@@ -13,9 +13,11 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/radii/radii_set.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/selection/selection_error.hpp"
 #include "ui/annotation_layer.hpp"
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

@@ -14,6 +14,7 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/selection_error.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

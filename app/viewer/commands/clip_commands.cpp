@@ -7,6 +7,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
+#include "ui/panels/viewport_info.hpp"
 
 namespace alphascope {
 namespace {

@@ -22,7 +22,10 @@
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/panel_list.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/widgets.hpp"
 

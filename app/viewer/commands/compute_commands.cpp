@@ -4,7 +4,12 @@
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/session/setting_ids.hpp"
 #include "core/document/store/key.hpp"
+#include "core/engine/gpu_device.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/playback.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {

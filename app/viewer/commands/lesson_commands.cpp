@@ -1,5 +1,6 @@
 // Commands that open a lesson and go through its steps.
 #include "app/viewer/commands/command_parts.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 
 namespace alphascope {
 namespace {

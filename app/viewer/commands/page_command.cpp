@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "ui/panels/frame/scroll_state.hpp"
 #include "ui/panels/panel_list.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,6 +10,8 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
+#include "ui/panels/frame/context_state.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 

@@ -12,6 +12,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/cancel_token.hpp"
 #include "ui/panels/dialogs/picture_requests.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 
 namespace alphascope {
 namespace {

@@ -2,10 +2,12 @@
 #include "app/viewer/commands/command_parts.hpp"
 #include "app/viewer/resources.hpp"
 #include "core/document/settings/clip.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {

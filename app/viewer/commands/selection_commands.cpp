@@ -3,15 +3,20 @@
 
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/export/program_name.hpp"
+#include "core/document/reference/appearance.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/settings/cavity_settings.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/selection_expression.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

@@ -8,7 +8,9 @@
 #include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

@@ -5,6 +5,7 @@
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {

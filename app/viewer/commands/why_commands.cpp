@@ -1,5 +1,6 @@
 // Commands of the page that explains a simplex.
 #include "app/viewer/commands/command_parts.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/document/export/complex_export.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ui/panels/playback.hpp"
 #include "ui/panels/view_state.hpp"
 
 namespace alphascope {

@@ -13,6 +13,7 @@
 #include "ui/panels/frame/context_state.hpp"
 #include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/sandbox/sandbox_state.hpp"
 
 namespace alphascope {
 namespace {

@@ -3,12 +3,15 @@
 
 #include <utility>
 
+#include "ui/panels/playback.hpp"
+#include "ui/widgets/number_typing.hpp"
+
 namespace alphascope {
 
 // Returns the settings, with the molecule's options as the session has them. Options that panels
 // hold may still be refused.
 Settings History::settings() const {
-  Settings settings = state_.settings;
+  Settings settings = state_.settings.all;
   settings.open = session_.open_options();
   return settings;
 }
@@ -39,7 +42,7 @@ void History::note_changes(bool by_itself) {
 }
 
 void History::show_settings() {
-  state_.settings = editor_.now();
+  state_.settings.all = editor_.now();
   state_.playback.alpha = state_.playback.models = false;
   state_.number = {};  // typed text that is not an entry yet is dropped
   state_.expression_error.reset();

@@ -10,7 +10,9 @@
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
+#include "ui/panels/playback.hpp"
 #include "ui/panels/window_settings.hpp"
+#include "ui/widgets/number_typing.hpp"
 
 namespace alphascope {
 
@@ -117,7 +119,7 @@ void Opening::show_session() {
   const SessionDocument& s = found->read.session;
   // Keeps the options with which the molecule was opened.
   OpenOptions open = std::move(state_.settings.open);
-  state_.settings = s.settings;
+  state_.settings.all = s.settings;
   state_.settings.open = std::move(open);
   state_.settings.request = possible_here(s.settings.request);
   state_.window.theme = s.view.light_theme ? Theme::light : Theme::dark;

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/playback.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {

@@ -7,6 +7,8 @@
 #include "app/viewer/session_text.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/selection/selection_expression.hpp"
+#include "ui/panels/molecule/expression_state.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {

@@ -41,7 +41,7 @@ void ShownFile::take_file() {
   Settings fresh;  // gets the settings that do not belong to one file
   fresh.request = state.settings.request;
   fresh.display = state.settings.display;
-  state.settings = fresh;
+  state.settings.all = fresh;
   p_.sender.take_options();
   state.expression_error.reset();
   state.expression.typed = state.expression.shown = state.settings.open.balls.selection;

@@ -7,6 +7,7 @@
 
 #include "app/viewer/mouse/hit_text.hpp"
 #include "ui/annotation_layer.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 

@@ -8,6 +8,7 @@
 #include "app/viewer/session_text.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {

@@ -449,7 +449,7 @@ std::string script_help() {
   out << "Scripts for alphascope --script FILE: one command a line. Empty lines and lines that "
          "start\nwith # are skipped. Quote a path that contains blanks, unless it ends the line.\n"
          "\nCommands of the window, which are also in its menus and in the list of Ctrl+P:\n";
-  ViewState state;
+  WholeState state;
   for (const SampleMolecule& sample : sample_files())
     state.samples.push_back({sample.name, "", {}});
   Commands commands;

@@ -15,6 +15,7 @@
 #include "core/triangulation/filtration.hpp"
 #include "tests/app/session/fake_engine.hpp"
 #include "tests/support/dimer.hpp"
+#include "ui/panels/view_info.hpp"
 
 namespace alphascope {
 namespace {

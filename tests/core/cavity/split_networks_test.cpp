@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/cavity/cavity_depth.hpp"
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_lives.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity/gates.hpp"

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/complex/face_class.hpp"
 #include "core/geometry/lattice_point.hpp"

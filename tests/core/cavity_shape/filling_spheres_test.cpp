@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/predicates/lifted.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/radii/radii_set.hpp"
 #include "tests/support/well_formed_xml.hpp"

@@ -11,6 +11,7 @@
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
+#include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -22,7 +23,7 @@ using testing::Size;
 const AtomGroup kIron{"HEM", "FE", 26};
 
 ViewState molecule_state() {
-  ViewState s = loaded_state();
+  WholeState s = loaded_state();
   MoleculeInfo& m = s.molecule;
   m.dropped_atoms = 221;
   m.dropped = {{"221 waters", "HOH 221"}};

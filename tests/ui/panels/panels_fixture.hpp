@@ -89,7 +89,7 @@ class Panels {
     tap(key::kEnter);
   }
 
-  ViewState state;
+  WholeState state;
   Asked asked;
   Commands commands;
   WidgetRects rects;
@@ -121,8 +121,8 @@ inline std::shared_ptr<const Answer> some_answer() {
   return answer;
 }
 
-inline ViewState loaded_state() {
-  ViewState s;
+inline WholeState loaded_state() {
+  WholeState s;
   s.molecule.loaded = true;
   s.molecule.name = "4hhb.pdb.gz";
   s.molecule.folder = "/data";

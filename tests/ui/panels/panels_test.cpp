@@ -12,6 +12,7 @@
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -213,7 +214,7 @@ TEST(PanelsTest, TheLettersAreThereWithoutAnyInstalledFont) {
 }
 
 TEST(PanelsTest, MissingTimesSayWhyAndHowToGetThem) {
-  ViewState s;
+  WholeState s;
   ASSERT_EQ(missing_times(s, true).size(), 1u);
   EXPECT_NE(missing_times(s, true)[0].find("Open a molecule"), std::string::npos);
   s.molecule.loaded = true;
@@ -251,7 +252,7 @@ TEST(PanelsTest, ColdTimesThatAreMissingCanBeMeasured) {
 }
 
 TEST(PanelsTest, AMissingSpeedHasItsReason) {
-  ViewState s = loaded_state();
+  WholeState s = loaded_state();
   EXPECT_TRUE(missing_times(s, true).empty());
   s.cgal.cold->alpha_angstrom2 = 1.4;
   ASSERT_EQ(missing_times(s, true).size(), 1u);
@@ -269,7 +270,7 @@ TEST(PanelsTest, AMissingSpeedHasItsReason) {
 
 // For two balls, one run printed "slower than CGAL" and the next one "faster than CGAL".
 TEST(PanelsTest, OfFewBallsNoEngineIsCalledFaster) {
-  ViewState s = loaded_state();
+  WholeState s = loaded_state();
   ASSERT_TRUE(speed_up(s, true));
   EXPECT_NEAR(*speed_up(s, true), 60.5 / 20.2, 1e-9);
   EXPECT_FALSE(speed_up(s, false)) << "there are no warm times";
@@ -285,7 +286,7 @@ TEST(PanelsTest, OfFewBallsNoEngineIsCalledFaster) {
 }
 
 TEST(PanelsTest, TheCaptionSaysWhyNothingIsThere) {
-  ViewState s = loaded_state();
+  WholeState s = loaded_state();
   Answer result = *s.result;
   auto balls = std::make_shared<BallSet>(*result.balls);
   balls->centres = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}};
@@ -480,7 +481,7 @@ TEST(PanelsStay, WhereTheyAreWhateverIsSaid) {
          s.result = std::make_shared<Answer>(result);
        }}};
   for (const auto& [name, change] : changes) {
-    const ViewState before = p.state;
+    const WholeState before = p.state;
     change(p.state);
     p.frame(2);
     EXPECT_EQ(places(), usual) << name;

@@ -9,6 +9,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/residue_groups.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
+#include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -44,7 +45,7 @@ const ResidueGroup kWaters = residues("HOH", ResidueKind::water, ResidueReason::
 const ResidueGroup kGuessed = residues("QQ1", ResidueKind::ligand, ResidueReason::no_polymer, 2);
 
 ViewState state_with_residues() {
-  ViewState s = loaded_state();
+  WholeState s = loaded_state();
   s.molecule.sha256 = std::string(64, 'a');
   s.molecule.residues = in_list({kHaems, kWaters});
   return s;

@@ -16,6 +16,7 @@
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/no_calls.hpp"
 #include "ui/panels/panel_list.hpp"
+#include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -26,7 +27,7 @@ using testing::loaded_state;
 using testing::Panels;
 
 std::vector<CommandSpec> program_commands() {
-  static ViewState state = loaded_state();
+  static WholeState state = loaded_state();
   Commands commands;
   NoCalls nobody;
   PanelSet panels;
@@ -75,7 +76,7 @@ TEST(CommandList, TheUserGuideNamesEveryShortcut) {
 }
 
 TEST(CommandList, WhatPeopleCallThingsIsFound) {
-  static ViewState state = loaded_state();
+  static WholeState state = loaded_state();
   Commands commands;
   NoCalls nobody;
   PanelSet panels;

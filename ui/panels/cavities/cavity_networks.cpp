@@ -10,6 +10,7 @@
 #include "core/document/channels/network_results.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/export/program_name.hpp"
+#include "core/document/settings/cavity_settings.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"

@@ -8,6 +8,7 @@
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/export/program_name.hpp"
+#include "core/document/reference/appearance.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -21,6 +22,7 @@
 #include "ui/panels/complex/display_rows.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/format.hpp"
 

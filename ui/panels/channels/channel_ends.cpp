@@ -13,9 +13,11 @@
 #include "core/triangulation/flow.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/number_field.hpp"
 
 namespace alphascope {

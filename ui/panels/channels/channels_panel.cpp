@@ -9,6 +9,7 @@
 #include "core/document/channels/channel_export.hpp"
 #include "core/document/channels/channel_records.hpp"
 #include "core/document/commands/commands.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/principal_axes.hpp"
@@ -27,8 +28,10 @@
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

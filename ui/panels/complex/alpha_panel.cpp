@@ -16,12 +16,15 @@
 #include "ui/panels/complex/alpha_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/playback.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/number_typing.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {

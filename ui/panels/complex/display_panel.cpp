@@ -17,6 +17,7 @@
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"

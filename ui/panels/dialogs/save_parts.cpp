@@ -8,6 +8,7 @@
 
 #include "core/chart/colour_scale.hpp"
 #include "core/document/commands/commands.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/store/key.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/ball_set.hpp"
@@ -15,6 +16,7 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 

@@ -19,6 +19,7 @@
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,6 +10,7 @@
 #include "core/document/explain/step_names.hpp"
 #include "core/document/explain/steps_results.hpp"
 #include "core/document/export/program_name.hpp"
+#include "core/document/reference/appearance.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
@@ -22,6 +23,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/widgets/table_cells.hpp"
 

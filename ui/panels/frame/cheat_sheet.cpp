@@ -7,6 +7,7 @@
 #include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/view_state.hpp"
 
 namespace alphascope {

@@ -4,6 +4,7 @@
 
 #include "core/document/commands/commands.hpp"
 #include "ui/calls.hpp"
+#include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/document/store/answer.hpp"
 #include "core/molecule/rgb8.hpp"
 
 namespace alphascope {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"

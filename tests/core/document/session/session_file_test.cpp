@@ -13,6 +13,7 @@
 #include "core/files/read_error.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
+#include "ui/panels/view_info.hpp"
 
 namespace alphascope {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "app/cli/text/terminal.hpp"
 #include "app/session/result_header.hpp"
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope::cli {
 

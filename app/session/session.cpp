@@ -7,6 +7,7 @@
 #include "core/document/reference/reference.hpp"
 #include "core/engines/answers_from_known.hpp"
 #include "core/measure/engine_measures.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/run/freed_on_other_thread.hpp"
 #include "ui/panels/view_info.hpp"
 

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_measures.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/predicates/flow_predicate.hpp"

@@ -13,6 +13,7 @@
 #include <exception>
 #include <string>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity_shape/cavity_places.hpp"
 #include "core/channel/bottlenecks.hpp"

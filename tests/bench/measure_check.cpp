@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_ground.hpp"
 #include "core/engine/engine.hpp"
 #include "core/measure/exact_outside.hpp"
 #include "core/measure/union_measures.hpp"

@@ -21,6 +21,7 @@
 #include "app/session/rounding_note.hpp"
 #include "app/session/system_memory.hpp"
 #include "core/complex/own_dimension.hpp"
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope::cli {
 namespace {

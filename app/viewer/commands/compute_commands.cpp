@@ -5,6 +5,7 @@
 #include "core/document/session/setting_ids.hpp"
 #include "core/document/store/key.hpp"
 #include "core/engine/gpu_device.hpp"
+#include "core/molecule/molecule.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/playback.hpp"

@@ -2,6 +2,7 @@
 #include "core/document/export/record_source.hpp"
 
 #include "core/geometry/ball_set.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/read/read_molecule.hpp"

@@ -1,6 +1,7 @@
 // Tests PQR files of alphascope-cli export with gemmi, which reads their PDB columns.
 #include <gemmi/pdb.hpp>
 
+#include "core/geometry/ball_set.hpp"
 #include "core/read/read_molecule.hpp"
 #include "tests/app/cli/cli_fixture.hpp"
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/predicates/flow_predicate.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

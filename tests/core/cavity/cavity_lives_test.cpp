@@ -13,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/cavity/cavity_depth.hpp"
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_measures.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

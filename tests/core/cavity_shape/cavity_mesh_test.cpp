@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/predicates/lifted.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity_shape/cavity_places.hpp"
 #include "core/channel/channel.hpp"

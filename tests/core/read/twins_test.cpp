@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/molecule/residue_reason.hpp"
 #include "core/predicates/wide_int.hpp"

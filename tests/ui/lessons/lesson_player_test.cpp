@@ -1,6 +1,7 @@
 // Tests the player of lessons on a stage that only records requests.
 #include "app/viewer/lessons/lesson_player.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/run/work_threads.hpp"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/selection/residue_groups.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/whole_state.hpp"

@@ -201,9 +201,12 @@ Plot plot_of_all(const Signature& signature, const PlotRange& alpha) {
 
 std::string csv_of(const Plot& plot, std::vector<std::string> comments, double solvent) {
   comments.push_back("solvent radius: " + short_number_text(solvent, 2) + " Å");
-  Chart chart{.kind = ChartKind::lines, .x_label = plot.x.label};
+  Chart chart;
+  chart.kind = ChartKind::lines;
+  chart.x_label = plot.x.label;
   for (const PlotCurve& curve : plot.curves) {
-    ChartSeries series{.name = curve.name};
+    ChartSeries series;
+    series.name = curve.name;
     for (const PlotCurve::Point& point : curve.points) {
       series.x.push_back(point.x);
       series.values.push_back(point.y);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_lives.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/channel/bottlenecks.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/settings/cavity_preset.hpp"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/geometry/lattice_alpha.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Preloaded into the window (LD_PRELOAD), writes when each frame came to the screen: a line for each
 // of the first hundred frames, with the milliseconds since the time FRAME_TIMES_FROM (seconds since
 // 1970), into the file FRAME_TIMES_FILE.

@@ -15,9 +15,9 @@ function(alphascope_precompile target)
   endif()
   set(quiet)
   if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # GCC wrongly warns about precompiled "text" + std::string in two more ways
+    # GCC wrongly warns about precompiled "text" + std::string in three more ways
     # (AlphascopeFlags.cmake).
-    set(quiet -Wno-array-bounds -Wno-stringop-overflow)
+    set(quiet -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
   # GCC takes the optimisation of the precompiled headers for the whole source. So glue needs
   # headers of its own.

@@ -2,11 +2,24 @@
 # gpu, at each build when they have changed. Run as a script (-P), this file writes the source.
 # Included, it makes the target.
 if(CMAKE_SCRIPT_MODE_FILE)
+  # The folder may lie inside the repository of a packager or of another project, whose commit would
+  # be wrong. An archive made by git names its own commit, and comes first. Otherwise git is asked
+  # only if the folder is the root of its work tree.
   set(commit "unknown")
-  execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=12 --exclude=*
-    OUTPUT_VARIABLE described RESULT_VARIABLE failed ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
-  if(NOT failed)
-    set(commit "${described}")
+  file(STRINGS ${SOURCE_DIR}/cmake/archive_commit archived LIMIT_COUNT 1)
+  if(archived MATCHES "^([0-9a-f]+)(-dirty)?$")
+    string(SUBSTRING ${CMAKE_MATCH_1} 0 12 commit)
+    string(APPEND commit "${CMAKE_MATCH_2}")
+  else()
+    execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse --show-cdup
+      OUTPUT_VARIABLE up RESULT_VARIABLE failed ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+    if(NOT failed AND up STREQUAL "")
+      execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=12 --exclude=*
+        OUTPUT_VARIABLE described RESULT_VARIABLE failed ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+      if(NOT failed)
+        set(commit "${described}")
+      endif()
+    endif()
   endif()
   file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR}
     ${SOURCE_DIR}/core/*.[ch]pp ${SOURCE_DIR}/gpu/*.[ch]pp ${SOURCE_DIR}/gpu/*.cu ${SOURCE_DIR}/gpu/*.cuh)

@@ -6,19 +6,22 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 say() { printf '\n== %s [%d:%02d]\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 die() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
-# install_packages [tests]: installs the missing packages of scripts/packages.txt. Does nothing when
-# none is missing. The section "tests" is included only on request.
+# install_packages [SECTION...]: installs the missing packages of scripts/packages.txt. Does nothing
+# when none is missing. The sections "tests" and "packages" are included only on request.
 install_packages() {
   local wanted missing=() package
   if ! command -v apt-get >/dev/null; then
     say "This is no Debian system: install by hand what scripts/packages.txt names, if you have not."
     return
   fi
-  if [ "${1:-}" = tests ]; then
-    wanted=$(grep -v '^#' scripts/packages.txt)
-  else
-    wanted=$(sed '/^# tests/,/^# /{/^[^#]/d}' scripts/packages.txt | grep -v '^#')
-  fi
+  wanted=$(awk -v asked=" $* " '
+    /^#/ {
+      section = $2
+      sub(/:$/, "", section)
+      skip = (section == "tests" || section == "packages") && !index(asked, " " section " ")
+      next
+    }
+    !skip' scripts/packages.txt)
   for package in $wanted; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
       missing+=("$package")
@@ -69,4 +72,21 @@ build() {
   local targets=()
   [ $# -eq 0 ] || targets=(--target "$@")
   cmake --build "build/$preset" --parallel "$(jobs)" "${targets[@]}"
+}
+
+# The version in CMakeLists.txt.
+project_version() { sed -n 's/^project(alphascope VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt; }
+
+# copy_tree FOLDER: copies the tracked files as they are now, with changes that are not committed. The
+# copy knows its commit without git, as an archive does.
+copy_tree() {
+  mkdir -p "$1"
+  if [ -n "$(git rev-parse --show-cdup 2>/dev/null || echo outside)" ]; then
+    tar c --exclude=./build --exclude=./out --exclude=./.git . | tar x -C "$1"
+    return
+  fi
+  git ls-files -z | while IFS= read -r -d '' file; do
+    [ ! -e "$file" ] || printf '%s\0' "$file"
+  done | tar c --null --no-recursion -T - | tar x -C "$1"
+  git describe --always --dirty --abbrev=40 --exclude='*' >"$1/cmake/archive_commit"
 }

@@ -1,4 +1,4 @@
-// Finds resources beside an installed executable first, then in the source tree of the build.
+// Finds resources by their place relative to the running program.
 #include "app/viewer/resources.hpp"
 
 #include <utility>
@@ -8,24 +8,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> resource_folders() {
-  std::vector<fs::path> folders;
+// The folder of resources; empty if it is missing. In a build folder it is a link to those of the
+// source tree.
+fs::path resource_folder() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    folders.push_back((self.parent_path() / ALPHASCOPE_INSTALLED_RESOURCES).lexically_normal());
-  }
-  folders.emplace_back(ALPHASCOPE_RESOURCES);
-  return folders;
+  if (error) return {};
+  const fs::path folder =
+      fs::canonical(self.parent_path() / ALPHASCOPE_RESOURCES_FROM_PROGRAM, error);
+  return error ? fs::path() : folder;
 }
 
-// The path of the file; empty if no folder has it.
+// The path of the file; empty if it is missing.
 fs::path resource(const fs::path& name) {
-  for (const fs::path& folder : resource_folders()) {
-    std::error_code ignored;
-    if (fs::is_regular_file(folder / name, ignored)) return folder / name;
-  }
-  return {};
+  const fs::path folder = resource_folder();
+  std::error_code ignored;
+  const bool found = !folder.empty() && fs::is_regular_file(folder / name, ignored);
+  return found ? folder / name : fs::path();
 }
 
 }  // namespace
@@ -65,11 +64,10 @@ std::vector<SandboxPreset> sandbox_presets() {
 }
 
 fs::path lessons_folder() {
-  for (const fs::path& folder : resource_folders()) {
-    std::error_code ignored;
-    if (fs::is_directory(folder / "lessons", ignored)) return folder / "lessons";
-  }
-  return {};
+  const fs::path folder = resource_folder();
+  std::error_code ignored;
+  const bool found = !folder.empty() && fs::is_directory(folder / "lessons", ignored);
+  return found ? folder / "lessons" : fs::path();
 }
 
 }  // namespace alphascope

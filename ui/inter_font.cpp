@@ -1,23 +1,10 @@
-// Includes the font files through the assembler. As C++ arrays they took seconds to compile.
+// Includes the font files.
 #include "ui/inter_font.hpp"
 
-#define ALPHASCOPE_BYTES_OF(name, file)                       \
-  asm(".pushsection .rodata\n"                                \
-      ".balign 16\n"                                          \
-      "alphascope_" #name                                     \
-      "_begin:\n"                                             \
-      ".incbin \"" ALPHASCOPE_FONTS "/" file                  \
-      "\"\n"                                                  \
-      "alphascope_" #name                                     \
-      "_end:\n"                                               \
-      ".byte 0\n"                                             \
-      ".global alphascope_" #name "_begin, alphascope_" #name \
-      "_end\n"                                                \
-      ".popsection\n");                                       \
-  extern "C" const unsigned char alphascope_##name##_begin[], alphascope_##name##_end[]
+#include "ui/embedded_file.hpp"
 
-ALPHASCOPE_BYTES_OF(inter_regular, "Inter-Regular.otf");
-ALPHASCOPE_BYTES_OF(inter_semibold, "Inter-SemiBold.otf");
+ALPHASCOPE_EMBEDDED_FILE(inter_regular, ALPHASCOPE_FONTS "/Inter-Regular.otf");
+ALPHASCOPE_EMBEDDED_FILE(inter_semibold, ALPHASCOPE_FONTS "/Inter-SemiBold.otf");
 
 namespace alphascope {
 

@@ -2,8 +2,8 @@
 // seconds to compile.
 #pragma once
 
-// At namespace scope of one source: defines alphascope_NAME_begin and alphascope_NAME_end. `path` is
-// a literal. The build must know that the source depends on the file.
+// At namespace scope of one source: defines alphascope_NAME_begin and alphascope_NAME_end. `path`
+// is a literal. The build must know that the source depends on the file.
 #define ALPHASCOPE_EMBEDDED_FILE(name, path)                  \
   asm(".pushsection .rodata\n"                                \
       ".balign 16\n"                                          \

@@ -1,5 +1,5 @@
-// The list of files, variables and pages. tests/manuals/check compares the variables with those that
-// the sources read.
+// The list of files, variables and pages. tests/manuals/check compares the variables with those
+// that the sources read.
 #include "app/options/manual_entries.hpp"
 
 namespace alphascope {
@@ -27,19 +27,20 @@ std::vector<Entry> all_files() {
 }
 
 std::vector<Entry> all_variables() {
-  return {{{"ALPHASCOPE_GPU_LIBRARY",
-            "Absolute path of the file with the GPU engines, in place of the installed one. Empty: "
-            "no GPU is used"}},
-          {{"DISPLAY, WAYLAND_DISPLAY", "The display for the window; not needed with --shot, "
-                                        "--script and --record"},
-           Read::by_window},
-          {{"HOME", "The user's folder: ~ in typed paths, and the place of .config"},
-           Read::by_window},
-          {{"LIBGL_ALWAYS_SOFTWARE", "1: Mesa's OpenGL draws on the CPU"}},
-          {{"PATH", "Where ffmpeg is looked for, which writes movies"}},
-          {{"TERM", "A line of progress is shown on terminals, but not on one that is \"dumb\""},
-           Read::by_command_line},
-          {{"XDG_CONFIG_HOME", "Folder of preferences, in place of ~/.config"}, Read::by_window}};
+  return {
+      {{"ALPHASCOPE_GPU_LIBRARY",
+        "Absolute path of the file with the GPU engines, in place of the installed one. Empty: "
+        "no GPU is used"}},
+      {{"DISPLAY, WAYLAND_DISPLAY",
+        "The display for the window; not needed with --shot, "
+        "--script and --record"},
+       Read::by_window},
+      {{"HOME", "The user's folder: ~ in typed paths, and the place of .config"}, Read::by_window},
+      {{"LIBGL_ALWAYS_SOFTWARE", "1: Mesa's OpenGL draws on the CPU"}},
+      {{"PATH", "Where ffmpeg is looked for, which writes movies"}},
+      {{"TERM", "A line of progress is shown on terminals, but not on one that is \"dumb\""},
+       Read::by_command_line},
+      {{"XDG_CONFIG_HOME", "Folder of preferences, in place of ~/.config"}, Read::by_window}};
 }
 
 std::vector<ManualEntry> read_by(Read program, const std::vector<Entry>& all) {

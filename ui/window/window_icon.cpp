@@ -26,9 +26,8 @@ std::vector<IconPicture> window_icon() {
   for (const std::span<const unsigned char> file : files) {
     IconPicture picture;
     int channels = 0;
-    unsigned char* const pixels =
-        stbi_load_from_memory(file.data(), static_cast<int>(file.size()), &picture.width,
-                              &picture.height, &channels, 4);
+    unsigned char* const pixels = stbi_load_from_memory(
+        file.data(), static_cast<int>(file.size()), &picture.width, &picture.height, &channels, 4);
     if (pixels == nullptr) continue;  // too little memory; a window needs no icon
     const std::size_t bytes =
         std::size_t{4} * static_cast<std::size_t>(picture.width * picture.height);

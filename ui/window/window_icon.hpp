@@ -6,7 +6,7 @@
 namespace alphascope {
 
 struct IconPicture {
-  int width = 0, height = 0;         // pixels
+  int width = 0, height = 0;        // pixels
   std::vector<unsigned char> rgba;  // rows from the top, four bytes a pixel
 };
 

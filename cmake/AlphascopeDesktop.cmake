@@ -12,7 +12,7 @@ list(TRANSFORM types REPLACE "(.+)" "    <mediatype>\\1</mediatype>" OUTPUT_VARI
 list(JOIN types_as_elements "\n" types_as_elements)
 set(releases "")
 if(ALPHASCOPE_DATE)
-  set(releases "  <releases>\n    <release version=\"${PROJECT_VERSION}\" date=\"${ALPHASCOPE_DATE}\"/>\n  </releases>")
+  set(releases "  <releases>\n    <release version=\"${PROJECT_VERSION}\" type=\"${ALPHASCOPE_RELEASE}\" date=\"${ALPHASCOPE_DATE}\"/>\n  </releases>")
 endif()
 set(thumbnail_folder ${CMAKE_INSTALL_FULL_LIBEXECDIR}/alphascope)
 file(RELATIVE_PATH to_bin /prefix/${CMAKE_INSTALL_LIBEXECDIR}/alphascope /prefix/${CMAKE_INSTALL_BINDIR})

@@ -231,6 +231,7 @@ class GlfwHost final : public Host {
   void set_icon() {
     std::vector<IconPicture> pictures = window_icon();
     std::vector<GLFWimage> images;
+    images.reserve(pictures.size());
     for (IconPicture& picture : pictures) {
       images.push_back({picture.width, picture.height, picture.rgba.data()});
     }

@@ -1,6 +1,7 @@
-# Installs core for other programs, in the component devel: `cmake --install BUILD --component devel`.
-# They include <alphascope/engine/engine.hpp> for core/engine/engine.hpp, and link alphascope::core
-# of find_package(alphascope). They get none of our compile flags.
+# Installs core as a library for other programs, in the component devel: `cmake --install BUILD
+# --component devel`. Such a program includes <alphascope/engine/engine.hpp> for
+# core/engine/engine.hpp. It calls find_package(alphascope) and links alphascope::core. It gets none
+# of our compile flags.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

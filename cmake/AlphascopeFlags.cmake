@@ -2,13 +2,14 @@
 add_library(alphascope_flags INTERFACE)
 target_include_directories(alphascope_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(alphascope_flags INTERFACE
-  # Position-independent also in programs, as a precompiled header serves only one kind of code.
+  # Code of programs is position-independent too, because a precompiled header fits only one kind of
+  # code.
   $<$<COMPILE_LANGUAGE:CXX>:-fPIC> $<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-fPIC>
-  # No fused multiply-add, as it rounds once. The error bounds of the filtered predicates assume two
-  # roundings. So does the bitwise equality of CPU and GPU results.
+  # Fused multiply-add is off, because it rounds once. The error bounds of filtered predicates
+  # assume two roundings, and the equality of CPU and GPU results needs them.
   $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -Wall -Wextra -Wnon-virtual-dtor>
-  # No -Wshadow where sources are combined: a local variable may shadow a private name of another
-  # source.
+  # -Wshadow is off where sources are combined. A local variable may then shadow a private name of
+  # another source.
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>>:-Wshadow>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 warns wrongly about "text" + std::string (PR 105651).

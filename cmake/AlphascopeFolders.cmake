@@ -1,5 +1,5 @@
-# The folders of the tree in their order, and the sources in them. So no list of sources has to be
-# kept.
+# Lists the folders of the tree in their order, and the sources in them. So nobody has to keep a
+# list of sources.
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/folders ALPHASCOPE_FOLDERS REGEX "^[a-z]")
 list(TRANSFORM ALPHASCOPE_FOLDERS REPLACE ":.*" "")
 

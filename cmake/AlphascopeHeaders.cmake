@@ -1,10 +1,10 @@
-# check_headers: compiles every header alone, so that none depends on includes before it. A header
-# that another one includes first is covered by it. So is every header along the chain of first
-# includes. Compiled here are those that no header includes first. Built on request only, right
-# after configuring, because that makes the list. Where headers of the standard library are
-# precompiled, scripts/check_includes finds missing ones. Several headers of a folder in one source
-# take less than half of the time. A header can then use the includes of an earlier one.
-# scripts/check_includes finds types that it does not include itself, but nothing finds functions.
+# check_headers: compiles every header alone, so that none depends on includes before it. If a
+# header's first include is another header, compiling it also tests that other one. So only headers
+# that no header includes first are compiled here. The target is built on request only, right after
+# configuring, which makes the list. Where headers of the standard library are precompiled,
+# scripts/check_includes finds missing ones. With several headers of a folder in one source, this
+# takes less than half of the time. A header can then use what an earlier one includes.
+# scripts/check_includes finds such uses of types, but nothing finds those of functions.
 add_custom_target(check_headers)
 set(ALPHASCOPE_HEADERS_AT_ONCE 1 CACHE STRING "How many headers of a folder check_headers compiles in one source")
 

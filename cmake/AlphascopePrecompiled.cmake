@@ -1,7 +1,7 @@
 # Precompiled headers. Reading the standard library took a quarter of the compile time of core/,
 # app/ and ui/; now it is read once. No source may depend on it: scripts/check_includes and the
-# preset asan, which does not precompile, find such sources. Off by default with ccache, which then
-# finds nothing that was compiled in another folder. The preset ci always precompiles.
+# preset asan, which does not precompile, find such sources. Off by default with ccache, because
+# ccache then finds no results of other build folders. The preset ci always precompiles.
 set(by_default ON)
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   set(by_default OFF)
@@ -19,7 +19,8 @@ function(alphascope_precompile target)
     # (AlphascopeFlags.cmake).
     set(quiet -Wno-array-bounds -Wno-stringop-overflow)
   endif()
-  # GCC optimises as it did for the precompiled headers, whatever flags the source has.
+  # GCC takes the optimisation of the precompiled headers for the whole source. So glue needs
+  # headers of its own.
   set(headers alphascope_headers)
   get_target_property(glue ${target} ALPHASCOPE_GLUE)
   if(glue)
@@ -34,7 +35,7 @@ function(alphascope_precompile target)
     if(glue)
       target_compile_options(${headers} PRIVATE ${ALPHASCOPE_GLUE_OPTIMIZATION})
     endif()
-    # Without <iostream>, which would be initialised for every source.
+    # <iostream> is left out, since every source would then initialise it.
     target_precompile_headers(${headers} PRIVATE <algorithm> <array> <atomic> <charconv> <chrono>
       <cmath> <condition_variable> <cstdint> <cstdio> <cstring> <filesystem> <functional> <limits> <map>
       <memory> <mutex> <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <thread>

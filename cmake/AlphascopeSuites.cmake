@@ -1,5 +1,5 @@
 # alphascope_add_suites: makes each suite of a GoogleTest program one test of CTest. A process for
-# each single test costs more, as its start is a third of the time of a small window test. Run as a
+# each test would take longer: its start is a third of the time of a small window test. Run as a
 # script (-P), this file lists a program's suites. Included, it defines the function.
 if(CMAKE_SCRIPT_MODE_FILE)
   execute_process(COMMAND ${PROGRAM} --gtest_list_tests --gtest_filter=${FILTER}

@@ -1,9 +1,9 @@
 # Compiles sources of a folder a dozen at a time. Most compile time goes into templates of the
-# standard library that neighbouring sources need too. So core/, app/ and ui/ take half as long, and
-# so do tests. Sources may then depend on each other unnoticed. check_headers, check_includes and
-# builds without this option find such cases. Off by default with ccache, which then finds a source
-# only when its neighbours are the same. The presets ci, asan and tsan always combine, because their
-# builds begin with nothing.
+# standard library, which neighbouring sources share. So combining them halves the compile time of
+# core/, app/, ui/ and tests. Sources may then depend on each other unnoticed. check_headers,
+# check_includes and builds without this option find such cases. Off by default with ccache, which
+# would find a source only together with the same neighbours. The presets ci, asan and tsan always
+# combine, because their builds begin from nothing.
 set(by_default ON)
 # Off also where every warning is an error: one build has to compile each source alone.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR ALPHASCOPE_STRICT)
@@ -12,7 +12,7 @@ endif()
 option(ALPHASCOPE_UNITY "Compile several sources at once" ${by_default})
 
 # Finds names that TEXT declares at the start of a line, where clang-format puts them. Functions go
-# to FUNCTIONS, all other names to OTHERS. Too many names do no harm.
+# to FUNCTIONS, all other names to OTHERS. Finding too many names does no harm.
 function(alphascope_declared_names text functions others)
   string(REGEX REPLACE "[][;]" "=" text "\n${text}")  # these characters would split CMake's lists
   string(REGEX MATCHALL "\n[A-Za-z#][^\n]*" lines "${text}")
@@ -101,8 +101,8 @@ endfunction()
 
 # Combines sources of TARGET in groups of at most SIZE, each from one folder and those below it. No
 # group has two sources with the same private name. A source is compiled alone if a private name of
-# it is also in a header. A function may share its name with a
-# function of a header: they overload each other, and an ambiguous call does not compile.
+# it is also in a header. Only functions may have the name of a function in a header. The two then
+# overload each other, and an ambiguous call does not compile.
 function(alphascope_unity target size)
   if(NOT ALPHASCOPE_UNITY)
     return()

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/engines/engine_of_executors.hpp"
+#include "core/geometry/alpha.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/measure/union_measurer.hpp"
 #include "gpu/memory/device_buffer.cuh"
@@ -24,7 +25,8 @@ std::string version_text(int version) {
   return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
 }
 
-// Launches a test kernel, because a driver that looks healthy can still fail at the first launch.
+// Launches a test kernel, because a driver that reports no fault can still fail at the first
+// launch.
 void run_probe() {
   gpu::DeviceBuffer<int> out;
   out.reserve(32);
@@ -156,7 +158,7 @@ class GpuExecutor : public Executor {
   }
 
  private:
-  // The last result if it is `complex`. Balls and alpha determine a complex.
+  // The last result on the device if it is `complex`: if alpha and hash are the same.
   std::optional<gpu::DeviceComplex> on_device(const AlphaComplex& complex) const {
     std::optional<gpu::DeviceComplex> there = pipeline_.on_device();
     const bool same =

@@ -1,4 +1,5 @@
-# Functions that several scripts share. To be sourced. Sets -euo pipefail and goes to the root.
+# Functions that several scripts share. Scripts source this file. It sets -euo pipefail, and changes
+# to the root of the repository.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -38,7 +39,8 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# Compiling a source with CGAL or VTK takes up to 1.5 GiB, so memory limits the jobs too.
+# jobs: prints how many compilers may run at once. For a source with CGAL or VTK, a compiler needs
+# up to 1.5 GiB. So free memory limits their number, as the cores do.
 jobs() {
   local cores gibibytes
   cores=$(nproc)
@@ -53,7 +55,7 @@ build() {
   shift
   if command -v ccache >/dev/null; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-    # Without these settings ccache stores no source that uses a precompiled header.
+    # ccache keeps results of sources with precompiled headers only with these settings.
     local lenient
     lenient=$(ccache --get-config sloppiness)
     export CCACHE_SLOPPINESS=${lenient:+$lenient,}pch_defines,time_macros

@@ -8,6 +8,11 @@
 
 #include "core/document/reference/reference.hpp"
 #include "core/explain/power_diagram.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/selection/atom_address.hpp"
 #include "ui/number_text.hpp"
 
@@ -24,8 +29,8 @@ constexpr double kShareOfCross = 0.006;  // same length, as a share of the diago
 constexpr double kBorder = 0.03;         // Å: radius of the tubes around a border between power
                                          // cells
 
-// Half the length of a cross' lines (Å): visible in a picture of the whole molecule, and no larger
-// than necessary.
+// Returns half the length of a cross' lines, Å. The cross is just large enough to be seen in a
+// picture of the whole molecule.
 double half_of_cross(const BallSet& balls) {
   if (balls.size() == 0) return kLeastCross;
   LatticePoint low = balls.centres[0], high = low;
@@ -50,8 +55,7 @@ class Drawing {
     }
     for (std::size_t n = 0; n + 1 < at.size(); ++n) add_dashes(at[n], at[n + 1]);
     if (at.size() == 3) return add_angle(at, text);
-    const std::size_t half = at.size() / 2;  // half: middle of the bond that a dihedral angle turns
-                                             // about
+    const std::size_t half = at.size() / 2;  // four atoms: the middle bond
     layer_.labels.push_back({0.5 * (at[half - 1] + at[half]), text});
   }
 
@@ -65,7 +69,7 @@ class Drawing {
     } else {
       layer_.lines.push_back({from, to});
     }
-    // The text of a point stands beside its cross, since it would hide the cross.
+    // The text stands beside the cross of a point, which it would otherwise hide.
     const RealPoint aside = m.is_point() ? 2.5 * RealPoint{0, cross_, cross_} : RealPoint{};
     if (!m.text.empty()) layer_.labels.push_back({0.5 * (from + to) + aside, m.text});
   }
@@ -82,7 +86,7 @@ class Drawing {
   }
 
  private:
-  // The line begins and ends with a dash.
+  // Adds a dashed line that begins and ends with a dash.
   void add_dashes(const RealPoint& from, const RealPoint& to) {
     const RealPoint along = to - from;
     const double dashes = std::clamp(std::round(length(along) / (2 * kDash)), 1.0, kMostDashes);
@@ -122,7 +126,7 @@ std::string measured_text(const Measurement& m, const std::optional<Measured>& o
   if (!of->value) return "undefined";
   if (m.atoms.size() == 2) return number_text(*of->value, 3) + " Å";
   std::string text = number_text(*of->value, 1);
-  if (text == "−180.0") text = "180.0";  // a dihedral angle is above −180°, so its text is as well
+  if (text == "−180.0") text = "180.0";  // dihedral angles are above −180°; only rounding gives it
   return text + "°";
 }
 

@@ -1,5 +1,5 @@
-// Labels, distances, angles, marks and the power diagram as a layer, for the window and for saved
-// pictures. Also the texts of measured numbers. No ImGui, no VTK.
+// Makes one layer of labels, distances, angles, marks and the power diagram, for the window and for
+// saved pictures. Also makes the texts of measured numbers. No ImGui, no VTK.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,8 @@ struct AnnotatedPicture {
   std::function<bool(std::size_t)> is_drawn;
   Colour colour;  // of the lines
   std::uint64_t key = 0;
-  // Balls of the power diagram, with the solvent radius; null: `balls` have it already.
+  // Balls grown by the solvent radius, for the power diagram; null: the radii of `balls` include
+  // it.
   std::shared_ptr<const BallSet> grown = nullptr;
 };
 // Null if there is nothing to draw.

@@ -1,19 +1,20 @@
 // Calls from panels and commands to the program, as four small interfaces. A call made while a
-// frame is drawn is carried out after it, in the order of calls. Later calls replace equal earlier
-// ones. No call blocks: a long job reports its progress elsewhere.
+// frame is drawn is carried out after it, in the order of calls. A later call of the same function
+// replaces the earlier one; cancel() does so for the same job only. No call blocks: long jobs
+// report their progress in ViewState::jobs.
 #pragma once
 
 #include <array>
 #include <filesystem>
 #include <string>
 
-#include "core/geometry/real_point.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {
 
 class RefSet;
 struct ExportRequest;
+struct RealPoint;
 struct RecordRequest;
 struct SaveTableRequest;
 struct ScreenshotRequest;
@@ -27,7 +28,8 @@ class FileCalls {
   virtual void open_session(const std::filesystem::path& file) = 0;
   virtual void save_session(const std::filesystem::path& file) = 0;
   // Opens the session that waits for an answer (ViewState::session_problem). `molecule` replaces
-  // the molecule that the session names. An empty path opens the files as they are.
+  // the molecule that the session names. An empty path opens the session with its files as they are
+  // now.
   virtual void continue_session(const std::filesystem::path& molecule) = 0;
   virtual void abandon_session() = 0;
   virtual void forget_recent() = 0;
@@ -42,8 +44,8 @@ class ViewCalls {
  public:
   virtual ~ViewCalls() = default;
   virtual void reset() = 0;              // shows the whole molecule
-  virtual void zoom(double factor) = 0;  // factor on the size of things in the view
-  // Looks from this direction, which leads from the middle to the viewer.
+  virtual void zoom(double factor) = 0;  // factor on sizes in the picture
+  // `side` is the direction from the middle of the view to the viewer.
   virtual void look_from(const std::array<double, 3>& side) = 0;
   // Turns the view until it looks across this line: as little as possible, but not to a view from
   // above or below.
@@ -66,11 +68,11 @@ class JobCalls {
   virtual void save_table(const SaveTableRequest& request) = 0;
   virtual void export_complex(const ExportRequest& request) = 0;
   virtual void compare() = 0;
-  virtual void compute_anew() = 0;  // with the set-up, so that its cold time is measured
+  virtual void compute_anew() = 0;  // includes the set-up, so it measures a cold time
   virtual void run_benchmark() = 0;
   virtual void export_benchmark() = 0;
-  // Cancels the job of this kind, if one runs. Opening and computing are cancelled together, as the
-  // picture waits for both.
+  // Cancels the job of this kind, if one runs. Opening and computing are cancelled together,
+  // because the picture waits for both.
   virtual void cancel(JobId job) = 0;
 };
 

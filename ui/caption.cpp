@@ -4,6 +4,11 @@
 #include <cstdint>
 
 #include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/run/work_threads.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
 #include "ui/number_text.hpp"
@@ -19,8 +24,7 @@ std::string counts_text(const AlphaComplex& c) {
          counted(c.triangles.size(), "triangle", "triangles") + ", " + tetrahedra;
 }
 
-// Shows all digits that were typed, because a reader could not reproduce the complex from a rounded
-// alpha.
+// Shows all digits of a typed alpha, since a rounded alpha may give another complex.
 std::string alpha_text(const Alpha& alpha) {
   constexpr int kDecimals = 6;
   constexpr std::int64_t kBeyondThem = Alpha::kParts / 1000000;

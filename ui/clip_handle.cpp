@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/settings/clip.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/geometry/real_point.hpp"
 
 namespace alphascope {
@@ -13,8 +15,8 @@ using Vector = std::array<double, 3>;
 
 constexpr int kRingPoints = 64;
 constexpr double kArrowShare = 0.7;  // of the ring's radius
-// Limit on the pixels for each Å along the normal, as a share of those across the line of sight.
-// Below it the cut is seen almost from the front, and its normal has no useful direction in the
+// Compares the length of 1 Å along the normal, in pixels, with 1 Å across the line of sight. Below
+// this ratio the cut is seen almost from the front. Its normal then has no useful direction in the
 // picture.
 constexpr double kFacing = 0.2;
 
@@ -52,7 +54,8 @@ Clip moved(const Clip& clip, const ClipHandle& h, const PicturePoint& by) {
   return result;
 }
 
-// Turns the clip like a ball of the ring's size under the hand, by Rodrigues' formula.
+// Turns the clip as a ball of the ring's radius would turn under the mouse. Uses Rodrigues'
+// formula.
 Clip turned_by(const Clip& clip, const ClipHandle& h, const PicturePoint& by) {
   const double angle = size(by) / std::max(1.0, h.ring_radius);
   const RealPoint axis = unit_vector(by[0] * real(h.view.up) + by[1] * real(h.view.right));

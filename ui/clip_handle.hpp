@@ -1,6 +1,6 @@
 // The handle by which the mouse moves and turns a clip in the picture. An arrow across the cut
-// moves it; a ring in the cut turns it. This computes positions of both in the picture, and effects
-// of a drag. Pure geometry: neither ImGui nor VTK.
+// moves it; a ring in the cut turns it. These functions compute where arrow and ring lie in the
+// picture, and how a drag changes the clip. Pure geometry: neither ImGui nor VTK.
 #pragma once
 
 #include <array>
@@ -9,16 +9,16 @@
 #include <optional>
 #include <vector>
 
-#include "core/document/settings/clip.hpp"
-
 namespace alphascope {
+
+struct Clip;
 
 using PicturePoint = std::array<double, 2>;  // pixels, from the top left of the picture
 
 // The view of a picture. Positions are in Å, in the coordinates of the file; vectors have length 1.
 struct HandleView {
   std::array<double, 3> right{1, 0, 0}, up{0, 1, 0}, towards_viewer{0, 0, 1};
-  // Where the picture shows a point; empty: behind the viewer.
+  // Returns the pixel that shows a point; empty if the point is behind the viewer.
   std::function<std::optional<PicturePoint>(const std::array<double, 3>&)> seen;
 };
 
@@ -40,8 +40,8 @@ enum class HandlePart : std::uint8_t { none, move, turn };
 // The part of the handle within `reach` pixels of the mouse.
 HandlePart part_at(const ClipHandle& handle, const PicturePoint& mouse, double reach);
 
-// The clip after the mouse has dragged `part` by so many pixels (y downwards). A cut that is seen
-// from the front moves by dragging up and down.
+// The clip after the mouse has dragged `part` by so many pixels (y downwards). A drag up or down
+// moves a cut that is seen from the front.
 Clip dragged(const Clip& clip, const ClipHandle& handle, HandlePart part, const PicturePoint& by);
 
 // The point of the cut nearest to `middle`, Å.

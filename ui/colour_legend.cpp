@@ -1,6 +1,9 @@
 // Makes legends from the keys of balls and simplices.
 #include "ui/colour_legend.hpp"
 
+#include "core/chart/colour_map.hpp"
+#include "core/chart/colour_scale.hpp"
+#include "core/document/measures/paint_balls.hpp"
 #include "ui/rgb8.hpp"
 
 namespace alphascope {

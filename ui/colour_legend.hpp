@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "core/document/measures/paint_balls.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
 
-// A legend of a quantity has `stops`. A legend of categories has `entries`; so has a quantity for
-// objects without a value.
+struct ColourMeaning;
+
+// A legend of a quantity has `stops`. A legend of categories has `entries`. A quantity has an entry
+// as well if some objects have no value.
 struct ColourLegend {
   struct Stop {
     Colour colour;

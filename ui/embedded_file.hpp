@@ -1,5 +1,5 @@
-// Makes the bytes of a file part of the program, through the assembler. As C++ arrays they took
-// seconds to compile.
+// Puts the bytes of a file into the program by the assembler's .incbin. C++ arrays of the same
+// bytes took seconds to compile.
 #pragma once
 
 // At namespace scope of one source: defines alphascope_NAME_begin and alphascope_NAME_end. `path`

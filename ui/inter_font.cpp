@@ -1,4 +1,4 @@
-// Includes the font files.
+// Puts the font files into the program.
 #include "ui/inter_font.hpp"
 
 #include "ui/embedded_file.hpp"

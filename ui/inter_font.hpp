@@ -1,5 +1,6 @@
-// Fonts of window and pictures, as part of the program. So it looks the same everywhere, and needs
-// no installed font with the letter α. Inter, SIL Open Font License 1.1 (resources/fonts).
+// The fonts of window and pictures, which are part of the program. So all machines show the same
+// letters, and none needs an installed font with α. The font is Inter, under the SIL Open Font
+// License 1.1 (resources/fonts).
 #pragma once
 
 #include <span>

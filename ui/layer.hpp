@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "core/complex/simplices.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
+
+struct BallSet;
 
 // Positions are in Å, in the coordinates of the file.
 struct LayerSphere {
@@ -31,8 +32,8 @@ struct LayerAtom {
   std::uint32_t atom = 0;  // index in Molecule::atoms
 };
 
-// A few words around a point. Nothing hides them, and an outline in the colour of the background
-// keeps them readable.
+// A few words centred on a point. Nothing hides them. An outline in the background's colour keeps
+// them readable.
 struct LayerLabel {
   RealPoint at_angstrom;
   std::string text;
@@ -44,14 +45,14 @@ inline constexpr Colour kDualColour{0.3f, 0.85f, 0.75f, 1};
 struct Layer {
   std::string id;                        // includes the panel's name: "signature.appearing"
   std::uint64_t key = 0;                 // changes with the content
-  std::shared_ptr<const BallSet> balls;  // balls that indices refer to; the layer is drawn with
-                                         // their complex only
+  std::shared_ptr<const BallSet> balls;  // balls of the indices below; the layer is drawn only with
+                                         // their complex
   Simplices<1> vertices;                 // drawn as small octahedra
   Simplices<2> edges;
   Simplices<3> triangles;
   Simplices<4> tetrahedra;
-  // Spheres and tubes are always bodies. Spheres are lit balls, for instance those that fill a
-  // cavity. A tube passes through its spheres in order.
+  // Spheres and tubes are drawn as lit bodies, whatever `body` says. Spheres may for instance fill
+  // a cavity. A tube passes through its spheres in order.
   std::vector<LayerSphere> spheres;
   std::vector<std::vector<LayerSphere>> tubes;
   std::vector<LayerAtom> atoms;
@@ -60,13 +61,13 @@ struct Layer {
                                                 // everything else; Å
   Colour colour;
   // true: triangles and tetrahedra are bodies with light and shadow, and tetrahedra have darker
-  // edges. Edges are lines on bodies, which may hide them. false: all are marks over everything
-  // else. Vertices are such marks always.
+  // edges. Edges are then lines, which bodies may hide. false: everything is drawn as marks, over
+  // all other things. Vertices are always marks.
   bool body = false;
   // Whether triangles, tetrahedra and spheres of a body have the opacity
   // SceneStyle::cavity_opacity.
   bool translucent = false;
-  bool fades_rest = true;   // of a body: makes balls and complex pale, so that they hide nothing
+  bool fades_rest = true;   // for bodies: balls and complex become pale, so they hide nothing
   bool in_pictures = true;  // also in pictures that are saved
 
   // Most simplices of one kind in a layer. The view leaves out layers for which memory is too

@@ -1,4 +1,4 @@
-// Calls without any effect, for lists of commands that are only printed.
+// Calls that do nothing. A list of commands that is only printed needs calls, but makes none.
 #pragma once
 
 #include "ui/calls.hpp"

@@ -10,7 +10,7 @@
 namespace alphascope {
 
 std::string number_text(double value, int decimals) {
-  constexpr double kLongest = 1e9;  // beyond this, nobody reads single digits
+  constexpr double kLongest = 1e9;  // larger numbers get a power of ten
   if (std::fabs(value) < kLongest) return readable_number(fixed_digits(value, decimals));
   char text[64];
   std::snprintf(text, sizeof text, "%.4g", value);

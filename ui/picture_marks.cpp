@@ -4,9 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
 #include "core/chart/ticks.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/run/work_threads.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/caption.hpp"
+#include "ui/colour_legend.hpp"
 #include "ui/number_text.hpp"
 
 namespace alphascope {
@@ -50,7 +56,7 @@ std::vector<Tick> ticks_at(const ColourLegend& legend, double step, float width,
   for (const double value : round_values(low, high, step)) {
     Tick tick{width * share_of(legend.stops, value), 0, short_number_text(value, kDecimals)};
     const float length = type.text_width(tick.number);
-    // Numbers at the bar's ends may extend beyond it by kStickOut, but not beyond the margin.
+    // Numbers at the bar's ends may extend beyond the bar by kStickOut.
     const float out = kStickOut * type.unit;
     tick.text = std::clamp(tick.x - length / 2, -out, std::max(-out, width + out - length));
     ticks.push_back(std::move(tick));
@@ -78,7 +84,7 @@ std::vector<Tick> ticks_of(const ColourLegend& legend, float width, const MarkFo
   return {{0, 0, first}, {width, std::max(0.0f, width - type.text_width(last)), last}};
 }
 
-// Returns the top of the bar whose numbers end at `bottom`.
+// Lays out a bar whose numbers end at `bottom`. Returns its top.
 float lay_out_bar(const ColourLegend& legend, float bottom, const MarkFont& type,
                   LegendLayout& layout) {
   const float u = type.unit, left = kMargin * u;
@@ -118,7 +124,7 @@ bool lay_out_rows(const std::vector<ColourLegend::Entry>& entries, std::size_t s
   return y < kMostRows * line - line / 2;
 }
 
-// Returns the top of the rows that end at `bottom`.
+// Lays out rows that end at `bottom`. Returns their top.
 float lay_out_entries(const ColourLegend& legend, float bottom, float width, const MarkFont& type,
                       LegendLayout& layout) {
   const float u = type.unit;
@@ -151,8 +157,8 @@ MarkBox shifted(MarkBox box, float down) {
   return box;
 }
 
-// The nearest position, moved by a few heights of the box at most, at which the box covers no
-// other.
+// Moves the box up or down until it covers no other box, by as few of its heights as needed. If
+// four heights are too few, the result is empty.
 std::optional<MarkBox> free_place(const MarkBox& box, const std::vector<MarkBox>& others,
                                   float height) {
   constexpr int kMostSteps = 4;
@@ -198,7 +204,7 @@ std::vector<LegendLayout> lay_out_legends(const std::vector<ColourLegend>& legen
   for (auto legend = legends.rbegin(); legend != legends.rend(); ++legend) {
     auto layout = lay_out_legend(*legend, width, height, type);
     if (!layout) break;
-    // The next legend's margin counts from the title of this one.
+    // The next legend lies above the title of this one.
     height = layout->whole.y0 + (kMargin - kTickGap - kLegendGap) * type.unit;
     layouts.insert(layouts.begin(), *std::move(layout));
   }

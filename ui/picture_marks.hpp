@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "ui/colour_legend.hpp"
 #include "ui/fitted_text.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
+
+struct ColourLegend;
 
 // Pixels from the picture's top left; y points down.
 struct MarkBox {
@@ -30,7 +31,8 @@ struct MarkFont {
 
 // A legend at the bottom left. For a quantity it has name and unit above a bar of the colours, and
 // round values at ticks below. For categories it has a patch of colour before each name, in a few
-// rows; names without room are counted. Objects without a value have a patch and a name as well.
+// rows. A number tells how many names have no room. Objects without a value have a patch and a name
+// as well.
 struct LegendLayout {
   struct Patch {
     MarkBox box;
@@ -55,9 +57,9 @@ struct PictureLabel {
   float x = 0, y = 0;  // pixels, of the middle of the text
   std::string text;
 };
-// Labels whose points are in the picture. In the given order each is moved up or down by a few
-// lines, until it covers no earlier one. Labels without room are left out, because overlapping text
-// cannot be read.
+// Labels whose points are in the picture. They are placed in the given order. Each is moved up or
+// down by a few lines, until it covers no earlier one. Labels without room are left out, because
+// overlapping text cannot be read.
 struct LabelLayout {
   std::vector<MarkText> texts;
   std::size_t left_out = 0;
@@ -66,7 +68,7 @@ LabelLayout lay_out_labels(const std::vector<PictureLabel>& labels, float width,
                            const MarkFont& type);
 // "3 labels have no room here: zoom in"; empty for 0.
 std::string left_out_text(std::size_t labels);
-// Pixels at scale 1 by which marks have an outline in the background's colour.
+// Width of the outline around marks, pixels at scale 1. It has the background's colour.
 inline constexpr float kMarkOutline = 2;
 
 // A scale bar at the bottom right: a round length of 52 to 130 pixels at scale 1.

@@ -1,4 +1,4 @@
-// Jobs that run beside the window, as panels show them: one list for all that takes long.
+// The jobs that run while the user works in the window, as plain data for the panels.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,8 @@ struct RunningJob {
 
 using RunningJobs = std::vector<RunningJob>;  // in the order of JobId
 
-// Whether the picture waits for such a job. The user goes on working beside all others.
+// Whether the picture cannot change before this job ends. The user can go on working during all
+// other jobs.
 inline bool delays_picture(JobId id) {
   return id == JobId::opening || id == JobId::computing;
 }

@@ -1,5 +1,5 @@
-// Colours of the window, dark and light, for panels and scene. Knows neither ImGui nor VTK; each
-// converts a Colour into its own type.
+// Colours of the window, dark and light, for panels and scene. Knows neither ImGui nor VTK; panels
+// and scene convert a Colour into their libraries' types.
 #pragma once
 
 #include <cstdint>

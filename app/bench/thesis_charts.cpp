@@ -7,6 +7,10 @@
 
 #include "app/bench/thesis_table.hpp"
 #include "core/chart/readable_number.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/radii_set.hpp"
 
 namespace alphascope {
 namespace {

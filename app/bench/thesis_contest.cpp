@@ -1,4 +1,4 @@
-// Runs the contestants in turns, each with a deadline of its own.
+// Runs the engines in turns, each with a deadline of its own.
 #include "app/bench/thesis_contest.hpp"
 
 #include <algorithm>
@@ -8,19 +8,23 @@
 #include <new>
 #include <thread>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The smallest step of a slider that a user can still notice.
+// The warm run's alpha is smaller by this. It is the smallest step of a slider that a user can
+// notice.
 constexpr double kSliderStep = 0.001;  // Å²
 
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Cancels its token at the end of the time, or when the caller's token is cancelled.
+// Cancels its token when the time is over, or when the caller's token is cancelled.
 class Deadline {
  public:
   Deadline(const CancelToken& outer, double seconds)
@@ -69,7 +73,8 @@ class Contest {
   Contest(const ContestRules& rules, const EngineFactory& factory, const CancelToken& cancel)
       : rules_(rules), factory_(factory), cancel_(cancel) {}
 
-  // False if the contestant runs no more: its time is over, or it has failed.
+  // Runs the contestant once. Returns false if it takes no further turn, because its time is over
+  // or it has failed.
   bool turn(Contestant& c, double& seconds_spent) {
     const double left = rules_.seconds - seconds_spent;
     if (left <= 0) return false;
@@ -118,7 +123,8 @@ class Contest {
     c.hash = complex->hash;
   }
 
-  // The engine may keep the memory of a result for the next one, as while a slider moves.
+  // Frees the simplices, so the engine can use their memory for the next result, as while a slider
+  // moves.
   static void let_go(AlphaComplex& complex) {
     complex.vertices = {};
     complex.edges = {};
@@ -138,7 +144,8 @@ class Contest {
   const CancelToken& cancel_;
 };
 
-// The first run alone pays for page faults, caches and the device's start.
+// Drops the first run if there are others. It alone pays for page faults, cold caches and the
+// device's start.
 void drop_first_run(Contestant& c) {
   if (c.cold.size() < 2) return;
   c.cold.erase(c.cold.begin());
@@ -182,7 +189,7 @@ void run_contest(std::vector<Contestant>& contestants, const ContestRules& rules
   std::vector<char> live;
   live.reserve(contestants.size());
   for (const Contestant& c : contestants) live.push_back(c.skipped.empty());
-  // Contestants take turns, so that a machine that slows down slows all.
+  // Contestants take turns, so a slowdown of the machine affects all of them.
   for (int round = 0; round <= rules.repeats; ++round) {
     for (std::size_t n = 0; n < contestants.size(); ++n) {
       cancel.throw_if_cancelled();

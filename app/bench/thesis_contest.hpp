@@ -1,5 +1,5 @@
-// Runs engines in turns on one molecule at one alpha, each within its own time, and takes medians.
-// The caller, thesis_suite.hpp, decides what is measured.
+// Runs engines in turns on one molecule at one alpha, each within its own time limit, and takes
+// medians. The caller, thesis_suite.hpp, chooses engines, molecules and alphas.
 #pragma once
 
 #include <chrono>

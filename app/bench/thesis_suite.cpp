@@ -1,6 +1,7 @@
-// Runs the suite and fills its rows. The thesis compares with gReg3d or sequential CGAL, this suite
-// always with CGAL, in turns with each engine. Alphas ascend, since the work of every engine grows
-// with alpha. An engine that is too slow at one alpha is left out at larger ones.
+// Runs the suite and fills its rows. The thesis compares with gReg3d or sequential CGAL. This suite
+// always compares with CGAL, which runs in turns with each engine. Alphas ascend, since the work of
+// every engine grows with alpha. An engine that is too slow at one alpha is left out at larger
+// ones.
 #include "app/bench/thesis_suite.hpp"
 
 #include <algorithm>
@@ -11,6 +12,9 @@
 #include "app/bench/thesis_contest.hpp"
 #include "app/session/version.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/radii/radii_set.hpp"
 
 namespace alphascope {
 namespace {
@@ -68,7 +72,7 @@ struct Entrant {
   int threads;
   std::string variant;
   TupleOptions tuples;
-  std::string skipped;  // why it is left out at all further alphas
+  std::string skipped;  // why larger alphas are not measured; empty: they are
 };
 
 class Suite {
@@ -225,7 +229,8 @@ class Suite {
           row.kind != ThesisRow::Kind::engine || found.lost_at_angstrom2) {
         continue;
       }
-      // A row that ran out of time has lost. Another failure decides nothing.
+      // An engine that ran out of time has lost. After any other failure it is unknown who is
+      // faster.
       if (!row.speed_up() && !row.too_slow) return;
       if (!row.too_slow && *row.speed_up() > 1) {
         found.alpha_angstrom2 = row.alpha_angstrom2;

@@ -1,7 +1,7 @@
 // Measures the quantities of the thesis' chapter 4 for given molecules. These are times of stages,
-// speed-up over CGAL, and the largest alpha at which CGAL is beaten. They are also the share of the
-// full triangulation, and the gain by each optimisation. Each timed result is also checked against
-// CGAL. Prints nothing.
+// speed-up over CGAL, and the largest alpha at which an engine is faster than CGAL. Others are the
+// share of the full triangulation, and the gain by each optimisation. Each timed result is also
+// checked against CGAL. Prints nothing.
 #pragma once
 
 #include <functional>
@@ -31,7 +31,8 @@ struct ThesisOptions {
   double seconds_per_row = 20;         // limit; a row that needs longer is cut short or left out
   bool tetrahedra_only = true;         // as in the thesis
   bool ablation = true;                // for the tuple engines, at the smallest alpha
-  int bisections = 3;                  // between a won and a lost alpha; 0: given alphas only
+  int bisections = 3;                  // steps that narrow the interval between a won and a lost
+                                       // alpha; 0: only the given alphas
 };
 
 // All engines that can run here without CGAL, such as "tuples-cpu".
@@ -92,7 +93,7 @@ struct ThesisReport {
   std::vector<ThesisMolecule> molecules;
   std::vector<ThesisRow> rows;
   std::vector<BreakEven> break_even;
-  bool complete = true;  // false: cancelled, and the rows after these are missing
+  bool complete = true;  // false: the run was cancelled, so later rows are missing
 
   // True if no measured row differs from CGAL.
   bool all_same() const;

@@ -56,7 +56,8 @@ std::string stages_text(const std::vector<StageTime>& stages) {
   return text;
 }
 
-// A number if a double represents it, else all digits as text, as in all our JSON.
+// Returns alpha as a number if a double represents it exactly, else as a text with all digits. All
+// JSON of the program does so.
 CellValue alpha_cell(const Alpha& alpha) {
   return alpha.is_shortest_of_double() ? CellValue(alpha.nearest()) : CellValue(alpha.digits());
 }

@@ -14,13 +14,14 @@ namespace alphascope::cli {
 
 struct Command {
   OptionCommand table;  // name, help, examples, options and their check
-  // `arguments`: as given, the program's name first. Throws the exceptions of failure.hpp.
+  // `arguments` begin with the program's name. Throws exceptions that failure.hpp turns into
+  // messages.
   std::function<ExitCode(const std::vector<std::string>& arguments)> run;
   bool times_are_the_result = false;  // if true, the command has no --no-times
 };
 
-// Makes a command. `describe` makes a table that sets an Options, and `run` gets this Options.
-// Examples are whole lines.
+// Makes a command. `describe` makes the table whose options set an `Options`, and `run` gets that
+// `Options`. Examples are whole lines.
 template <class Options>
 Command make_command(OptionCommand (*describe)(Options&), ExitCode (*run)(const Options&),
                      std::vector<std::string> examples) {

@@ -1,4 +1,4 @@
-// The options of the program and of all its commands, as one table.
+// Makes one table of the program's options and of all its commands.
 #pragma once
 
 #include <vector>

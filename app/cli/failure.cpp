@@ -10,6 +10,7 @@
 #include "core/document/store/evaluator.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/read_error.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope::cli {

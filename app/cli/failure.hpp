@@ -9,7 +9,7 @@
 
 namespace alphascope::cli {
 
-// A command line that can be parsed, but that requests something impossible.
+// Thrown for a command line that can be parsed, but requests something impossible.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -17,12 +17,12 @@ struct UsageError : std::runtime_error {
 struct Failure {
   ExitCode code;
   std::string message;  // sentences
-  // Whether a run over many files goes on with the next one. False after Ctrl-C, and if an output
-  // cannot be written.
+  // Whether a run over many files goes on with the next one. False after Ctrl-C, if an output
+  // cannot be written or would replace an input, and if the engine cannot run here.
   bool of_this_file;
 };
 
-// Sets the advice of out-of-memory messages, as far as this command has options for it.
+// Sets the advice in out-of-memory messages. It names only options that this command has.
 void set_memory_remedy(const OptionCommand& command);
 
 // Describes the exception being handled. Call in a catch block.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/cli/text/terminal.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -39,7 +40,7 @@ ExitCode FilesCommand::run(
   const FilesOutcome outcome = for_each_file(files, many, [&](const std::string& file) {
     for_each_model(file, input_, open_, run_context(), [&](const Input& model) {
       use(file, model);
-      csv.flush();  // a reader of the table sees each model as soon as it is done
+      csv.flush();  // so programs that read the table get each model at once
     });
   });
   json.finish(further_json(outcome, many));

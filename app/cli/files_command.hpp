@@ -32,8 +32,8 @@ class FilesCommand {
   CsvResults csv;
   JsonResults json;
 
-  // Whether the summary is printed. It counts as a note, and is left out when quiet, if a result
-  // takes standard output.
+  // Whether the summary is printed. If a result takes standard output, the summary counts as a
+  // note, which --quiet leaves out.
   bool shown() const;
 
   // Calls `use` with each wanted model of each file, then commits the outputs.

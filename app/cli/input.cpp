@@ -12,6 +12,7 @@
 #include "app/cli/text/text.hpp"
 #include "app/options/did_you_mean.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/user_radii.hpp"
 #include "core/selection/selection_expression.hpp"
@@ -24,7 +25,7 @@ namespace {
 void set_radii(const std::string& radii, BallOptions& balls, const RunContext& context) {
   if (radii == "auto") return;
   if (find_radii_set(radii, balls.radii) && balls.radii != RadiiSet::user) return;
-  // An existing path that cannot be read, such as a loop of links, is refused by its reader.
+  // If the path exists but cannot be read, such as a loop of links, its reader reports that.
   std::error_code ignored;
   if (std::filesystem::status(radii, ignored).type() != std::filesystem::file_type::not_found) {
     balls.radii = RadiiSet::user;
@@ -44,7 +45,7 @@ void set_radii(const std::string& radii, BallOptions& balls, const RunContext& c
 
 int model_index(const std::string& text) {
   if (text == "joined") return kAllModels;
-  if (text == "all") return 0;  // the first model; the others follow
+  if (text == "all") return 0;  // begins with the first model
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || number < 1) {
@@ -56,7 +57,7 @@ int model_index(const std::string& text) {
   return number - 1;
 }
 
-// A chain that does not exist is probably a typing error: it would give an empty set of balls.
+// Refuses chains that do not exist. They are probably typing errors, and could leave no balls.
 void require_chains(const std::vector<std::string>& asked, const MoleculeContents& contents) {
   constexpr std::size_t kListed = 20;
   for (const std::string& name : asked) {
@@ -103,7 +104,7 @@ const char* remedy_for(DropReason reason, const InputOptions& options) {
   return "Choose a radii set with --radii";
 }
 
-// Refuses a complex of no atoms, which is hardly wanted, and says why all atoms were dropped.
+// Refuses an empty set of atoms, which is hardly wanted, and says why all atoms were dropped.
 [[noreturn]] void refuse_without_atoms(const std::filesystem::path& file,
                                        const InputOptions& options, const SelectionReport& report) {
   const std::vector<CountedReason> reasons = drop_reasons(report);

@@ -23,8 +23,8 @@ struct Input {
   }
 };
 
-// The options of open_molecule(), with a table of radii already read, for files opened one after
-// another. Throws UsageError for an unknown value, and ReadError for the table.
+// Returns the options of open_molecule(). A table of radii is read here, once for all files. Throws
+// UsageError for an unknown value, and ReadError for the table.
 OpenOptions open_options(const InputOptions& options, const RunContext& context);
 
 // Reads the file once and calls `use` with the chosen model, or with each in turn for --model all.
@@ -39,8 +39,8 @@ void for_each_model(const InputOptions& options, const RunContext& context,
 // For commands that take one model. Throws UsageError with the reason `why_one` for --model all.
 Input open_one_model(const InputOptions& options, const char* why_one, const RunContext& context);
 
-// The options for the body of a search for cavities. Open choices are those of cavity_body(). The
-// second function gives an open molecule the radii of this body.
+// Returns the options for the atoms that bound cavities (the body). cavity_body() makes the choices
+// that the user left open. The second function gives an open molecule the radii of its body.
 OpenOptions body_options(const InputOptions& options, const BodyOptions& body,
                          const RunContext& context);
 Input with_body_radii(Input input, const InputOptions& options);

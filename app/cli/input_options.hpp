@@ -32,7 +32,7 @@ struct InputFiles {
   bool many() const { return named.size() > 1 || !list.empty(); }
 };
 
-// Atoms of the body besides proteins and nucleic acids, in a search for cavities.
+// Which atoms besides proteins and nucleic acids bound cavities.
 struct BodyOptions {
   bool ligands = false, ions = false;
 };

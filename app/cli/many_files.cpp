@@ -14,15 +14,15 @@
 namespace alphascope::cli {
 namespace {
 
-// Limits of a list: a million names and 64 MiB, so that many names may be long.
+// A list of a million names may have 64 MiB, since many names may be long.
 constexpr std::uint64_t kLargestList = std::uint64_t{64} << 20;
 // The longest name that Linux opens has 4095 bytes.
 constexpr std::size_t kMostNames = 1'000'000, kLongestName = 4095;
 
 constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
-// Refuses a list whose names contain NUL bytes or line ends: its names end with the other of the
-// two.
+// Refuses a list whose names seem to end with NUL bytes instead of line ends, or the other way
+// round.
 [[noreturn]] void refuse_other_ends(const std::string& list, char end) {
   if (end == '\n') {
     throw UsageError(list +

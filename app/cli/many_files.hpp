@@ -25,7 +25,8 @@ struct FilesOutcome {
 
 // Calls `use` with each file. A failure among many files is printed to standard error with file and
 // reason, and the next file follows. At the end the number of failures is printed. The exception of
-// a single file is passed on. Cancelled, WriteError and EngineUnavailable are always passed on.
+// a single file is passed on. Cancelled, WriteError, ReplacesInput and EngineUnavailable are always
+// passed on.
 FilesOutcome for_each_file(const std::vector<std::string>& files, bool many,
                            const std::function<void(const std::string&)>& use);
 

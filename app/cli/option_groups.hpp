@@ -19,7 +19,7 @@ using Options = std::vector<Option>;
 
 void append(Options& options, Options more);
 
-// The input options, without those for ligands and ions, which commands treat differently.
+// The input options without those for ligands and ions, for which commands have different defaults.
 Options input_but_ligands(InputOptions& input);
 // All input options.
 Options input(InputOptions& input);
@@ -38,8 +38,8 @@ void require_files(const InputFiles& files);
 
 Option alpha(Request& request);
 Option alphas(std::vector<Alpha>& alphas, const char* text);
-// An option with the help `text`, whose default is the present target. It is exact and takes at
-// most 18 decimals.
+// An option that sets an alpha exactly as typed, with at most 18 decimals. The default is the
+// present value of `target`.
 Option alpha_option(const char* text, Alpha& target);
 // Reads alpha exactly as typed. Throws std::invalid_argument that says what is wrong.
 Alpha alpha_in(const std::string& value);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/cli/option_groups.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -93,7 +93,7 @@ Outputs::Outputs(const std::vector<fs::path>& inputs) {
       note_read(input);
     }
   }
-  // For example ">> FILE": the summary would be appended to the input.
+  // With ">> FILE", for example, the summary would be appended to the input FILE.
   for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
     if (const auto input = input_replaced_by(descriptor)) {
       throw UsageError(std::string("Standard ") +

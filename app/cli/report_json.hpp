@@ -19,7 +19,7 @@ RecordSource source_of(const Input& input);
 Json input_json(const Input& input, const Lattice& computed_on);
 Json comparison_json(const Comparison& comparison);
 
-// The JSON to be written. The option --no-times removes all that depends on time and threads.
+// Returns the JSON to write. With --no-times it lacks everything that depends on time or threads.
 Json json_to_write(Json json);
 
 // The header with all notes of reader and engine.

@@ -2,6 +2,11 @@
 #include "app/cli/result_files.hpp"
 
 #include "app/cli/text/terminal.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/run/work_threads.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope::cli {
@@ -20,7 +25,8 @@ std::string indented(std::string text, const char* margin) {
   return result;
 }
 
-// Empties the columns that depend on the run. They remain as columns, so that tables can be joined.
+// Empties columns that depend on the run, such as times. The columns themselves stay, so tables of
+// several runs can be joined.
 CsvRow without_run(CsvRow row) {
   for (auto& [name, value] : row) {
     for (const char* of_run : {"wall_ms", "device", "route", "measured_by"}) {

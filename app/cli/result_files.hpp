@@ -26,8 +26,8 @@ class CsvResults {
   bool begun_ = false;
 };
 
-// One JSON object. With `list`, this key holds the results, and further keys follow. Without it,
-// the object is the one result with further keys.
+// Writes one JSON object. With `list`, the results are a list under this key, and further keys
+// follow. Without `list`, the object is the only result, with further keys.
 class JsonResults {
  public:
   JsonResults(AtomicFile* file, std::string list) : file_(file), list_(std::move(list)) {}

@@ -11,7 +11,7 @@ std::string joined(const Words& words, const char* between) {
   return text;
 }
 
-// Words that may stand where no option does.
+// Words that may stand where no option stands.
 struct Arguments {
   bool files = false;
   std::vector<std::string> words;
@@ -34,7 +34,7 @@ std::string function_name(const std::string& program) {
   return name;
 }
 
-// Cases for the value of each option, and for all words where no value is expected.
+// Writes a case for the value of each option, and one for words where no value is expected.
 std::string bash_cases(const std::string& command, const std::vector<Option>& options) {
   std::string text;
   for (const Option& option : options) {
@@ -162,8 +162,8 @@ std::string zsh(const OptionProgram& program) {
     }
     text += "  esac\n";
   }
-  // A file loaded from a folder of completions is the function itself. A sourced file must register
-  // it.
+  // zsh takes a file from its folder of completions as the function itself. If the file is sourced
+  // instead, it must register the function.
   return text + "}\nif [ \"$funcstack[1]\" = \"_" + program.name + "\" ]; then\n  " + function +
          " \"$@\"\nelse\n  compdef " + function + " " + program.name + "\nfi\n";
 }

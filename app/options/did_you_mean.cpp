@@ -16,7 +16,8 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// Number of changes, insertions, removals and swaps of neighbours that turn a into b.
+// Returns the least number of letters to change, insert, remove or swap with a neighbour to turn a
+// into b.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -42,7 +43,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   const std::string* nearest = nullptr;
   std::size_t least = 1 + std::max<std::size_t>(1, typed.size() / 3);
   for (const std::string& candidate : known) {
-    // The beginning of a word counts as nearer than any typing error.
+    // The beginning of a known word counts as nearer than any word with a typing error.
     const bool begun = typed.size() >= 3 && lower(candidate).starts_with(typed);
     const std::size_t far = begun ? 0 : distance(typed, lower(candidate));
     if (far >= least) continue;

@@ -7,8 +7,8 @@
 
 namespace alphascope {
 
-// " Did you mean "compute"?", or nothing if no known word is near. Case is ignored. One letter in
-// three may be wrong, missing, added or swapped with its neighbour.
+// " Did you mean "compute"?", or nothing if no known word is near. Case is ignored. A third of the
+// letters, but at least one, may be wrong, missing, added or swapped with a neighbour.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace alphascope

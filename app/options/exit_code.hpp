@@ -14,7 +14,7 @@ enum class ExitCode : int {
   computing_failed = 4,   // engine unavailable, out of memory, internal error
   unwritable_output = 5,  // an output file cannot be written
   no_display = 6,         // alphascope: no display to open a window on
-  cancelled = 130,        // Ctrl-C, as shells expect (128 + SIGINT); other signals alike
+  cancelled = 130,        // Ctrl-C, as shells expect (128 + SIGINT); 128 + n for signal n
 };
 
 struct ExitCodeInfo {

@@ -26,7 +26,7 @@ std::string entry(const std::string& left, const std::string& explanation) {
     text = line + "\n";
     line.clear();
   }
-  bool blank = true;  // the line holds no word of the explanation yet
+  bool blank = true;  // no word of the explanation is on the line yet
   line.append(kTextColumn - std::min(kTextColumn, columns(line)), ' ');
   for (const std::string& word : words_of(explanation)) {
     if (!blank && columns(line) + 1 + columns(word) > kWidth) {

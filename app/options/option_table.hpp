@@ -8,7 +8,7 @@
 
 namespace alphascope {
 
-// Output that an option prints in place of a run of the program.
+// The text that an option or command prints, instead of a run of the program.
 enum class InsteadOfRunning : unsigned char { none, help, version, man_page, completion };
 
 struct Option {
@@ -24,8 +24,8 @@ struct Option {
   std::function<void(const std::string&)> set = {};
   bool required = false;
   bool list = false;  // takes "A,B" and may be repeated; an argument: takes any number
-  // An empty value is valid, such as the chain without a name. Otherwise it is refused, since it
-  // would act as if the option were missing.
+  // Whether an empty value is valid, as for the chain without a name. Other options refuse it,
+  // since it would have no effect.
   bool may_be_empty = false;
   InsteadOfRunning answer = InsteadOfRunning::none;
 

@@ -22,7 +22,7 @@ std::string with_unit(const std::string& number, const NumberRange& range) {
 
 std::string range_text(const NumberRange& range) {
   if (range.most >= kAnyNumber.most) return "a finite number";
-  // Whole numbers above a million are easier to read without an exponent.
+  // Writes whole numbers above a million without an exponent, which is easier to read.
   const auto text = [](double bound) {
     return bound == std::floor(bound) && std::abs(bound) < 1e15
                ? std::to_string(static_cast<long long>(bound))
@@ -62,7 +62,8 @@ std::string list_text(const std::vector<Number>& numbers) {
   return text;
 }
 
-// The first given value replaces the default, and later ones are added.
+// Returns a function that collects values. The first one replaces the default, and later ones are
+// added.
 template <class T>
 auto appending(std::vector<T>& target) {
   return [&target, fresh = true](T value) mutable {

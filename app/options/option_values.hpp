@@ -1,4 +1,5 @@
-// Options by the kind of their value. Each sets a variable, whose present value is the default.
+// Makes options by the kind of their value. Each option sets a variable, whose present value is the
+// default.
 #pragma once
 
 #include <filesystem>

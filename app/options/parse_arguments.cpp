@@ -1,4 +1,4 @@
-// Parses arguments by CLI11, and words its errors anew.
+// Parses arguments with CLI11, and replaces the texts of its errors.
 #include "app/options/parse_arguments.hpp"
 
 #include <CLI/CLI.hpp>
@@ -14,10 +14,10 @@
 namespace alphascope {
 namespace {
 
-// Marks words after "--". CLI11 would not add them to a list that has begun before.
+// Marks words after "--". Otherwise CLI11 would not add them to a list that began before "--".
 constexpr char kBehindDashes = '\x01';
 
-// Thrown while parsing, for --help and similar options.
+// Thrown while parsing, when --help or a similar option is found. Its text is printed.
 struct Answered {
   std::string text;
 };
@@ -102,7 +102,7 @@ void add(CLI::App& app, const OptionProgram& program, const OptionCommand* comma
                        for (const std::string& text : results) give(program, command, option, text);
                        return true;
                      }));
-  // An option takes one word only: otherwise "--chain A FILE" would take the file, too.
+  // An option takes one word at a time. Otherwise "--chain A FILE" would take the file, too.
   if (option.list) added->expected(1, CLI::detail::expected_max_vector_size);
   added->allow_extra_args(option.list && option.is_argument())->required(option.required);
   if (option.list) added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -117,8 +117,8 @@ const Option* find(const std::vector<Option>& options, const std::string& name) 
   return nullptr;
 }
 
-// A complaint about an option such as "--json=", which would take the next word for its value.
-// Empty: no such word.
+// Returns a complaint if an option such as "--json=" has no value, because CLI11 would take the
+// next word for it. Empty: no such option.
 std::string nothing_behind_equals(const OptionProgram& program,
                                   const std::vector<std::string>& words) {
   const std::vector<Option>* options = &program.options;
@@ -137,8 +137,8 @@ std::string nothing_behind_equals(const OptionProgram& program,
   return {};
 }
 
-// A complaint about an unknown command or option, which explains all errors of the parser. Empty:
-// no such word.
+// Returns a complaint about an unknown command or option. It is the cause of any other error of the
+// parser. Empty: all are known.
 std::string unknown_word(const OptionProgram& program, const std::vector<std::string>& words) {
   const OptionCommand* command = nullptr;
   const std::vector<Option>* options = &program.options;
@@ -184,7 +184,7 @@ std::vector<std::string> words_for_cli11(const std::vector<std::string>& words) 
   return marked;
 }
 
-// The errors of CLI11 in our words.
+// Returns an error of CLI11 in the words of this program.
 std::string in_words(const OptionProgram& program, const OptionCommand* command,
                      const CLI::ParseError& error) {
   std::string said = error.what();

@@ -1,4 +1,4 @@
-// Parses arguments and sets variables. Only this source uses the parser CLI11.
+// Parses arguments and sets variables. Only the source of this header uses the parser CLI11.
 #pragma once
 
 #include <string>

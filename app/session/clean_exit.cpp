@@ -21,8 +21,8 @@ const char* program_name = "";
 int status_without_memory = 1;
 std::terminate_handler terminate_before = nullptr;
 
-// Memory that is freed when an allocation first fails. Destructors and a message may still need
-// some.
+// Memory in reserve. It is freed when an allocation first fails, because destructors and the
+// message may need some.
 constexpr std::size_t kReserveBytes = std::size_t{1} << 18;
 std::atomic<void*> reserve{nullptr};
 
@@ -35,8 +35,8 @@ void say(const char* text) {
   static_cast<void>(!::write(STDERR_FILENO, text, std::strlen(text)));
 }
 
-// Called when an exception leaves a noexcept function, such as a destructor: nlohmann's values
-// allocate in theirs.
+// Called when an exception leaves a noexcept function. Destructors are such functions, and those of
+// nlohmann's JSON values allocate memory.
 [[noreturn]] void on_terminate() {
   const std::type_info* const type = abi::__cxa_current_exception_type();
   if (type != nullptr && *type == typeid(std::bad_alloc)) {
@@ -53,7 +53,8 @@ extern "C" void on_last_signal(int signal) {
   kill_self_by(signal);
 }
 
-// Ends the program on its own faults. Sanitizers have handlers of their own.
+// Makes a fault of the program, such as SIGSEGV, remove the temporary files first. Handlers of
+// sanitizers stay.
 void end_on_fault(int signal) {
   struct sigaction action {};
   if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) return;

@@ -1,13 +1,13 @@
-// The end of both programs by a signal, by a fault, or by exhausted memory. No temporary file and
-// no incomplete file stays.
+// Ends both programs cleanly after a signal, a fault, or exhausted memory. No temporary file and no
+// incomplete file stays.
 #pragma once
 
 #include <initializer_list>
 
 namespace alphascope {
 
-// Call first in main(). `program` begins messages. `status` is the exit status when memory is
-// exhausted where no exception can pass, as in a destructor.
+// Call first in main(). Messages begin with `program`. `status` is the exit status if memory is
+// exhausted where no exception can pass, such as in a destructor.
 void prepare_clean_exit(const char* program, int status);
 
 // Handles a signal, unless it was ignored at the start. For example nohup ignores signals that a

@@ -7,6 +7,8 @@
 
 #include "app/session/rounding_note.hpp"
 #include "core/engines/answers_from_known.hpp"
+#include "core/measure/engine_measures.hpp"
+#include "core/measure/union_measures.hpp"
 
 namespace alphascope {
 
@@ -80,7 +82,8 @@ std::uint64_t EngineCache::kept_bytes() const {
   return bytes;
 }
 
-// A cancelled engine's results for all balls serve the next request.
+// Computes the complex. If that is cancelled, the entry keeps finished results for all balls, for
+// the next request.
 AlphaComplex EngineCache::complex_of(Entry& entry, const Request& request,
                                      const RunContext& context, const ResultsForAllAlphas& of_all) {
   ResultsForAllAlphas owned{entry.grown, entry.taken_triangulation.lock(),
@@ -100,8 +103,8 @@ AlphaComplex EngineCache::complex_of(Entry& entry, const Request& request,
   }
 }
 
-// After a cancelled request that had finished its set-up, the first answer has no set-up stages. It
-// is not cold.
+// An answer is cold if it is the engine's first and has set-up stages. It has none if an earlier,
+// cancelled request had finished the set-up.
 EngineAnswer EngineCache::answer(Entry& entry, const Request& request, const RunContext& context,
                                  const ResultsForAllAlphas& of_all) {
   AlphaComplex complex = complex_of(entry, request, context, of_all);
@@ -120,7 +123,7 @@ EngineAnswer EngineCache::compute(const std::shared_ptr<const BallSet>& balls,
                                   const ResultsForAllAlphas& of_all) {
   context.cancel.throw_if_cancelled();
   Entry& entry = find_or_make(balls, request, of_all);
-  // Other engines free the memory for their next results, which is large on a GPU.
+  // The other engines free memory that they keep for their next results. On a GPU it is large.
   for (Entry& other : entries_) {
     if (&other != &entry) other.made.engine->release_memory();
   }

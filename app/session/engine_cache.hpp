@@ -1,5 +1,5 @@
-// Keeps the engines of the last few settings, so that going back to one needs no set-up. With each
-// engine it keeps the results for all its balls, unless another owner has them.
+// Keeps the engines of the last two settings, so a return to earlier settings needs no set-up. With
+// each engine it keeps the results for all its balls, unless another owner has them.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace alphascope {
 // One thread at a time may use it.
 class EngineCache {
  public:
-  // `threads`: those of all engines. Null: each engine has its own.
+  // `threads` serve all engines. Null: each engine has threads of its own.
   explicit EngineCache(EngineFactory factory, std::shared_ptr<SharedThreads> threads = {})
       : factory_(std::move(factory)), threads_(std::move(threads)) {}
 
@@ -26,10 +26,11 @@ class EngineCache {
   // Engine::compute() do.
   EngineAnswer compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
                        const RunContext& context, const ResultsForAllAlphas& of_all = {});
-  // Hands over the results for all balls of the last answer's engine. The next answers use them
-  // while the new owner keeps them.
+  // Hands over the results for all balls of the last answer's engine. Later answers still use them,
+  // as long as the new owner keeps them.
   ResultsForAllAlphas take_made();
-  // Call when the last answer is shared: complexes of smaller alphas may be thresholds of it.
+  // Call when the last answer is shared. The engine may then find complexes of smaller alphas in
+  // it, by a threshold.
   void share(const std::shared_ptr<const EngineAnswer>& answer);
 
   // Areas and volumes of the last answer's complex, by its engine's device. If the device fails,
@@ -43,7 +44,7 @@ class EngineCache {
   MeasuredUnion measure(const EngineAnswer& answer, const RunContext& context,
                         UnionDerivatives* derivatives = nullptr);
 
-  // Call before idle time: engines free the memory that they keep for their next results alone.
+  // Call before idle time. Engines free the memory that only their next results would use.
   void release_memory();
   void clear() { entries_.clear(); }
   std::uint64_t kept_bytes() const;  // bytes kept for later answers

@@ -35,8 +35,8 @@ using EngineFactory = std::function<MadeEngine(
 MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
                        const EngineSettings& settings);
 
-// Whether results that are gone have left memory which no engine will use again. Quick; any thread
-// may call it.
+// Whether freed results have left memory that no engine will use again. Quick; any thread may call
+// it.
 bool is_engine_memory_unused();
 // Frees this memory. Takes time, so not for the main thread.
 void free_unused_engine_memory();

@@ -112,7 +112,8 @@ std::vector<fs::path> gpu_library_places(const fs::path& program) {
     if (*named == '\0') return {};
     return {named};
   }
-  // Programs are in one of two folders of an installation, whose root is what precedes the folder.
+  // Programs are in one of two folders of an installation. The part of the path before that folder
+  // is the installation's root.
   std::vector<fs::path> places;
   for (const fs::path own : {ALPHASCOPE_PROGRAM_FOLDER, ALPHASCOPE_DRAWING_PROGRAM_FOLDER}) {
     fs::path root = program.parent_path();

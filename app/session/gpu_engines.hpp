@@ -20,11 +20,11 @@ class GpuEngines {
   // Those of the running program. The first call loads the library, which takes milliseconds.
   static const GpuEngines& of_program();
 
-  // Loads the first of these files that exists. A file that cannot be used is not replaced by a
-  // later one.
+  // Loads the first of these files that exists. If it cannot be used, later ones are not tried.
   explicit GpuEngines(const std::vector<std::filesystem::path>& places);
 
-  // Without a usable library, GpuDevice::why_not says so. The first call may take a second.
+  // If there is no usable library, GpuDevice::why_not gives the reason. The first call may take a
+  // second.
   const GpuDevice& device() const;
   // Both return null if the GPU cannot be used, and set `why_not` to the reason.
   std::unique_ptr<Engine> make_engine(std::shared_ptr<const BallSet> balls,
@@ -42,9 +42,9 @@ class GpuEngines {
   GpuDevice none_;                       // says why there is no library
 };
 
-// Where the library of an executable may be, all paths absolute. The environment variable
-// ALPHASCOPE_GPU_LIBRARY names a file in place of all others. Otherwise it belongs to the
-// installation of which `program` is a part; a build folder has the same layout.
+// Returns absolute paths at which the library of an executable may be. The environment variable
+// ALPHASCOPE_GPU_LIBRARY replaces them all by one path; if it is empty, there is none. Otherwise it
+// belongs to the installation of which `program` is a part; a build folder has the same layout.
 std::vector<std::filesystem::path> gpu_library_places(const std::filesystem::path& program);
 
 }  // namespace alphascope

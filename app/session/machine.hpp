@@ -1,4 +1,4 @@
-// Describes the machine in words, for panels and for results that carry times.
+// Describes the machine in words, for panels and for results with times.
 #pragma once
 
 #include <string>

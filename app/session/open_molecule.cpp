@@ -46,7 +46,8 @@ void expand(OpenedMolecule& opened, const OpenOptions& options, const RunContext
   opened.contents = std::make_shared<const MoleculeContents>(contents_of(*opened.molecule));
 }
 
-// Call after prepare(), which refuses a model that does not exist.
+// Lists the residues of the chosen model. To be called after prepare(), which refuses a model that
+// does not exist.
 void list_residues_of_model(OpenedMolecule& opened, const OpenOptions& options) {
   const Molecule& molecule = *opened.molecule;
   std::size_t begin = 0, end = molecule.atoms.size();

@@ -21,7 +21,8 @@ ComplexHeader result_header(std::string_view program, const Provenance& balls,
   const AlphaComplex& complex = answer.complex;
   ComplexHeader header{{"program", program_text(program)}};
   header.insert(header.end(), balls.begin(), balls.end());
-  // The solvent radius may need a finer lattice.
+  // The lattice is that of the complex, since the solvent radius may need a finer one than the
+  // molecule.
   for (auto& [key, value] : header) {
     if (key == "lattice_unit_angstrom") value = lattice_unit_text(complex.lattice);
   }

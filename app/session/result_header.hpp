@@ -1,4 +1,5 @@
-// The provenance of a result as lines for all its files, the same for window and command line.
+// Describes where a result comes from, as lines for the head of its files. Window and command line
+// write the same lines.
 #pragma once
 
 #include <string>

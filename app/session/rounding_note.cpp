@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 namespace {
 

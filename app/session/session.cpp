@@ -5,14 +5,15 @@
 #include <utility>
 
 #include "core/engines/answers_from_known.hpp"
+#include "core/measure/engine_measures.hpp"
 #include "core/run/freed_on_other_thread.hpp"
 
 namespace alphascope {
 
 namespace {
 
-// Slider moves come every few milliseconds. A computation that is shorter than this finishes, so
-// that pictures keep coming. A longer one gives way to the newest request.
+// Slider moves come every few milliseconds. A computation shorter than this is finished, so
+// pictures keep coming. A longer one is cancelled for the newest request.
 constexpr std::chrono::milliseconds kSliderGrace{150};
 constexpr std::chrono::milliseconds kAlways = std::chrono::hours(24);
 
@@ -134,8 +135,8 @@ void Session::take_opened(std::shared_ptr<const OpenedMolecule> opened, const Re
   submit_compute();
 }
 
-// The open molecule stays. Options set during the reading of another file still apply to it.
-// Options that the molecule has refused are taken back.
+// Keeps the open molecule. If another file could not be read, options that the user set meanwhile
+// now apply to the open molecule. Options that the molecule has refused are reset.
 void Session::opening_failed() {
   if (opener_.activity().busy) return;
   const bool was_a_file = !opening_path_.empty();
@@ -156,7 +157,7 @@ void Session::set_request(const Request& request, const ResultsForAllAlphas& of_
   if (request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom) {
     forget_reference_timings();
   }
-  // Timing CGAL would take cores from the new computation, which is also timed.
+  // A timing of parallel CGAL would take cores from the new computation, which is timed as well.
   if (timing_parallel_) comparer_.cancel();
   state_.request = request;
   if (state_.prepared) submit_compute(Engines::kept, of_all);
@@ -201,7 +202,7 @@ void Session::take_answer(std::shared_ptr<const Answer> answer) {
   if (same_setup(answer->request, state_.request)) {
     state_.our_timings.note(answer->complex, answer->cold);
   }
-  // The previous answer may never reach the screen.
+  // The previous answer may never reach the screen. So results that came with it go to the new one.
   if (state_.ours && state_.ours->balls == answer->balls) {
     answer->made->add(std::exchange(*state_.ours->made, {}));
   }
@@ -222,8 +223,8 @@ void Session::cancel_comparison() {
   comparer_.cancel();
 }
 
-// Leaves out the switches of the tuple engine, which CGAL does not use, so that its triangulation
-// is kept.
+// Returns the present request for CGAL. It lacks the switches of the tuple engine, which CGAL does
+// not use. So a change of them does not discard CGAL's triangulation.
 Request Session::reference_request(int threads) const {
   Request request = state_.ours->request;
   request.engine = EngineChoice::cgal;
@@ -273,7 +274,7 @@ void Session::submit_parallel_timing() {
   comparer_.submit(
       [this, request, ours = state_.ours, references = references_](const RunContext& context) {
         EngineAnswer result = references->compute(ours->prepared->balls, request, context);
-        // Only the times are used. The lists are as long as those already compared.
+        // Only the times are kept, since these simplices are those already compared.
         auto times = std::make_shared<EngineAnswer>();
         times->cold = result.cold;
         times->complex = without_simplices(std::move(result.complex));

@@ -36,7 +36,8 @@ struct SessionState {
   ColdAndWarm our_timings, reference_timings;  // for the present balls, solvent radius and engine
   // CGAL with all threads, timed after an agreement. Empty if the machine has too few threads.
   ColdAndWarm parallel_timings;
-  // The last failure. The text becomes empty when the same action succeeds.
+  // The last failure, and the action that failed. The text becomes empty when the same action
+  // succeeds.
   // changing: options of the open molecule
   enum class Source { none, opening, changing, computing, comparing };
   std::string last_error;
@@ -91,8 +92,8 @@ class Session {
   // The same with options and a request that hold once the file is read. Until then, and if reading
   // fails, nothing changes.
   void open(const std::filesystem::path& path, const OpenOptions& options, const Request& request);
-  // Applies to the open molecule at once, and to later ones. If this fails or is cancelled, the
-  // molecule stays, and the options go back to those of the molecule.
+  // Applies options to the open molecule, in the background, and to later ones. If this fails or is
+  // cancelled, the molecule and its options stay.
   void set_open_options(const OpenOptions& options);
   const OpenOptions& open_options() const { return options_; }
   void cancel_opening() { opener_.cancel(); }
@@ -106,12 +107,13 @@ class Session {
   void set_measuring(bool measuring) { measuring_ = measuring; }
   // Whether answers come with the outer faces of their tetrahedra (AlphaComplex::outside).
   void set_finding_outer_faces(bool finding) { finding_outer_faces_ = finding; }
-  // Call when memory gets short. If nothing is being computed, engines free the memory that they
-  // keep for their next results alone.
+  // Call when memory gets short. If nothing is being computed, engines free the memory that only
+  // their next results would use.
   void release_engine_memory();
   void cancel_computing() { computer_.cancel(); }
-  // While a slider is dragged, a running computation finishes although a newer request waits.
-  // Otherwise slow computations would never show a result. At rest it soon gives way.
+  // While a slider is dragged, a running computation is finished although a newer request waits.
+  // Otherwise slow computations would never show a result. At rest, a newer request cancels it
+  // after 150 ms.
   void set_dragging(bool dragging);
 
   // Computes the present request once more with its set-up, as after opening the molecule. CGAL

@@ -46,9 +46,10 @@ std::uint64_t pages(bool resident) {
   return (resident ? in_memory : total) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-// The limit counts addresses, and OpenGL and each thread reserve many that they never use. An EGL
-// context with two threads of llvmpipe took 590 MB of addresses and 64 MB of memory. A thread's
-// heap and stack take 72 MB, and the window has six threads of its own.
+// Returns what `ulimit -v` leaves. It limits addresses, not memory, and OpenGL and each thread
+// reserve many that they never use. An EGL context with two threads of llvmpipe took 590 MB of
+// addresses and 64 MB of memory. A thread's heap and stack take 72 MB of addresses, and the window
+// has six threads of its own.
 Bytes left_of_address_space() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
@@ -58,8 +59,8 @@ Bytes left_of_address_space() {
   return limit.rlim_cur > taken ? limit.rlim_cur - taken : 0;
 }
 
-// The smallest free amount of all groups from this process' group up to the root. Memory of cached
-// files counts as free, since it is given back when needed.
+// Returns the least free memory of any control group from this process' group up to the root. The
+// cache of files counts as free, since the system gives it back when needed.
 Bytes left_of_control_group(const SystemFiles& system) {
   std::ifstream groups(system.groups);
   std::string path;

@@ -15,11 +15,13 @@ struct SystemFiles {
 std::uint64_t resident_bytes();   // of this process; 0 without /proc
 std::uint64_t allocated_bytes();  // in use in the C library's heap
 
-// Free bytes without swapping, within the limits of the process (ulimit -v) and of its control
-// group. Control groups (version 2) belong to containers and systemd. Nothing if none can be read.
+// Returns the bytes that the program can still allocate without swapping. The limits of the process
+// (ulimit -v) and of its control groups count too; containers and systemd set those of version 2.
+// Empty if nothing can be read.
 std::optional<std::uint64_t> available_bytes(const SystemFiles& files = {});
 
-// The value of --drawing-memory in bytes, from megabytes (10^6 bytes), or available_bytes().
+// Returns `megabytes` (10^6 bytes; the option --drawing-memory) in bytes, or else
+// available_bytes().
 std::optional<std::uint64_t> available_or(std::optional<std::uint64_t> megabytes);
 
 }  // namespace alphascope

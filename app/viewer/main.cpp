@@ -49,7 +49,7 @@ int status_of(ExitCode code) {
   return static_cast<int>(code);
 }
 
-// An action that failed, with the exit code for this kind of failure.
+// Thrown for an action that failed, with the exit code of this kind of failure.
 struct NotDone : std::runtime_error {
   NotDone(ExitCode why, const std::string& text) : std::runtime_error(text), code(why) {}
   ExitCode code;
@@ -63,11 +63,11 @@ ExitCode code_of(const std::exception& error) {
   return ExitCode::computing_failed;
 }
 
-// An empty window was measured to take 120 MB.
+// With less free memory no window is opened. An empty window took 120 MB when measured.
 constexpr std::uint64_t kLeastFreeBytes = 150 << 20;
 
-// Has no time limit. A result that is taken in may start the next job, so several quiet frames are
-// needed.
+// Draws frames until no work is left, however long that takes. A result may start the next job, so
+// it waits for several frames without work.
 void wait_until_idle(alphascope::Viewer& viewer) {
   constexpr double kFrame = 0.02;  // seconds
   alphascope::ScriptedInput no_input;
@@ -157,7 +157,8 @@ int open_window(alphascope::ViewerOptions options) {
     options.preferences = alphascope::preferences_folder();
   }
   const alphascope::HostOptions host_options = alphascope::host_options(options);
-  // OpenGL drivers end the program where an allocation fails, so it ends here with a message.
+  // An OpenGL driver ends the program without a message if an allocation fails. So the program ends
+  // here with one.
   const auto free = alphascope::available_bytes();
   if (free && *free < kLeastFreeBytes) {
     std::fprintf(stderr,

@@ -7,8 +7,10 @@
 #include <tuple>
 
 #include "core/geometry/grown_radius.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
 #include "ui/panels/whole_state.hpp"
 #include "ui/widgets/format.hpp"
@@ -44,8 +46,8 @@ void add_radius_rows(MoleculeInfo& info, const std::vector<GuessedRadius>& list,
   for (const GuessedRadius& radius : list) info.radius_rows.push_back({kind, radius});
 }
 
-// Uncommon elements such as metals come first, since their guessed radii are the most doubtful. The
-// order ignores kind and radius, so that an edited row stays under the mouse.
+// Sorts uncommon elements such as metals first, since their guessed radii are the most doubtful.
+// The order does not depend on kind or radius, so a row that the user edits stays in its place.
 void sort_radius_rows(std::vector<RadiusRow>& rows) {
   const auto key = [](const RadiusRow& row) {
     static const std::set<std::string_view> kCommon{"C", "N", "O", "S", "P", "H"};

@@ -15,8 +15,8 @@
 namespace alphascope {
 namespace {
 
-// The budget of all large objects, bytes: half of the sum of free memory and their own. The rest is
-// for temporary memory while they are made, and for other programs.
+// Returns the budget of all large objects, bytes. It is half of the free memory and their own
+// together. The other half is for temporary memory, and for other programs.
 std::uint64_t large_object_budget(std::uint64_t held) {
   return (available_bytes().value_or(0) + held) / 2;
 }
@@ -125,7 +125,7 @@ void Viewer::take_session() {
   opening_.poll();
   lessons_.poll();
   if (preferences_.poll()) due_.ask();
-  state_.listing = folder_reader_.listing(wanted_listing(state_.memory));
+  state_.listing = folder_reader_.listing(wanted_listing(state_.browser));
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
   if (changes.molecule && s.opened) memory_.note_freed(file_.take_molecule(line_scale()));
@@ -166,9 +166,9 @@ void Viewer::send_controls() {
                         saving_.sweeps());
 }
 
-// With software OpenGL the processor that draws a frame also makes the tables of this picture.
-// While a slider is dragged, the frame waits for the tables, so that both appear together. The next
-// frame does not wait.
+// Whether this frame is left undrawn until the picture's tables are ready. Software OpenGL draws
+// with the same cores that make the tables. While a slider is dragged, one frame waits, so picture
+// and tables appear together.
 bool Viewer::waits_for_tables() {
   const bool new_picture = std::exchange(picture_is_new_, false);
   return new_picture && frame_.in_software() && interacting(state_) &&

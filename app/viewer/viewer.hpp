@@ -57,7 +57,8 @@ class Viewer {
   const std::vector<StageTime>& picture_stages() const { return scene_.shown().pacing().stages(); }
   // Takes in results until the next frame may be drawn. Returns whether anything happened.
   bool wait_for_frame();
-  // True while a molecule, a complex, a comparison or a mesh is being made.
+  // True while any work is unfinished: opening, computing, comparing, drawing, derived results,
+  // files being written, the search for a GPU, or a benchmark.
   bool busy() const;
   // Draws pictures in the background with software OpenGL too, as with a GPU.
   void render_asynchronously() { scene_.render_asynchronously(); }
@@ -94,7 +95,8 @@ class Viewer {
   // Runs `what` on the main thread. An exception is shown to the user, and the program goes on.
   void guarded(const std::function<void()>& what);
   float line_scale() const { return preferences_.line_scale(frame_.scale()); }
-  // As busy(), without the benchmark. Frames drawn during a benchmark would be in its times.
+  // As busy(), without the benchmark and derived results. A benchmark alone causes no frames, since
+  // drawing would disturb its times.
   bool working() const { return working_except_saving() || saving_.busy(); }
   bool working_except_saving() const;  // working(), without files being saved
   void take_results();
@@ -130,7 +132,7 @@ class Viewer {
   bool quit_ = false;
   bool patient_ = false;
   bool draw_shots_only_ = false;
-  bool must_render_ = false;  // state_.result is not yet in the picture
+  bool must_render_ = false;  // the picture does not show state_.result yet
   bool picture_is_new_ = false;
   JobList jobs_{state_, due_};
   FolderReader folder_reader_;

@@ -6,6 +6,7 @@
 
 #include "app/viewer/parts/call_queue.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 
@@ -142,7 +143,7 @@ class Viewer::Queued {
     }
 
    private:
-    // Names of the calls, so that cancelling one job does not replace cancelling another.
+    // The names of the calls differ, so cancelling one job does not replace cancelling another.
     static constexpr std::array kCancel = {
         "cancel_opening", "cancel_computing", "cancel_comparing", "cancel_listing",
         "cancel_lessons", "cancel_session",   "cancel_picture",   "cancel_table",

@@ -33,8 +33,9 @@ void Viewer::act() {
   preferences_.note();
 }
 
-// Draws the scene after the panels, so that the picture has this frame's size, and before ImGui
-// shows it. A frame with waiting input draws no scene: slow pictures would delay the window.
+// Draws the scene. It comes after the panels, which decide the picture's size, and before ImGui
+// shows the picture. If input is waiting, no scene is drawn, since slow pictures would delay the
+// window.
 void Viewer::draw_scene(const ScriptedInput* input, bool patient) {
   if (input == nullptr && !must_render_ && host_.input().waiting()) return;
   must_render_ = false;

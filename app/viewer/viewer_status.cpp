@@ -1,5 +1,5 @@
-// Messages about running work and failures. A failed request of the user opens a dialog. A failure
-// of dragging or of background work becomes a line in the window.
+// Shows failures. If a single request of the user fails, a dialog opens. A slider may ask in each
+// frame for computing or changing the model. If that fails, a line in the window says so.
 #include <cmath>
 #include <new>
 #include <string>

@@ -10,6 +10,8 @@
 #include "core/cavity/mouths.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/run/parallel.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/membership.hpp"
 #include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
@@ -42,8 +44,8 @@ class CavityFinder {
     return !in_.tetrahedra[t] && is_inside_if_empty(ground_.flow, t, rule_);
   }
 
-  // Joins inside tetrahedra across triangles not in K_alpha. Each gets the lowest index of its set
-  // as its label; list_tetrahedra() replaces it by the number of the cavity.
+  // Joins tetrahedra of cavities across triangles not in K_alpha. Each tetrahedron gets the lowest
+  // index of its set as its label; list_tetrahedra() replaces it by the number of the cavity.
   void label_tetrahedra() {
     UnionFind sets(tetrahedra_);
     parallel_many(incidence_.triangles.size(), cancel_, [&](std::size_t f) {
@@ -101,8 +103,8 @@ class CavityFinder {
     }
     return opening;
   }
-  // Checks that a way leads from beyond a mouth to infinity. Without one, the cavity would be
-  // larger.
+  // Checks that the flow leads to infinity from the tetrahedron on the other side of a mouth.
+  // Otherwise this tetrahedron would belong to the cavity.
   void require_outside(std::uint32_t t) const {
     if (t == Incidence::kOutside) return;
     if (!in_.tetrahedra[t] && (ground_.flow.marks[t] & Flow::kReachesInfinity)) return;

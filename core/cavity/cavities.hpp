@@ -7,35 +7,22 @@
 #include <memory>
 #include <vector>
 
-#include "core/complex/triangulation.hpp"
+#include "core/complex/simplices.hpp"
 #include "core/geometry/alpha.hpp"
-#include "core/triangulation/flow.hpp"
-#include "core/triangulation/incidence.hpp"
-#include "core/triangulation/membership.hpp"
+#include "core/geometry/ball_index.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
-// Decides on empty tetrahedra from which some ways of the flow end at infinity and others at a
-// sink.
+struct CavityGround;
+struct Membership;
+
+// The rule for an empty tetrahedron from which some ways of the flow (core/triangulation/flow.hpp)
+// end at infinity and others at a sink.
 enum class OutsideRule {
   castp,  // outside iff all ways end at infinity
   pocket  // outside iff at least one way ends at infinity
 };
-
-// The part of a cavity search that does not depend on alpha. Below dimension 3 there are no
-// cavities, and incidence and flow are empty.
-struct CavityGround {
-  std::shared_ptr<const BallSet> balls;
-  std::shared_ptr<const Triangulation> triangulation;
-  Incidence incidence;
-  Flow flow;
-};
-
-// Works in the caller's task arena. Throws Cancelled.
-CavityGround make_cavity_ground(std::shared_ptr<const BallSet> balls,
-                                std::shared_ptr<const Triangulation> triangulation,
-                                FlowTies ties = FlowTies::perturbed,
-                                const RunContext& context = {});
 
 // Triangles not in K_alpha through which a pocket opens. They are joined at shared edges and
 // vertices that are not in K_alpha. Ascending indices of Incidence::triangles.
@@ -64,9 +51,9 @@ struct Cavity {
   std::uint32_t network = kWhole;
   std::vector<Mouth> passages;
 
-  // A pocket with at least this many mouths is a network of connected gaps rather than one hole.
-  // Symmetry gives a hollow shell fewer mouths. A cage of 24 equal parts opens at its eight
-  // threefold and six fourfold axes: 14 mouths.
+  // A pocket with at least this many mouths is a network of connected gaps rather than one hole. A
+  // symmetric hollow shell has fewer mouths and is no network: a cage of 24 equal parts opens at
+  // its eight threefold and six fourfold axes, so it has 14.
   static constexpr std::size_t kMouthsOfNetwork = 20;
 
   // A part without mouths can be open to other parts, and is no void then.

@@ -7,7 +7,12 @@
 #include <limits>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/complex/face_class.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/triangle_distance.hpp"
+#include "core/predicates/orthosphere.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {
@@ -81,7 +86,8 @@ double depth_angstrom(const CavityGround& ground, const Cavity& cavity,
                       std::span<const BallIndex> lining, const CancelToken& cancel) {
   if (cavity.is_void()) return 0;
   const Shutters shutters(ground, cavity);
-  // A distance need not be exact if it is below the largest one so far.
+  // The depth is the largest distance, so a distance below the largest one so far need not be
+  // exact.
   std::atomic<double> farthest = 0;
   constexpr std::size_t kGrain = 64;
   parallel_ranges(0, lining.size(), kGrain, [&](std::size_t begin, std::size_t end) {

@@ -1,4 +1,4 @@
-// The depth of a pocket.
+// The depth of a pocket: how far its lining is from its mouths.
 #pragma once
 
 #include <span>

@@ -17,8 +17,8 @@
 namespace alphascope {
 namespace {
 
-// All triangles as gates, in the order in which a falling alpha opens them: the last to close comes
-// first.
+// All triangles as gates, in the order in which a falling alpha opens them: that with the largest
+// value of `closes` first.
 std::vector<Gate> gates(const CavityGround& ground, const CancelToken& cancel) {
   std::vector<Gate> all(ground.incidence.triangles.size());
   parallel_many(all.size(), cancel,
@@ -94,7 +94,8 @@ CavityLives cavity_lives(const CavityGround& ground, OutsideRule rule, const Can
   if (ground.triangulation->dimension < 3) return {};
   constexpr float kEver = -std::numeric_limits<float>::infinity();
   std::vector<CavityLife> of(ground.flow.marks.size(), {kEver, kEver, 0});
-  // `inside` joins cavities only; `space` also joins outside tetrahedra and infinity.
+  // `inside` joins only tetrahedra of cavities, and so finds births. `space` also joins outside
+  // tetrahedra and infinity, and so finds when the last mouth closes.
   Basins inside(ground), space(ground);
   for (const Gate& gate : gates(ground, cancel)) {
     const auto [a, beyond] = ground.incidence.tetrahedra_of_triangle[gate.triangle];

@@ -7,11 +7,20 @@
 #include <numeric>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/tetrahedron_order.hpp"
 #include "core/cavity/tetrahedron_outside.hpp"
+#include "core/complex/face_class.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/wide_fixed_sum.hpp"
+#include "core/predicates/orthosphere.hpp"
 #include "core/run/parallel.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/hash_steps.hpp"
+#include "core/triangulation/incidence.hpp"
+#include "core/triangulation/membership.hpp"
 
 namespace alphascope {
 namespace {

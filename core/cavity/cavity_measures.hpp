@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "core/cavity/cavities.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
+
+struct CavityGround;
+struct Membership;
 
 struct MouthMeasures {
   double area_angstrom2 = 0;   // area of its triangles outside the balls

@@ -5,8 +5,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/split_networks.hpp"
+#include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/predicates/wide_int.hpp"
 #include "core/run/stage_timer.hpp"
+#include "core/triangulation/membership.hpp"
 
 namespace alphascope {
 namespace {
@@ -21,6 +26,10 @@ double sum_over(const CavityTable& table, bool of_voids, const Value& value) {
 }
 
 }  // namespace
+
+const std::array<BallIndex, 4>& CavityTable::sink(std::size_t row) const {
+  return ground->triangulation->tetrahedra[cavity(row).deepest_sink];
+}
 
 double CavityTable::volume_sa_angstrom3(bool of_voids) const {
   return sum_over(*this, of_voids, [](const CavityMeasures& m) { return m.volume_sa_angstrom3; });

@@ -31,9 +31,7 @@ struct CavityTable {
   const CavityMeasures& measure(std::size_t row) const { return measures[order[row]]; }
   std::size_t size() const { return order.size(); }
   // The balls of the deepest sink, ascending. They identify the cavity.
-  const std::array<BallIndex, 4>& sink(std::size_t row) const {
-    return ground->triangulation->tetrahedra[cavity(row).deepest_sink];
-  }
+  const std::array<BallIndex, 4>& sink(std::size_t row) const;
   // Sums over all voids, or over all pockets.
   double volume_sa_angstrom3(bool of_voids) const;
   double area_sa_angstrom2(bool of_voids) const;

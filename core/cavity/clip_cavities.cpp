@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_measures.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/exact_outside.hpp"
 #include "core/measure/exact_sum.hpp"
+#include "core/triangulation/hash_steps.hpp"
 
 namespace alphascope {
 namespace {

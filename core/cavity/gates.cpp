@@ -5,7 +5,10 @@
 #include <array>
 #include <span>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/exact_alpha.hpp"
+#include "core/triangulation/incidence.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,12 +6,12 @@
 
 namespace alphascope {
 
-// The triangle is in K_alpha from this alpha on. The value is the ortho-radius of the decisive
-// simplex: square lattice units, rounded to the nearest float.
+// The triangle is in K_alpha from this alpha on: the ortho-radius of the decisive simplex, which is
+// the triangle or a tetrahedron at it. Square lattice units, rounded to the nearest float.
 struct Gate {
   float closes = 0;
   std::uint32_t triangle = 0;
-  // The decisive simplex, if it is a tetrahedron. kNone: the triangle itself.
+  // The decisive simplex if it is a tetrahedron. kNone: it is the triangle itself.
   std::uint32_t tetrahedron = Cavities::kNone;
 };
 Gate gate_of(const CavityGround& ground, std::uint32_t triangle);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/tetrahedron_order.hpp"
 #include "core/predicates/exact_alpha.hpp"
 

@@ -1,5 +1,5 @@
-// Counts the mouths of all descendants of a network while alpha falls. Tetrahedra then only join
-// into larger cavities, and triangles into larger mouths. Nothing is ever divided.
+// Counts the mouths of all descendants of a network while alpha falls. As alpha falls, tetrahedra
+// join into larger cavities, and triangles into larger mouths; neither ever splits.
 #include "core/cavity/mouth_counts.hpp"
 
 #include <algorithm>
@@ -8,6 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/predicates/orthosphere.hpp"
+#include "core/triangulation/incidence.hpp"
+#include "core/triangulation/membership.hpp"
 #include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
@@ -15,12 +19,12 @@ namespace {
 
 constexpr std::uint32_t kNone = Cavities::kNone;
 
-// An event: a simplex that is not in K_alpha as soon as alpha is below `value`.
+// An event while alpha falls: below `value` this simplex is no longer in K_alpha.
 struct Opening {
   enum class What : std::uint8_t { passage, mouth, corner };
   float value;
   What what;
-  // Triangle of a passage; else index in triangles_ (mouth) or corners_ (corner)
+  // passage: a triangle inside the network; mouth, corner: an index in triangles_ or corners_
   std::uint32_t index;
 };
 
@@ -79,8 +83,8 @@ class MouthCounts {
     }
   }
 
-  // An edge or vertex of mouths' triangles that is not in K_alpha. Two of these triangles may join
-  // there.
+  // An edge or vertex of triangles of mouths. While it is not in K_alpha, it joins the open
+  // triangles around it into one mouth, if they are of one cavity.
   struct Corner {
     float value = 0;
     bool open = false;

@@ -1,5 +1,5 @@
-// The number of mouths of a network's descendants at every alpha above its own. All alphas are
-// treated at once, as in cavity_lives.hpp, by alpha values rounded to floats.
+// The number of mouths of a network's descendants at every alpha above its own. One pass covers all
+// alphas, as in cavity_lives.hpp. It uses alpha values that are rounded to floats.
 #pragma once
 
 #include <vector>

@@ -1,12 +1,15 @@
-// Searches the alpha at which a network falls apart, in the ranges without network and in steps of
-// the slider.
+// Searches the alpha at which a network falls apart: tries multiples of a step in the ranges where
+// counts of mouths, with rounded alpha values, show no network.
 #include "core/cavity/network_parting.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/mouth_counts.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/triangulation/membership.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,7 +9,8 @@
 
 namespace alphascope {
 
-// As alpha grows, a cavity splits and shrinks. The remaining cavities are its descendants.
+// As alpha grows, a cavity shrinks and splits. The cavities that lie in it at a larger alpha are
+// its descendants there.
 struct NetworkParting {
   // The least multiple of kNetworkStepAngstrom2 above the network's alpha at which no descendant is
   // a network.
@@ -18,13 +19,13 @@ struct NetworkParting {
   std::vector<std::uint32_t> descendants;  // indices of there.cavities; ascending
 };
 
-// The step of the alpha slider (Å²).
+// The step of the alphas that are tried (Å²).
 inline constexpr double kNetworkStepAngstrom2 = 0.01;
 
-// Parts cavity `index` of `found`, which is a network at alpha. The cavities that find_cavities()
-// finds at larger alphas decide. Returns nothing if the network does not fall apart below
-// kMaxAlphaAngstrom2. Works in the caller's task arena. The result is the same for any number of
-// threads and any order of the balls. Throws Cancelled.
+// Finds the alpha at which cavity `index` of `found`, a network at `alpha`, falls apart. The
+// cavities that find_cavities() finds at larger alphas decide. Returns nothing if the network does
+// not fall apart below kMaxAlphaAngstrom2. Works in the caller's task arena. The result is the same
+// for any number of threads and any order of the balls. Throws Cancelled.
 std::optional<NetworkParting> part_network(const CavityGround& ground, const Filtration& filtration,
                                            const Membership& membership, const Cavities& found,
                                            std::uint32_t index, const Alpha& alpha_angstrom2,

@@ -14,6 +14,7 @@
 #include "core/cavity/tetrahedron_order.hpp"
 #include "core/cavity/watershed.hpp"
 #include "core/run/internal_error.hpp"
+#include "core/triangulation/membership.hpp"
 
 namespace alphascope {
 namespace {

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
 

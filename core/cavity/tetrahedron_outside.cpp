@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/convex_piece.hpp"
 
 namespace alphascope {

@@ -28,8 +28,8 @@ struct OutsidePart {
   std::uint32_t corners = 0;
   // The offsets of arcs and corners: within the solvent radius of them, between the directions to
   // their balls' centres. If one of these balls is smaller than the solvent radius, the offset ends
-  // at the line or plane through the centres. Nothing lies beyond the centre of such a ball, and
-  // nothing overlaps then.
+  // at the line or plane through the centres. So no offset reaches beyond the centre of such a
+  // ball, and no part counts twice there.
   double offset_volume = 0, offset_area = 0;
   double offset_overlap = 0;  // the part of offset_area across the axes of the arcs; negative
 };

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/gates.hpp"
 #include "core/run/parallel.hpp"
+#include "core/triangulation/incidence.hpp"
+#include "core/triangulation/membership.hpp"
 #include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
@@ -24,7 +27,8 @@ std::vector<std::uint32_t> watershed(const CavityGround& ground, const Membershi
     return static_cast<std::uint32_t>(std::lower_bound(tetrahedra.begin(), tetrahedra.end(), t) -
                                       tetrahedra.begin());
   };
-  // Up to date at the roots of `sets`.
+  // The part of each tetrahedron, as an index of descendants. Only the entries of the roots of
+  // `sets` are kept up to date.
   std::vector<std::uint32_t> part_of(tetrahedra.size(), kNone);
   for (std::uint32_t k = 0; k < parting.descendants.size(); ++k) {
     for (const std::uint32_t t : parting.there.cavities[parting.descendants[k]].tetrahedra) {

@@ -6,8 +6,15 @@
 #include <cmath>
 #include <map>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/predicates/flow_predicate.hpp"
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/cavity_identity/cavity_identity.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 
@@ -80,9 +81,9 @@ struct CurveLinks {
 CurveLinks link_curves(const CavityCurves& curves, const CavityTable& table, double at,
                        const CancelToken& cancel = {});
 
-// The first returns into how many cavities a cavity of the sample before splits. The second returns
-// of how many a cavity of this sample is made. A result of 1 means no change. The result is 0 for
-// kNone and for the first sample.
+// parts_at(): the number of cavities of this sample into which a cavity of the sample before
+// splits. sources_at(): the number of cavities of the sample before that merge into a cavity of
+// this one. 1 means no change. 0 for kNone and for the first sample.
 std::size_t parts_at(const CurveSample& sample, std::uint32_t cavity_before);
 std::size_t sources_at(const CurveSample& sample, std::uint32_t cavity);
 

@@ -7,10 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/tetrahedron_order.hpp"
 #include "core/cavity_identity/point_location.hpp"
+#include "core/complex/face_class.hpp"
 #include "core/predicates/perturbation.hpp"
 #include "core/run/parallel.hpp"
+#include "core/run/stage_timer.hpp"
+#include "core/triangulation/filtration.hpp"
 
 namespace alphascope {
 namespace {

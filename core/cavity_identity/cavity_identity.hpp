@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/cavity/cavity_table.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 

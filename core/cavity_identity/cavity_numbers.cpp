@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/geometry/ball_set.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -70,8 +74,8 @@ std::uint32_t CavityNumbers::cavity(std::uint32_t number) const {
 }
 
 std::uint32_t CavityNumbers::cavity_or_heir(std::uint32_t number) const {
-  // Each step leads to a later cavity, so only a cavity that came back can occur twice. The bound
-  // of steps ends such circles.
+  // Each step leads to the cavity into which the last one merged. A number can occur twice only if
+  // its cavity has come back since. The bound on the steps ends such circles.
   for (std::size_t step = 0; step <= merged_into.size(); ++step) {
     const std::uint32_t found = cavity(number);
     const auto heir = merged_into.find(number);

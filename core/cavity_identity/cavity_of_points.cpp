@@ -1,6 +1,7 @@
 // Finds the cavity of each given point.
 #include "core/cavity_identity/cavity_of_points.hpp"
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {

@@ -9,9 +9,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/network_parting.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
+#include "core/predicates/exact_rho.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/membership.hpp"
 
 namespace alphascope {
 namespace {
@@ -55,9 +58,9 @@ class RadiusSearch {
 
   bool is_network_at(int step) { return step < first_ || at(step).networks > 0; }
 
-  // Returns a step without a network that follows one with it. Strides from the guess double until
-  // both are found; then the interval is halved. If all tested steps have a network, returns the
-  // last step.
+  // Returns a step at which no network is left, such that at the step before it one is. Goes from
+  // the guess in strides that double, until it has a step of either kind, and then halves the
+  // interval between them. Returns the last step if a network is left at all tested steps.
   int first_without(int guess) {
     int with = first_ - 1, without = guess;
     if (is_network_at(guess)) {
@@ -98,7 +101,8 @@ class RadiusSearch {
     end_.parts = parting->descendants.size();
   }
 
-  // The solvent radius that makes a ball of mean radius grow as much as that alpha does.
+  // The solvent radius that enlarges a ball of mean radius as much as the change from the network's
+  // alpha to that alpha does.
   int guess() const {
     if (!end_.alpha_angstrom2) return first_;
     const std::vector<BallIndex>& atoms = table_.found.cavities[cavity_].atoms;

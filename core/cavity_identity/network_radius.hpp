@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "core/cavity/cavity_table.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/predicates/flow_predicate.hpp"
 
 namespace alphascope {
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/lifted.hpp"
 #include "core/predicates/wide_int.hpp"
 

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
 

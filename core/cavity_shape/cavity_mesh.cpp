@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_shape/cavity_shape.hpp"
 #include "core/complex/outward_face.hpp"
+#include "core/complex/triangulation.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_ground.hpp"
 #include "core/channel/empty_space.hpp"
 #include "core/channel/plane_ascent.hpp"
 
@@ -12,7 +14,8 @@ namespace alphascope {
 namespace {
 
 // Ascends in one plane after the other until none leads higher. If a cavity widens outwards, the
-// ascent would leave it. Then the start is returned.
+// ascent would leave it: an ascent that leads farther than kFarthest from the start returns the
+// start.
 WidestPlace climbed(const Clearance& clearance, const RealPoint& start) {
   constexpr double kFarthest = 1.5, kStep = 0.2, kShortest = 1e-5, kGain = 1e-5;  // Å
   constexpr int kMostRounds = 40;

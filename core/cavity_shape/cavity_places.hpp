@@ -2,10 +2,14 @@
 // channels.
 #pragma once
 
-#include "core/cavity/cavities.hpp"
-#include "core/channel/clearance.hpp"
+#include "core/geometry/real_point.hpp"
 
 namespace alphascope {
+
+class Clearance;
+struct Cavity;
+struct CavityGround;
+struct Mouth;
 
 struct WidestPlace {
   RealPoint place_angstrom;

@@ -4,6 +4,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/complex/triangulation.hpp"
+#include "core/geometry/lattice.hpp"
+#include "core/triangulation/incidence.hpp"
+
 namespace alphascope {
 
 std::vector<OuterFace> outer_faces(const CavityGround& ground, const Cavities& found,

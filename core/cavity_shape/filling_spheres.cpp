@@ -8,6 +8,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_identity/point_location.hpp"
 #include "core/channel/orthocentre.hpp"
 #include "core/run/parallel.hpp"

@@ -95,8 +95,8 @@ void Finder::add(const RealPoint& place) {
   end_of_.push_back(at->second);
 }
 
-// Returns the lowest growth that any unfinished search needs next. A low growth serves all
-// searches: where it is open, it improves their guesses as well.
+// Returns the lowest growth that any unfinished search needs next. One triangulation at a low
+// growth serves all searches: a search for which it is open gets a better guess.
 std::optional<std::int64_t> Finder::next_growth() const {
   constexpr int kPatience = 3;
   std::optional<std::int64_t> lowest;

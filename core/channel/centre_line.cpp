@@ -17,10 +17,11 @@ namespace {
 using Line = std::vector<RealPoint>;
 
 constexpr double kCoarseSpacing = 0.2;  // Å, while the line moves
-// Å; finer than kSpacingAngstrom, because places move apart a little at the last ascent
+// Å; less than kSpacingAngstrom, because the last ascent moves places apart a little
 constexpr double kFineSpacing = 0.08;
-// The tangent is taken between the places this far (Å) along the line to both sides. In wide parts
-// this share of the clearance is used instead, because near places give no clear direction there.
+// The tangent at a place is the direction between two other places of the line, kTangentReach (Å)
+// before and after it. In wide parts the distance is the share kTangentShare of the clearance,
+// because nearer places give no clear direction there.
 constexpr double kTangentReach = 0.5, kTangentShare = 0.5;
 constexpr int kRounds = 60;
 constexpr double kStill = 0.004;  // Å: rounds end when no place moves farther
@@ -253,8 +254,9 @@ CutCurve cut_at_least_clearance(const Clearance& clearance, const std::vector<Re
     }
     return here;
   };
-  // Corners are looked at first. A curve from far away has places that are each narrower than the
-  // one before. Without a known minimum each step there would be short.
+  // The corners of the curve come first, so that a good minimum is known early. A curve that begins
+  // far away gets narrower from place to place; without a known minimum each step there would be
+  // short.
   for (Walk walk(curve); !walk.at_end(); walk.advance_to_corner()) look(walk);
   for (const double added : {kCoarse, kFine}) {
     for (Walk walk(curve); !walk.at_end();) walk.advance(look(walk) - least + added);

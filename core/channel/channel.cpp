@@ -16,6 +16,7 @@
 #include "core/channel/envelope.hpp"
 #include "core/channel/passage.hpp"
 #include "core/channel/plane_ascent.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/point_text.hpp"
 
 namespace alphascope {

@@ -7,6 +7,9 @@
 #include <limits>
 #include <numeric>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 namespace {
 

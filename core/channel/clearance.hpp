@@ -4,11 +4,12 @@
 
 #include <vector>
 
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/neighbours/uniform_grid.hpp"
 
 namespace alphascope {
+
+struct BallSet;
 
 // The surface of one ball as seen from a point.
 struct Surface {

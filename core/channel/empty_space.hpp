@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 
 // Let x be measured from the first centre. Then |x|² = (r + s)² and |x - d|² = (r' + s)². Their

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/channel/empty_space.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 

@@ -13,6 +13,7 @@
 #include "core/channel/equal_clearance.hpp"
 #include "core/channel/plane_ascent.hpp"
 #include "core/channel/walk.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/run/internal_error.hpp"
 
 namespace alphascope {

@@ -34,8 +34,8 @@ class WayAxis {
   // -1: in the part's lower third or below; 1: in the upper third or above; 0: in the middle third.
   int zone(const RealPoint& x) const;
   int side(const RealPoint& x) const { return along(x) < (low_ + high_) / 2 ? -1 : 1; }
-  // Returns whether x is near the axis: within half the root mean square distance of the part's
-  // atoms at this height.
+  // Returns whether x is near the axis: not farther than half the root mean square distance of the
+  // part's atoms from the axis at this height.
   bool is_near(const RealPoint& x) const;
   // Returns whether a straight step is near the axis wherever it passes the middle third.
   bool stays_near_axis(const RealPoint& from, const RealPoint& to) const;

@@ -16,6 +16,7 @@
 #include "core/channel/grown_triangulation.hpp"
 #include "core/channel/passage.hpp"
 #include "core/channel/way_graph.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/geometry/principal_axes.hpp"
 
 namespace alphascope {
@@ -150,8 +151,8 @@ bool Finder::is_better(const Candidate& a, const Candidate& b) {
   return key(a) < key(b);
 }
 
-// Returns whether the list is already full of wider ways. Narrower crossings then have no place
-// either.
+// Returns whether so many wider ways are known already that the list has no room for this crossing,
+// nor for any narrower one.
 bool Finder::is_too_narrow(const WayCrossing& crossing) const {
   constexpr double kRounded = 0.01;  // Å, the rounding of the order
   const auto wider = std::count_if(found_.begin(), found_.end(), [&](const Candidate& known) {
@@ -161,7 +162,8 @@ bool Finder::is_too_narrow(const WayCrossing& crossing) const {
   return static_cast<std::size_t>(wider) >= kMostWays;
 }
 
-// Keeps all candidates different: of two equal ones the better stays.
+// Adds a candidate to found_, unless are_one() says that it is one with a known way. Of two such
+// candidates the better one stays.
 void Finder::add(Candidate candidate) {
   for (Candidate& known : found_) {
     if (!are_one(known, candidate)) continue;
@@ -305,7 +307,7 @@ WaysThrough find_ways_through(const BallSet& balls, const std::vector<WayPart>& 
 WayCover cover_of(const BallSet& balls, const Channel& channel) {
   const RealPoint begin = channel.samples.front().position_angstrom;
   RealPoint along = channel.samples.back().position_angstrom - begin;
-  if (along == RealPoint{}) {  // a line that returns to its begin: towards its farthest place
+  if (along == RealPoint{}) {  // for a closed line: towards its farthest place
     for (const ChannelSample& sample : channel.samples) {
       const RealPoint there = sample.position_angstrom - begin;
       if (length(there) > length(along)) along = there;

@@ -23,7 +23,7 @@ using WayPart = std::vector<BallIndex>;
 struct WayCover {
   double covered_angstrom = 0, whole_angstrom = 0;
 
-  // A way that covers a smaller share is only a part of a way.
+  // A channel that covers a smaller share of the whole does not count as a way through it.
   static constexpr double kWholeShare = 0.75;
   double share() const { return whole_angstrom > 0 ? covered_angstrom / whole_angstrom : 0; }
   bool is_whole() const { return share() >= kWholeShare; }
@@ -35,8 +35,8 @@ struct WayThrough {
   Channel channel;
   std::size_t part = 0;  // index in the given list of parts
   RealPoint axis;        // unit vector along which the line leads and about which the part lies
-  // Along the axis. The line ends where it is wider than anywhere inside the part. So it covers
-  // less than the whole if the mouths are wide.
+  // The cover along the axis. The line ends where it is wider than anywhere inside the part. So it
+  // covers less than the whole if the openings at the ends are wide.
   WayCover cover;
   double part_angstrom = 0;       // extent of the part's centres along the axis
   std::vector<BallIndex> lining;  // balls within 0.5 Å of touching a sphere of the line; ascending
@@ -55,7 +55,8 @@ struct WaysThrough {
 // the others. A way leads from outside the convex hull (roughly), below a part's middle, to outside
 // it above that middle. In the middle third it stays near the part's axis. A ring of balls
 // surrounds its bottleneck, so grooves do not count. Ways through which not even a point can pass
-// are not found. Among ways that share half of their length only the best is listed.
+// are not found. Of ways whose bottlenecks are within 3 Å of each other, or that share half of the
+// tetrahedra of the shorter one, only the best is listed.
 //
 // Radii are used as they are. The decision which ways are open is exact. Their widths come from
 // clearances between three balls. Works in the caller's task arena. The result is the same for any

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/chart/chart.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 namespace {

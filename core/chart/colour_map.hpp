@@ -7,11 +7,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/molecule/rgb8.hpp"
-
 namespace alphascope {
 
 enum class ColourMap : std::uint8_t { viridis, cividis, blue_white_red, rainbow };
+struct Rgb8;
 inline constexpr std::array kColourMaps = {ColourMap::viridis, ColourMap::cividis,
                                            ColourMap::blue_white_red, ColourMap::rainbow};
 

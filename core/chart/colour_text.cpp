@@ -4,6 +4,12 @@
 #include <charconv>
 #include <cstdio>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/molecule/rgb8.hpp"
+
 namespace alphascope {
 
 std::string colour_text(const Rgb8& colour) {

@@ -1,4 +1,4 @@
-// Colours as people type them.
+// Colours as text, such as "#5aa9e6".
 #pragma once
 
 #include <optional>

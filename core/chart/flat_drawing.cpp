@@ -7,6 +7,9 @@
 #include <stdexcept>
 
 #include "core/complex/own_dimension.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/chart/xml_text.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/chart.hpp"
+#include "core/chart/drawing.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/chart/ticks.hpp"
 

@@ -1,10 +1,11 @@
 // The layout of a chart of bars or lines with title, legend and caption.
 #pragma once
 
-#include "core/chart/chart.hpp"
-#include "core/chart/drawing.hpp"
-
 namespace alphascope {
+
+struct Chart;
+struct ChartDrawing;
+struct ChartFont;
 
 // Lays out a chart of this width (pixels). The height follows from the content.
 ChartDrawing lay_out(const Chart& chart, float width, const ChartFont& type);

@@ -28,7 +28,7 @@ struct PlotAxis {
   bool numbered = true;    // false: neither ticks nor numbers
   bool whole = false;      // only whole numbers
   double offset = 0;       // added to the numbers, such as 1 for what is counted from 1
-  std::string unit = {};   // behind the first number, where the axis has no label
+  std::string unit = {};   // written after the first number, for an axis without a label
 };
 
 struct PlotCurve {
@@ -40,7 +40,7 @@ struct PlotCurve {
   std::vector<Point> points = {};
   ChartPaint paint = {};
   float width = 1.8f;  // pixels at scale 1, as all lengths below
-  bool dots = false;   // at each point; a point between gaps has one always
+  bool dots = false;  // true: a dot at each point. A single point between two gaps always has a dot
 };
 
 struct PlotBox {

@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <string>
 
-#include "core/chart/chart.hpp"
 #include "core/chart/plot.hpp"
 
 namespace alphascope {
+
+struct Chart;
 
 // Complete documents on white.
 std::string drawing_svg(const ChartDrawing& drawing);

@@ -1,4 +1,4 @@
-// Text for the content of an XML file.
+// Escapes text so that it can stand in an XML file.
 #pragma once
 
 #include <string>

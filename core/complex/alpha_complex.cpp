@@ -1,9 +1,10 @@
-// Hash and memory of a complex.
+// Computes the hash of a complex and the bytes that it holds.
 #include "core/complex/alpha_complex.hpp"
 
 #include <cstdio>
 
 #include "core/complex/simplex_hash.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {

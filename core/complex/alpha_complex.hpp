@@ -13,6 +13,7 @@
 #include "core/complex/face_code.hpp"
 #include "core/complex/simplices.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/stage_timer.hpp"
 
 namespace alphascope {

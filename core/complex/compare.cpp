@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 namespace {
 

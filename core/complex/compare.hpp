@@ -16,7 +16,7 @@ struct SetDifference {
 struct Comparison {
   // True if either side has only tetrahedra; other simplices are then not compared.
   bool tetrahedra_only = false;
-  // Both came from CGAL's triangulation, so their equality is no evidence for it.
+  // Both complexes came from CGAL's triangulation, so it proves nothing that they are equal.
   bool both_rest_on_cgal = false;
   SetDifference<1> vertices;
   SetDifference<2> edges;

@@ -21,8 +21,8 @@ inline void require_at_most(std::uint64_t count, std::uint64_t most, const char*
                           ". Choose a smaller alpha, or a part of the molecule.");
 }
 
-// The largest number of balls in one set. Grids have up to four cells for each ball and a few more,
-// and two bits of an index are flags.
+// The largest number of balls in one set. Indices of grid cells set it: grids on the CPU have up to
+// four cells for each ball and a few more. Some code also uses two bits of an index as flags.
 inline constexpr std::uint64_t kMostBalls = (std::uint64_t{1} << 30) - 1024;
 inline void require_balls(std::uint64_t balls) {
   if (balls <= kMostBalls) return;

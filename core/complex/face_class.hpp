@@ -15,8 +15,8 @@ namespace alphascope {
 // boundary of K_alpha, and face of another. interior: its whole neighbourhood is filled.
 enum class SimplexClass : std::uint8_t { singular, regular, interior };
 
-// Facts about a face at one alpha, as flags. The flags from several cofaces are combined by "or",
-// in any order. A tetrahedron has no coface and is interior.
+// Facts about a face at one alpha, as flags. The flags that several cofaces give to a face are
+// combined by "or", in any order. A tetrahedron has no coface and is always interior.
 inline constexpr std::uint32_t kHasCoface = 1;  // a coface is in K_alpha
 // A coface is in K_alpha and is not interior.
 inline constexpr std::uint32_t kHasBoundaryCoface = 2;
@@ -84,7 +84,7 @@ struct FaceLevels {
 // The class of a simplex in the complex of all simplices with alpha values <= `bound`. The simplex
 // must be one of these.
 inline SimplexClass class_at(const FaceLevels& levels, float bound) {
-  // There is no branch, since half of the predictions would be wrong.
+  // This code has no branch, because a processor would predict about half of the branches wrongly.
   const int regular = levels.regular_from <= bound;
   return static_cast<SimplexClass>(regular + (regular & (levels.interior_from <= bound)));
 }

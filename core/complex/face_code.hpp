@@ -1,4 +1,4 @@
-// Codes for the faces of a complex' tetrahedra.
+// Codes that name a face of a tetrahedron by one 32-bit number.
 #pragma once
 
 #include <array>

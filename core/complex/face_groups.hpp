@@ -1,4 +1,5 @@
-// The faces of a sorted list of simplices, each with its cofaces. Faces are generated only here.
+// The faces of a sorted list of simplices, each with its cofaces. A coface of a face has one vertex
+// more. (core/triangulation/incidence.hpp has the faces of a triangulation with their indices.)
 #pragma once
 
 #include <algorithm>
@@ -109,7 +110,8 @@ class FaceGroups {
 
  private:
   // One face of one coface. Its first vertex is the bucket's, and the others are packed into one
-  // number. This shortens sorting, which takes half of the time: there are 40 records per ball.
+  // number. This makes sorting faster, which takes half of the time: a molecule has some 40 records
+  // per ball.
   using Rest = std::conditional_t<(N > 2), std::uint64_t, std::uint32_t>;
   struct Record {
     Rest rest;

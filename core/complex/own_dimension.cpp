@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/spanning_balls.hpp"
 
 namespace alphascope {

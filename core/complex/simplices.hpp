@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/ball_set.hpp"
+#include "core/geometry/ball_index.hpp"
 #include "core/run/large_pages.hpp"
 
 namespace alphascope {

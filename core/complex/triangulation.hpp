@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/complex/simplices.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 
@@ -45,8 +44,8 @@ struct HullFacet {
 
 // The triangulation is unique. CGAL's symbolic perturbation decides equal powers
 // (core/predicates/perturbation.hpp). Among balls with the same centre only one is a vertex: the
-// largest, and among equal ones the one with the lowest index. So the arrays are equal in every
-// byte, whatever program made them and with any number of threads. For balls in one plane, on one
+// largest, and among equal ones the one with the lowest index. So two programs that make it, with
+// any number of threads, make arrays that are equal in every byte. For balls in one plane, on one
 // line or at one point, the simplices triangulate that plane, line or point, and there is no hull.
 struct Triangulation {
   int dimension = -1;  // of the affine hull of the centres: 0 to 3, or -1 without balls

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "core/dual_edge/ball_simplices_body.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/grown_balls.hpp"
 
 namespace alphascope {

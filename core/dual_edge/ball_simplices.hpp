@@ -52,8 +52,8 @@ class BallSimplices {
                 bool whole)
       : balls_(balls), grid_(grid), alpha_(alpha_on_lattice), whole_(whole) {}
 
-  // Appends the simplices whose lowest vertex is the ball in `slot`, in lexicographic order.
-  // `list` holds the slots of its neighbours, ascending by ball index.
+  // Appends the simplices whose lowest vertex is the ball in this slot of the grid, in
+  // lexicographic order. `list` holds the grid's slots of its neighbours, ascending by ball index.
   VertexState process(std::uint32_t slot, std::span<const std::uint32_t> list, BlockOutput& out);
   // The same, and reports each step to `sink`.
   VertexState process(std::uint32_t slot, std::span<const std::uint32_t> list, BlockOutput& out,
@@ -64,7 +64,8 @@ class BallSimplices {
   double exact_milliseconds() const { return exact_milliseconds_; }
 
  private:
-  // The neighbours of ball i; a slot is an index into these lists.
+  // The neighbours of ball i. Decisions name a neighbour by its index in these lists, which they
+  // call a slot, too.
   struct Neighbours {
     std::vector<LiftedInt> vectors;
     std::vector<BallIndex> balls;
@@ -90,7 +91,8 @@ class BallSimplices {
   template <class Sink>
   void triangle(const NearFirstRows& rows, BlockOutput& out, const Sink& sink);
   void tetrahedra(const NearFirstRows& rows, BlockOutput& out);
-  // Kernel II. `body` calls filtered_face or filtered_ends.
+  // Kernel II for one triangle. `body` calls filtered_face() or filtered_ends()
+  // (triangle_faces.hpp).
   template <class Body>
   auto filtered(const NearFirstRows& rows, const Body& body) const;
   template <class Sink = NoSink>

@@ -5,7 +5,7 @@
 // the CPU, and for triangles that single precision leaves open. Every decision is certified or
 // `unknown`; exact_dual_edge.hpp decides the unknown ones.
 //
-// Legend (origin p_i; lifted vectors (d, c) as in orthosphere.hpp; u: unit roundoff):
+// Legend (origin p_i; lifted vectors (d, c) as in core/predicates/lifted.hpp; u: unit roundoff):
 //   line     x(s) = foot + s n,  n = d_j × d_k,  foot = g × n / (2 |n|²),  g = c_j d_k - c_k d_j
 //   ball m   cuts off 2 d_m·x > c_m, which is s (d_m·n) > c_m / 2 - d_m·foot
 //   N, F, P, G  largest coordinates of n, foot, g × n, g

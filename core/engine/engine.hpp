@@ -8,6 +8,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/engine/known_results.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/run/work_threads.hpp"
 
@@ -20,10 +21,11 @@ struct AlphaRequest {
   bool tetrahedra_only = false;  // only tetrahedra, as in the thesis
 };
 
-// EngineInfo::route of an engine that used no earlier result. Smaller alphas may be thresholds of
-// its answer.
+// EngineInfo::route of an answer for which dual edges were clipped, without any earlier result.
+// Answers for smaller alphas may then be thresholds of this one: its simplices with alpha values up
+// to the smaller alpha.
 inline constexpr const char* kClippingRoute = "dual edge clipping";
-// EngineInfo::route of an engine that only took a threshold of the filtration of all balls.
+// EngineInfo::route of an answer that is a threshold of the filtration of all balls.
 inline constexpr const char* kThresholdRoute = "threshold of the whole filtration";
 
 // The device that measured a complex, and how.
@@ -40,10 +42,10 @@ class Engine {
 
   // The exact alpha complex, the same from every engine. An engine may answer from `known`, and
   // adds to it the results that it makes, also when it throws. Engines on the GPU and tuple engines
-  // ignore `known`. Setup work of this call is marked in the timings. The first call has some. So
-  // has a later call with fewer known results. Throws Cancelled. Throws std::bad_alloc when memory
-  // is short; the engine stays usable. Throws std::invalid_argument for a NaN alpha, and where
-  // `known` belongs to other balls. Two threads must not call it at once.
+  // ignore `known`. The timings mark set-up work. The first call does some, and so does a later
+  // call that gets fewer known results. Throws Cancelled. Throws std::bad_alloc when memory is
+  // short; the engine stays usable. Throws std::invalid_argument for a NaN alpha, and where `known`
+  // belongs to other balls. Two threads must not call it at once.
   virtual AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                                const RunContext& context) = 0;
   // The same with nothing known, for callers that need one alpha only.
@@ -66,8 +68,8 @@ class Engine {
   virtual std::optional<SharedFaces> find_outer_faces(const AlphaComplex&) { return std::nullopt; }
 
   // Called when another engine will be asked from now on. Frees memory that only serves this
-  // engine's next results. May wait for a device. compute() may be called again at any time. The
-  // rule of compute() on threads holds.
+  // engine's next results. May wait for a device. compute() may be called again at any time. Two
+  // threads must not call it at once, nor together with compute().
   virtual void release_memory() {}
 };
 
@@ -89,8 +91,9 @@ struct EngineOptions {
 std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls,
                                         EngineOptions options = {});
 
-// CGAL's Regular_triangulation_3 (its parallel code from 3 threads on), then classification. All
-// other engines are compared with this one. (core/engines/cgal_engine.cpp)
+// CGAL's Regular_triangulation_3 (its parallel code for three threads or more and some thousand
+// balls), then classification. All other engines are compared with this one.
+// (core/engines/cgal_engine.cpp)
 std::unique_ptr<Engine> make_cgal_engine(std::shared_ptr<const BallSet> balls,
                                          EngineOptions options = {});
 

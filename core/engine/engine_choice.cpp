@@ -1,4 +1,4 @@
-// The table of engines, and searches in it.
+// The table of engines that every program offers, and searches in it by id, choice and suite.
 #include "core/engine/engine_choice.hpp"
 
 #include <algorithm>

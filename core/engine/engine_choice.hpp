@@ -46,9 +46,7 @@ std::optional<EngineChoice> engine_from_id(std::string_view id);
 // The engines of the thesis' suite, by suite_place. The suite always has CGAL as well.
 std::vector<EngineChoice> suite_engines();
 
-// The ids of a group of engines, joined by the separator: "auto
-// gpu
-// cpu".
+// The ids of a group of engines, joined by the separator: "auto|gpu|cpu".
 enum class EngineGroup : std::uint8_t { all, tuples, suite };
 std::string engine_ids(EngineGroup group, std::string_view separator);
 

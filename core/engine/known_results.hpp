@@ -5,19 +5,19 @@
 #include <memory>
 #include <utility>
 
-#include "core/complex/alpha_complex.hpp"
-
 namespace alphascope {
 
 class Filtration;
+struct AlphaComplex;
+struct BallSet;
 struct Triangulation;
 
 // Results for the set as a whole, which serve every alpha. Each part may be null.
 struct ResultsForAllAlphas {
   std::shared_ptr<const BallSet> balls;
   std::shared_ptr<const Triangulation> triangulation;
-  // Filtration of all simplices of `balls`, made from their triangulation. Every alpha is a
-  // threshold of it.
+  // Filtration of all simplices of `balls`, made from their triangulation. The complex at any alpha
+  // is a threshold of it.
   std::shared_ptr<const Filtration> filtration;
 
   explicit operator bool() const { return triangulation || filtration; }
@@ -34,10 +34,11 @@ struct ResultsForAllAlphas {
 };
 
 struct KnownResults : ResultsForAllAlphas {
-  // A whole complex, set if the engine has asked for it. Smaller alphas are thresholds of it.
+  // A whole complex, set if the engine has asked for it. The complex at any smaller alpha is a
+  // threshold of it.
   std::shared_ptr<const AlphaComplex> complex;
   std::shared_ptr<const Filtration> below;  // made from such a complex
-  bool wants_complex = false;               // the engine asks for the answer it has just given
+  bool wants_complex = false;  // true: the engine wants its latest answer back as `complex`
 
   // Hands over the answer, if the engine has asked for it.
   void share(std::shared_ptr<const AlphaComplex> answer) {

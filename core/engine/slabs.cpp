@@ -1,11 +1,15 @@
-// Cuts the balls into slabs with halos, computes each, and joins the results. A halo of one
-// neighbourhood suffices. Balls that meet the grown ball v decide every simplex at an own ball v,
-// whichever its lowest vertex (docs/algorithm.md). All of them are in the part. So are all edges of
-// v, which decide the alpha value and class of v.
+// Cuts the balls into slabs with halos, computes each, and joins the results. A halo that is one
+// neighbourhood wide suffices. Let v be an own ball of a slab. Only balls that meet v when grown
+// decide which simplices contain v, whichever vertex of a simplex is the lowest
+// (docs/algorithm.md). All these balls are in the part of that slab. So are all edges of v, which
+// decide the alpha value and class of v.
 #include "core/engine/slabs.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,10 +1,11 @@
-// Checks of known results, their bytes, and thresholds of them.
+// Checks known results, counts their bytes, and answers by thresholds of them.
 #include "core/engines/answers_from_known.hpp"
 
 #include <cmath>
 #include <stdexcept>
 
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
 

@@ -10,6 +10,7 @@
 #include "core/engine/engine.hpp"
 #include "core/engines/answers_from_known.hpp"
 #include "core/engines/route.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/neighbours/coincident.hpp"
 
 namespace alphascope {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/engine/slabs.hpp"
+#include "core/geometry/alpha.hpp"
 
 namespace alphascope {
 namespace {
@@ -23,8 +24,8 @@ class SlabCount {
     if (slabs_ > 1 && may_need_fewer(request)) slabs_ /= 2;
   }
   void answered() { ++answers_; }
-  // Doubles the slabs. False when more slabs are of no use, because their halos would be most of
-  // the work.
+  // Doubles the slabs. Returns false when more slabs would not help, because their halos would be
+  // most of the work.
   bool refused(const AlphaRequest& request) {
     constexpr std::size_t kMostSlabs = 256;
     if (slabs_ >= kMostSlabs || slabs_ > balls_) return false;
@@ -36,8 +37,8 @@ class SlabCount {
   }
 
  private:
-  // True for a request smaller than the last one for which half as many slabs had no room. Also
-  // true for any request once in a while.
+  // True for a request smaller than the last one for which half as many slabs had no room. After
+  // kAnswersBeforeTrial answers it is true for every request.
   bool may_need_fewer(const AlphaRequest& request) const {
     constexpr int kAnswersBeforeTrial = 8;
     return request.alpha_angstrom2 < refused_alpha_ ||
@@ -97,8 +98,9 @@ class EngineOfExecutors : public Engine {
   }
 
  private:
-  // Has the executor of the whole set do `task`, which follows a computation. Returns why it could
-  // not; empty: it did. An executor that failed for this complex is not tried again.
+  // Lets the executor of the whole set do `task`, which uses the result of a computation. Returns
+  // the reason if it could not, else an empty text. An executor that failed for this complex is not
+  // tried again.
   template <class Task>
   std::string by_whole(const Task& task) {
     if (!why_not_whole_.empty()) return why_not_whole_;
@@ -170,7 +172,7 @@ class EngineOfExecutors : public Engine {
   SlabCount slabs_;
   std::unique_ptr<Executor> whole_;
   bool holds_more_ = false;    // `whole_` may hold memory for measures or the outside, too
-  std::string why_not_whole_;  // why the last complex was not computed at once; empty: it was
+  std::string why_not_whole_;  // why the last complex was not computed as a whole; empty: it was
   std::unique_ptr<Engine> cpu_;
 };
 

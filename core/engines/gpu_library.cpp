@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 
 std::unique_ptr<Engine> make_gpu_engine(const GpuLibrary& library,

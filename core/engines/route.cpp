@@ -29,7 +29,8 @@ double triangulating_speed_up(int threads) {
   return std::pow(threads, 0.75);
 }
 
-// A search of all balls against all is never worth it, so no sample is taken.
+// False where a search for neighbours would test nearly all balls against all. Clipping is then
+// never faster, so no sample is taken.
 bool is_local(const UniformGrid& grid) {
   return grid.search_cost() < 2000.0 * static_cast<double>(grid.size()) + 1e6;
 }

@@ -1,4 +1,5 @@
-// Look-ups in the steps of a ball.
+// Finds a step, a count of a step, and the ball after which a dual edge no longer changes, in the
+// steps of one ball.
 #include "core/explain/ball_steps.hpp"
 
 #include <algorithm>

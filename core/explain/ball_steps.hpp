@@ -10,6 +10,7 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/explain/steps_engine.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/tuples/tuple_options.hpp"

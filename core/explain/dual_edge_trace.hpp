@@ -61,7 +61,8 @@ class DualEdgeTraceSink final : public BallSimplicesSink {
   struct Current {
     std::array<BallIndex, 3> triangle{};
     int j = 0, k = 0;
-    // The dual edge of kernel II; empty if no point of the line is within alpha.
+    // The dual edge as kernel II has clipped it so far; empty if no point of the line is within
+    // alpha.
     std::optional<DualEdge<double>> edge;
     StepDualEdge steps;
     bool unsure = false;

@@ -184,8 +184,8 @@ class Surrounded {
     const double rho = quotient(rho_of(balls_, from));
     return {balls_.lattice.square_angstrom(rho), on_lattice, std::move(from)};
   }
-  // The level of a simplex. For an attached one that of a coface with the same float; among
-  // several, that of the least exact value.
+  // The level of a simplex. An attached simplex has the level of a coface with the same float. If
+  // several cofaces have that float, the one with the least exact value counts.
   template <int N>
   AlphaLevel value_of(const std::array<BallIndex, N>& s) const {
     const float value = float_of<N>(s);
@@ -256,8 +256,8 @@ class Surrounded {
   Filtration filtration_;
 };
 
-// The two balls that together cut off three balls' whole line of equal power; or the one ball that
-// does so alone.
+// The culprits that leave three balls no dual edge: one ball that cuts off their whole line of
+// equal power, or two balls that do so together.
 Balls cutters_of_line(const BallSet& balls, const Balls& ijk, const Balls& chosen) {
   const LiftedInt j = lifted_vector(balls, ijk[0], ijk[1]),
                   k = lifted_vector(balls, ijk[0], ijk[2]);

@@ -128,9 +128,10 @@ struct Boundary {
     }
   }
 
-  // A square distance beyond which no ball can cut off a corner. Such a ball has at most the
-  // corner's power there, as has every ball of the simplex. Grown by the largest rho they therefore
-  // meet. So their centres are no farther apart than the root of the result.
+  // The square of a distance from the first ball's centre beyond which no ball cuts off a corner. A
+  // ball that cuts off a corner has at most power rho there, and so has the first ball. So both
+  // contain the corner when grown by the largest rho, and their centres are no farther apart than
+  // the root of the result.
   double reach_square(std::int64_t weight, std::int64_t other_weight) const {
     double rho = -HUGE_VAL;
     for (const Corner& corner : corners) rho = std::max(rho, corner.rho());
@@ -142,7 +143,8 @@ struct Boundary {
   }
 };
 
-// For each tetrahedron or facet around the simplex the ball that cuts off most of it.
+// For each tetrahedron or facet around the simplex that some ball cuts off, the ball that cuts off
+// most of it.
 std::vector<BallIndex> cutters(const BallSet& balls, std::span<const BallIndex> simplex,
                                const LocalStar& star, const CancelToken& cancel) {
   Boundary boundary(balls, simplex, star);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -1,4 +1,4 @@
-// The engines whose steps can be shown.
+// The engines whose work on one ball can be shown step by step.
 #pragma once
 
 #include <cstdint>

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/files/temporary_names.hpp"
+#include "core/run/cancel_token.hpp"
 #include "core/run/child_program.hpp"
 #include "core/run/uninterrupted_step.hpp"
 
@@ -171,8 +172,7 @@ void AtomicFile::keep_owner_and_mode() const {
     // groups.
     const bool group_kept = ::fchown(descriptor_, old.st_uid, old.st_gid) == 0 ||
                             ::fchown(descriptor_, static_cast<uid_t>(-1), old.st_gid) == 0;
-    // If the group could not be kept, the new group must not be able to read what only the old
-    // group could.
+    // If the group could not be kept, the new group gets only the rights that all users have.
     if (!group_kept) mode &= ~mode_t{070} | ((mode & 07) << 3);
   }
   static_cast<void>(::fchmod(descriptor_, mode));
@@ -198,7 +198,7 @@ void AtomicFile::flush_to_disk() {
     return;
   }
   if (!on_the_disk(descriptor_)) fail("write");
-  // The target may have been read after it was opened here.
+  // Another part of the program may have read the target since this file was opened.
   refuse_to_replace_input("Writing " + name_, target_, kind_);
 }
 
@@ -223,8 +223,8 @@ void AtomicFile::take_name(bool alone) {
   fail("rename the new file to");
 }
 
-// For file systems that cannot exchange names, such as NFS. Where they have no second names either,
-// a replaced file stays replaced.
+// Keeps the old file under a second name, for file systems that cannot exchange names, such as NFS.
+// Where a file cannot have a second name either, a replaced file cannot be restored.
 bool AtomicFile::set_aside() {
   constexpr int kAttempts = 10000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 
-// Files of coordinates shrink to a third or a tenth, a file of equal lines to a hundredth, a gzip
-// bomb to a thousandth. The limit does not apply to small files.
+// Gzip shrinks files of coordinates to between a third and a tenth, a file of equal lines to a
+// hundredth, and a gzip bomb to a thousandth. The limit applies only from kSuspiciousFrom on.
 constexpr std::uint64_t kMostExpansion = 200;
 constexpr std::uint64_t kSuspiciousFrom = std::uint64_t{256} << 20;  // bytes
 

@@ -10,7 +10,7 @@ namespace alphascope {
 struct SmallTextRule {
   const char* what = "";  // "the script"
   std::uint64_t most_bytes = 0;
-  const char* remedy = "";  // for a larger text; without a full stop
+  const char* remedy = "";  // advice for a text that is too large; without a full stop
 };
 
 // The unchanged content of a file or pipe; "-" is standard input. Throws ReadError for a text that

@@ -14,7 +14,8 @@ std::string size_text(std::uint64_t bytes) {
   return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
 }
 
-// Limits for molecules are larger than this; those for sessions, lessons, tables and lists are not.
+// The limit for molecules is larger than this. The limits for sessions, lessons, tables and lists
+// are not. So the limit tells which advice fits.
 constexpr std::uint64_t kLargestOther = std::uint64_t{64} << 20;
 
 }  // namespace

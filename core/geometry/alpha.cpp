@@ -147,7 +147,8 @@ std::string decimal_text(Int128 whole, std::int64_t fraction) {
 }
 
 std::partial_ordering operator<=>(const Alpha& a, const Alpha& b) {
-  // The nearest double grows with the number, so it decides where it differs.
+  // A larger number never has a smaller nearest double. So where the nearest doubles differ, they
+  // decide.
   if (const auto order = a.nearest_ <=> b.nearest_; order != 0) return order;
   if (const auto order = a.whole_ <=> b.whole_; order != 0) return order;
   return a.fraction_ <=> b.fraction_;

@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -5,12 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/geometry/ball_index.hpp"
 #include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
-
-// Index of a ball in its BallSet; simplices are tuples of these.
-using BallIndex = std::uint32_t;
 
 struct BallSet {
   Lattice lattice;

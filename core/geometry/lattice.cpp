@@ -3,6 +3,9 @@
 
 #include <string>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 
 LatticeAlpha Lattice::alpha_on_lattice(const Alpha& alpha) const {

@@ -1,20 +1,15 @@
 // The decimal lattice on which all geometry is exact: coordinates and radii are integers, in units
-// of 10^-digits Å. This file has the unit, the bounds and the conversion of alpha; core/read reads
-// text onto the lattice.
+// of 10^-digits Å. This file has the unit and the conversion of alpha; lattice_point.hpp has the
+// bounds. core/read reads text onto the lattice.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 
-#include "core/geometry/alpha.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-
 namespace alphascope {
 
-// Bounds that keep every exact predicate within its integer width (exact_rho.hpp). Coordinate
-// differences fit 31 bits, weights are exact as doubles, and power differences fit 64 bits.
-inline constexpr std::int32_t kMaxLatticeCoordinate = (1 << 29) - 1;
-inline constexpr std::int32_t kMaxLatticeRadius = (1 << 26) - 1;
+class Alpha;
+struct LatticeAlpha;
 
 // Files with fewer digits get this lattice too, so that typed solvent radii are on it.
 inline constexpr int kMinLatticeDigits = 3;
@@ -22,11 +17,6 @@ inline constexpr int kMinLatticeDigits = 3;
 // If a file has more digits, they come from a program and not from a measurement. Six digits leave
 // room for radii up to 67 Å, which the solvent radius and the radii sets need.
 inline constexpr int kMaxLatticeDigits = 6;
-
-struct LatticePoint {
-  std::int32_t x = 0, y = 0, z = 0;
-  friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
-};
 
 struct Lattice {
   // 0 to 6: the unit is 10^-digits Å, coarser for huge coordinates.

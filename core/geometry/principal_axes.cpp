@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_set.hpp"
+
 namespace alphascope {
 
 // Cyclic Jacobi rotations. Ten sweeps reach double precision for 3 x 3 (it converges
@@ -43,8 +46,8 @@ struct Spread {
   std::array<double, 3> along;  // the spread
 };
 
-// The first component of largest size, up to rounding. An axis where it is positive always begins a
-// profile at the same end.
+// The first component of largest size, up to rounding. Axes are turned so that it is positive. So
+// profiles along an axis always begin at the same end.
 double first_large_component(const RealPoint& axis) {
   constexpr double kAsLong = 1 - 1e-6;
   const double values[] = {axis.x, axis.y, axis.z};

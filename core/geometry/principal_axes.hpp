@@ -5,10 +5,11 @@
 #include <array>
 #include <vector>
 
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 
 namespace alphascope {
+
+struct BallSet;
 
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 

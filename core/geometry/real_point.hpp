@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
 

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <string>
 
-#include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
+
+class Alpha;
 
 // "1.4", "-0.5", "100000", "0.0001", "1e+24": with an exponent only where that is easier to read.
 inline std::string shortest_number(double number) {

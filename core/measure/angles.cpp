@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/wide_int.hpp"
 
 namespace alphascope {

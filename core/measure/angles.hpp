@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
 

@@ -12,6 +12,8 @@
 
 #include "core/geometry/host_device.hpp"
 #include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/lifted.hpp"
 
 namespace alphascope {

@@ -27,7 +27,7 @@ ALPHASCOPE_INLINE double sum_value(FixedSum sum, double scale) {
 }
 
 // The quantities of a ball, in lattice units, from the sums of simplex_terms.hpp. A negative sum
-// can only come from rounding, so it counts as 0. A ball without an open side has nothing on the
+// can only come from rounding, so it counts as 0. A ball without an open side has no part of the
 // surface.
 ALPHASCOPE_INLINE PerQuantity<double> ball_measures(double grown_radius, bool is_open,
                                                     const PerQuantity<double>& sums) {

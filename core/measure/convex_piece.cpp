@@ -20,11 +20,11 @@ struct FaceShare {
   double angle = 0;  // solid angle at the origin of the part beyond, with the sign of the distance
 };
 
-// Adds the triangle of the foot and an edge of the face, all of it beyond the circle. The edge is
-// on a line at distance x from the foot, from a to b along that line; `ga` and `gb` are the
-// distances of its ends from the origin. In polar coordinates around the foot, the solid angle is
-// that of a cone minus one with the edge as base. The antiderivative of the latter is arctan(h s /
-// x g).
+// Adds the solid angle of the triangle of the foot and an edge of the face, which lies wholly
+// beyond the circle. The edge is on a line at distance x from the foot, from a to b along that
+// line; `ga` and `gb` are the distances of its ends from the origin. In polar coordinates around
+// the foot, the solid angle is that of a cone minus one with the edge as base. The antiderivative
+// of the latter is arctan(h s / x g).
 struct Beyond {
   double h, x;
   double cosine;         // h / R, or the sign of h without a circle
@@ -125,8 +125,9 @@ void ConvexPiece::measure_reach() {
 }
 
 bool ConvexPiece::cut(const Point& normal, double offset, double length, std::uint32_t made_by) {
-  // Corners and sides are known up to some roundings of this size. If many cells meet in a point,
-  // their planes would cut off slivers without thickness there.
+  // Corners and sides are known only up to some roundings of this size, so a cut below it is
+  // skipped. Otherwise, where many cells meet in a point, their planes would cut off slivers
+  // without thickness.
   const double slack = kSlack * (std::fabs(offset) + length * reach_);
   side_.resize(corners_.size());
   double least = HUGE_VAL, most = -HUGE_VAL;

@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -28,8 +28,9 @@ MeasuredUnion measure_on_cpu(const BallSet& balls, const AlphaComplex& complex,
                              WorkThreads& threads, const RunContext& context,
                              UnionDerivatives* derivatives = nullptr);
 
-// Measures on the engine's device. If that fails or has too little memory, measures on the CPU and
-// adds a note. Empty if the engine has no device. Throws as Engine::measure() does.
+// Measures on the engine's device. If the device fails or has too little memory, measures on the
+// CPU and sets the reason. Returns nothing if the engine has no device. Throws as Engine::measure()
+// does.
 std::optional<MeasuredUnion> measure_on_device(Engine& engine, const BallSet& balls,
                                                const AlphaComplex& complex, WorkThreads& threads,
                                                const RunContext& context);

@@ -13,6 +13,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/ball_stars.hpp"
 #include "core/measure/convex_piece.hpp"

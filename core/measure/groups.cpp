@@ -1,6 +1,7 @@
 // Connected components, sums by group and areas of single balls.
 #include <stdexcept>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/union_measures.hpp"

@@ -185,8 +185,9 @@ std::vector<Block> blocks_of(const Atoms& atoms, std::span<const Candidate> same
 }
 
 // Groups the atoms of one chain, segment, number and insertion code into residues. Mostly there is
-// one. A file with more residues than numbers uses numbers again. Alternative locations may stand
-// apart, for example after the chain. Then every atom there has its letter.
+// one residue. There are several in a file that has more residues than numbers. A file may list
+// alternative locations apart from the rest of the residue, for example after the chain. Then every
+// atom there has its letter.
 std::vector<Residue> residues_of(const Atoms& atoms, std::span<const Candidate> same_number) {
   std::vector<Residue> residues;
   for (const Block& block : blocks_of(atoms, same_number)) {

@@ -17,8 +17,8 @@ namespace alphascope {
 // Residues that share chain and number are told apart in three ways. They have different segments,
 // numbers begin anew between them (10,000 waters in four columns), or both have the same atom.
 //
-// Only atoms for which `compete` returns true take part; without `compete` all do. So a request for
-// letter B gets B, and a request without A gets the others.
+// Only atoms for which `compete` returns true take part; without `compete` all do. So a selection
+// of letter B keeps location B, and a selection without A keeps one of the other locations.
 std::vector<bool> minor_altlocs(const Molecule& molecule, std::size_t begin, std::size_t end,
                                 const std::function<bool(const Atom&)>& compete = {});
 

@@ -8,7 +8,10 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "core/geometry/alpha.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/text/printable.hpp"
 
@@ -182,8 +185,9 @@ class Expansion {
     return {out[0], out[1], out[2]};
   }
 
-  // The name of a chain's copy. Each author chain counts its copies for each asymmetric unit of the
-  // file. So the waters of chain A, another asymmetric unit, stay with the same copy of A.
+  // The name of a chain's copy. Copies are counted for each pair of author chain and asymmetric
+  // unit. So the waters of chain A, which are another asymmetric unit, get the same copy names as
+  // the polymer of A.
   NameId name_of_copy(NameId chain, NameId label_chain) {
     const std::uint64_t key = (std::uint64_t{chain} << 32) | label_chain;
     const auto known = new_names_.find(key);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/geometry/alpha.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/molecule.hpp"
 

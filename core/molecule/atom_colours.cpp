@@ -5,6 +5,9 @@
 
 #include <array>
 
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/rgb8.hpp"
+
 namespace alphascope {
 namespace {
 

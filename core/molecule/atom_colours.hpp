@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/molecule/molecule.hpp"
-#include "core/molecule/rgb8.hpp"
+#include "core/molecule/element.hpp"
 
 namespace alphascope {
+
+struct Molecule;
+struct Rgb8;
 
 Rgb8 element_colour(Element element);
 // The colour of the n-th chain. The first colours differ most. They repeat after kChainColours.

@@ -1,5 +1,5 @@
 // A molecule as its file describes it: atoms of all models on the decimal lattice, with their
-// names. The choice of atoms and of their radii is made in prepare_balls.hpp.
+// names. core/selection/prepare_balls.hpp chooses the atoms that become balls, and their radii.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/name_table.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/molecule/atom_type.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,4 +1,4 @@
-// The kinds of residues.
+// The kinds of residues: polymer, water, ligand, ion and dummy.
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/molecule/molecule.hpp"
 
 namespace alphascope {

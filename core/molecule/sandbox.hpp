@@ -1,5 +1,5 @@
-// A few balls set by hand in place of a file's atoms: their centres and radii on the lattice. How
-// they are shown is decided elsewhere.
+// A few balls set by hand in place of a file's atoms: their centres and radii on the lattice.
+// core/chart/flat_drawing.hpp draws flat ones.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
 
@@ -31,7 +32,7 @@ struct Sandbox {
 inline constexpr std::size_t kMostSandboxBalls = 500;
 // Å. A sandbox is viewed as a whole, so it stays small.
 inline constexpr double kSandboxReach = 1000, kMostSandboxRadius = 50;
-// Bounds in Å. They are smaller if the lattice is so fine that it ends before.
+// Bounds in Å: those above, or the bounds of the lattice where these are smaller.
 double sandbox_reach(const Lattice& lattice);  // of coordinates, in each direction
 double most_sandbox_radius(const Lattice& lattice);
 double least_sandbox_radius(const Lattice& lattice);  // one unit

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {
@@ -34,7 +35,8 @@ class HashGroups {
   }
 
   std::size_t count() const { return std::size_t{1} << bits_; }
-  // The end of a group: after all runs, the place behind the group's last ball.
+  // The end of a group in members_. When all balls are placed, the last run's counter is the place
+  // behind the group's last ball.
   std::size_t end(std::size_t group) const { return places_[(runs_ - 1) * count() + group]; }
   std::size_t begin(std::size_t group) const { return group == 0 ? 0 : end(group - 1); }
   BallIndex member(std::size_t at) const { return members_[at]; }
@@ -43,7 +45,8 @@ class HashGroups {
   static constexpr std::size_t kRun = std::size_t{1} << 16, kGroup = std::size_t{1} << 13;
   static constexpr int kMostBits = 12;  // at most half a byte of places_ for each ball
 
-  // Calls visit(ball, the next place of its run in its group), for many runs of balls in parallel.
+  // Divides the balls into runs of kRun, which run in parallel. Calls visit(ball, place) for each
+  // ball, where `place` is the counter of the ball's run and group.
   template <class Visit>
   void for_runs(const Visit& visit) {
     parallel_each(0, runs_, [&](std::size_t run) {
@@ -55,7 +58,8 @@ class HashGroups {
       }
     });
   }
-  // Turns the number of balls of each group and run into the place of the run's first ball.
+  // Turns each counter from a number of balls into the place of the first of these balls in
+  // members_.
   void start_groups() {
     std::size_t sum = 0;
     for (std::size_t group = 0; group < count(); ++group) {

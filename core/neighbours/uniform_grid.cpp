@@ -5,14 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/grown_balls.hpp"
 
 namespace alphascope {
 namespace {
 
 // The width of a cell, relative to the distance at which the two largest balls touch. Two balls
-// that pass the test of grown_balls.hpp are nearer than 1 + 2^-18 + 10 u of that distance. This is
-// below 1 + 4.5e-6. A coordinate is below 2^30 cells, so the division in cell_at() errs by less
+// that pass the test of grown_balls.hpp are nearer than 1 + 2^-18 + 10 u times that distance. This
+// is below 1 + 4.5e-6. A coordinate is below 2^30 cells, so the division in cell_at() errs by less
 // than 2^-22 of a cell, 2.4e-7. So the two balls are in the same cell or in neighbouring cells.
 constexpr double kReachMargin = 1.0 + 1e-5;
 
@@ -36,7 +38,7 @@ double cells_along(std::int32_t low, std::int32_t high, double width) {
   return std::floor((static_cast<double>(high) - low) / width) + 1;
 }
 
-// The balls in the grid.
+// The balls that go into the grid: neither hidden nor empty at alpha.
 struct AliveBalls {
   std::vector<BallIndex> indices;
   Box box;                      // box of their centres

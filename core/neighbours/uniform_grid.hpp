@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
 

@@ -1,5 +1,6 @@
-// Exact decisions about ortho-radii of simplices of a BallSet. The predicates themselves are
-// templates for host and device, in orthosphere.hpp; these are plain functions for the host.
+// Exact decisions about ortho-radii of simplices of a BallSet. These are plain functions for the
+// host. The predicates themselves are templates for host and device, in orthosphere.hpp,
+// exact_rho.hpp and foot_predicate.hpp.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // Decides whether another ball cuts off the orthocentre of an edge or triangle: the foot of ball
 // i's centre on the radical plane or line. The simplex is attached iff some ball does. Host and
-// device; notation and bounds of orthosphere.hpp.
+// device; notation and bounds of lifted.hpp.
 #pragma once
 
 #include "core/predicates/orthosphere.hpp"

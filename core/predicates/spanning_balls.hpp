@@ -4,9 +4,11 @@
 
 #include <vector>
 
-#include "core/geometry/ball_set.hpp"
+#include "core/geometry/ball_index.hpp"
 
 namespace alphascope {
+
+struct BallSet;
 
 // Returns at most four balls whose centres span the same space as all centres: `first`, and each
 // ball that is not in the span of those before it.

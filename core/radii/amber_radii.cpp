@@ -12,7 +12,10 @@
 #include <bit>
 #include <string>
 
+#include "core/geometry/alpha.hpp"
 #include "core/molecule/atom_type.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 
 namespace alphascope {
 namespace {
@@ -174,7 +177,8 @@ AmberRadius hydrogen(std::string_view residue, std::string_view atom, AmberForm 
     return amino_acid_hydrogen(known, name, form);
   }
   if (const char base = nucleotide_base(residue)) return nucleotide_hydrogen(base, name, form);
-  // A modified residue: its side chain has no types, but what all amino acids have is as in them.
+  // A modified residue: the atoms of its side chain have no types, but those that all amino acids
+  // have do.
   const std::string_view n = name;
   const bool alpha = n.starts_with("HA") && n.size() <= 3;
   if ((form & kAmberPeptide) && (n == "H" || n == "HN" || alpha)) return typed(alpha ? kH1 : kH);
@@ -260,7 +264,7 @@ AmberRadius amber_radius(std::string_view residue, std::string_view atom, AmberF
                          Element element, ResidueKind kind) {
   if (kind == ResidueKind::water && element == kHydrogen) return typed(kHO);
   if (kind == ResidueKind::water && element == 8) return typed(kOW);
-  if (kind == ResidueKind::ligand) {  // whatever its name, it is no residue of AMBER's
+  if (kind == ResidueKind::ligand) {  // AMBER has no residue of this kind, whatever the name
     residue = {};
     form = 0;
   }

@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/molecule/molecule.hpp"
+#include "core/molecule/element.hpp"
+#include "core/molecule/residue_kind.hpp"
 
 namespace alphascope {
 

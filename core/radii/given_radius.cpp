@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
+
 namespace alphascope {
 namespace {
 

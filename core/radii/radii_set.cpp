@@ -5,6 +5,7 @@
 
 #include "core/molecule/atom_type.hpp"
 #include "core/molecule/element_table.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/radii/fallback_radii.hpp"
 #include "core/text/letter_case.hpp"
@@ -130,8 +131,8 @@ int naccess(AtomType type) {
   return 0;
 }
 
-// The set's middle value for an element, for atoms that it does not type (ligands). 10^-3 Å; 0:
-// none.
+// The set's typical value for an element, for atoms without a type in the set, such as those of
+// ligands. 10^-3 Å; 0: none.
 int typical(RadiiSet set, Element element) {
   const bool naccess_set = set == RadiiSet::naccess;
   switch (element) {

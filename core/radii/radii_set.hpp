@@ -9,11 +9,14 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/radii/radii_choice.hpp"
 
 namespace alphascope {
+
+struct Atom;
+struct Molecule;
 
 struct RadiiSetInfo {
   RadiiSet set;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/files/read_error.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/decimal.hpp"
 #include "core/read/residues/atom_names.hpp"
 

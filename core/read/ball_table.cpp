@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/ball_columns.hpp"
 #include "core/read/field_kinds.hpp"
 #include "core/read/file_format.hpp"

@@ -5,6 +5,8 @@
 #include <charconv>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/field_kinds.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/molecule_builder.hpp"

@@ -9,10 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/molecule/molecule.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
+
+struct Molecule;
 
 struct ReaderInput {
   std::filesystem::path source;  // only for messages and Molecule::source
@@ -32,8 +33,8 @@ struct ReaderInput {
 struct FileSample {
   std::string_view text;
   std::string ending = {};  // of the file name, in small letters, without .gz: ".pdb"
-  // The first three lines that matter. `first` is neither blank, nor a comment with #, nor a
-  // REMARK.
+  // The first line that is neither blank, nor a comment with #, nor a REMARK, and the two lines
+  // below it.
   std::string_view first = {}, second = {}, third = {};
   std::string_view before = {};  // the text above `first`
 };
@@ -41,8 +42,8 @@ struct FileSample {
 // How well a text fits a format. Among equals the first format of the list is taken.
 enum class Recognised : std::uint8_t {
   no,
-  by_ending,  // fits if the file name has an ending of this format; its reader describes damaged
-              // files best
+  by_ending,  // fits only if the file name has an ending of this format, whose reader describes
+              // damaged files best
   likely,
   certain  // a mark that no other format has
 };
@@ -54,8 +55,8 @@ struct FileFormat {
   Recognised (*recognise)(const FileSample& sample);
   // Reads a molecule from a text. Throws ReadError with the line at fault, and Cancelled.
   Molecule (*read)(const ReaderInput& input);
-  // True when columns show that a cut goes through numbers of the last line. For other formats a
-  // note says that these numbers may be wrong.
+  // True if the format's columns show when a file was cut off inside a number of its last line. For
+  // other formats a note says that these numbers may be wrong.
   bool detects_truncation = false;
 };
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/lookalike.hpp"
 #include "core/text/letter_case.hpp"
@@ -91,7 +94,8 @@ const FileFormat* recognise_format(const std::filesystem::path& path, std::strin
     how_well = fits;
     best = &format;
   }
-  // Recognition can be wrong where a title begins like another format: "solid water".
+  // find_lookalike() can be wrong where a title begins like another format ("solid water"), so a
+  // certain format wins.
   return how_well < Recognised::certain && find_lookalike(text).certain ? nullptr : best;
 }
 

@@ -25,8 +25,8 @@ bool repeats(const std::vector<Atom>& atoms, std::size_t begin, std::size_t coun
   return true;
 }
 
-// First atoms of the frames that END records separate; empty when they are no frames. The last
-// frame may have been cut off.
+// First atoms of the frames that END records separate. Empty when the parts between them do not
+// repeat the same atoms. The last frame may have been cut off.
 std::vector<std::size_t> frames_behind(const std::vector<std::size_t>& ends,
                                        const std::vector<Atom>& atoms) {
   if (ends.empty() || ends.front() == atoms.size()) return {};

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/read/field_kinds.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/molecule_builder.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/decimal.hpp"
 #include "core/read/residues/atom_names.hpp"
 

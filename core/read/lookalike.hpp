@@ -10,7 +10,7 @@ namespace alphascope {
 struct Lookalike {
   std::string what;      // completes "it looks like …"
   std::string remedy;    // without full stop; empty: use a format of ours
-  bool certain = false;  // its own mark was found, so its name does not matter
+  bool certain = false;  // by a mark of that format alone, whatever the name
 };
 
 Lookalike find_lookalike(std::string_view text);

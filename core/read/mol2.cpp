@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/molecule_builder.hpp"
 #include "core/read/residues/atom_names.hpp"

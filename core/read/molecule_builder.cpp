@@ -5,6 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/read/residues/decide_residues.hpp"
 #include "core/read/residues/virtual_sites.hpp"
 #include "core/text/printable.hpp"

@@ -6,6 +6,8 @@
 #include <charconv>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/frame_marks.hpp"
 #include "core/read/molecule_builder.hpp"

@@ -14,7 +14,8 @@ class PredictedModel {
   void take_remark(std::string_view line);
   // A value of mmCIF's ma_qa_metric.
   void take_metric(std::string_view value);
-  // EXPDTA or exptl.method. It names an experiment, which may have started from a predicted model.
+  // EXPDTA or exptl.method. It names an experiment, so B factors are no confidences, even if the
+  // model was built from a predicted one.
   void take_method(std::string_view method);
 
   // Marks the molecule and adds a note. The title must be set. Values outside 0 to 100 are no

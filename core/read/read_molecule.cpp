@@ -4,6 +4,7 @@
 #include <future>
 
 #include "core/files/text_file.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/lookalike.hpp"
 
 namespace alphascope {

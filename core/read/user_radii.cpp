@@ -3,6 +3,8 @@
 
 #include "core/files/line_reader.hpp"
 #include "core/files/text_file.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/decimal.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/printable.hpp"

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/field_kinds.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/molecule_builder.hpp"
@@ -189,10 +191,10 @@ class XyzReader {
     builder_.add(atom, position, *radius);
   }
 
-  // True when numbers in place of symbols are types of a simulation. They always are in LAMMPS'
-  // files. They also are where they run 1, 2, 3 … without a gap, since real atoms would hardly
-  // include helium. Three or more atoms of type 1 alone are types too, as they are no hydrogen
-  // molecule.
+  // True when numbers in place of symbols are types of a simulation. In LAMMPS' files they always
+  // are. In other files they are types where they run 1, 2, 3 … without a gap, since few molecules
+  // contain helium. Three or more atoms that are all 1 are types, too, since a hydrogen molecule
+  // has two atoms.
   bool are_types() const {
     if (tinker_ || !only_numbers_ || numbers_.empty()) return false;
     const bool in_turn = *numbers_.begin() == 1 && *numbers_.rbegin() == numbers_.size();

@@ -23,6 +23,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/run/cancel_token.hpp"
 #include "core/run/uninterrupted_step.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
@@ -120,7 +121,7 @@ ChildProgram::ChildProgram(const fs::path& program, const std::vector<std::strin
   }
   input_ = ends[0];
   errors_ = ::memfd_create("errors", MFD_CLOEXEC);
-  // The type of execv, which changes nothing.
+  // execv() takes pointers to characters that are not constant, but does not change them.
   std::vector<char*> words{const_cast<char*>(program.c_str())};
   for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
   words.push_back(nullptr);

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/run/cancel_token.hpp"
-
 namespace alphascope {
+
+class CancelToken;
 
 // Looks for a program on PATH; empty if it is not installed.
 std::optional<std::filesystem::path> find_program(std::string_view name);

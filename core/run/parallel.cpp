@@ -1,4 +1,4 @@
-// The one place where loops call oneTBB.
+// The loops of parallel.hpp, by oneTBB.
 #include "core/run/parallel.hpp"
 
 #include <tbb/blocked_range.h>

@@ -2,8 +2,8 @@
 // called on any of them. If it throws, the caller gets the exception, and parts that have not begun
 // are skipped.
 //
-// All loops share one call of oneTBB, in parallel.cpp: each call takes 0.15 s to compile, and its
-// headers take a source 0.6 s or more.
+// parallel.cpp alone calls oneTBB for them: each call takes 0.15 s to compile, and oneTBB's headers
+// take 0.6 s or more in each source.
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,8 @@ inline constexpr std::string_view kHostToDevice = "host→device";
 inline constexpr std::string_view kCandidates = "kernel I (candidates)";
 inline constexpr std::string_view kPrefixSum = "prefix sum";
 inline constexpr std::string_view kFilteredValidity = "kernel II (filtered validity)";
-// These are one launch on the GPU: a block finds its neighbours and clips their facets.
+// On the GPU kernels I and II are one launch: a block finds the neighbours of its balls and clips
+// dual edges.
 inline constexpr std::string_view kCandidatesAndFiltered =
     "kernels I+II (candidates, filtered validity)";
 inline constexpr std::string_view kExactValidity = "kernel III (exact validity)";

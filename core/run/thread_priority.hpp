@@ -7,7 +7,7 @@ namespace alphascope {
 // values. An idle core is used fully.
 enum class CpuShare {
   third = 5,       // of the time of a normal thread
-  seventieth = 19  // not zero: on a machine that is always busy the work must still end
+  seventieth = 19  // the work ends even on a machine that is always busy
 };
 
 // Applies to the calling thread and to the threads that it starts later, permanently. Does nothing

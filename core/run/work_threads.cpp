@@ -21,8 +21,8 @@ int most_threads() {
 
 }  // namespace
 
-// For one thread the arena has two places, both for callers. So each of two callers runs on its own
-// thread and gets no other. Otherwise a short job would wait for the whole of a long one.
+// For one thread the arena has two places, both for threads of callers. So two callers run at once,
+// each on its own thread alone. With one place, a short job would wait for the whole of a long one.
 WorkThreads::WorkThreads(int count)
     : arena_(std::make_unique<Arena>()), count_(count > 0 ? count : most_threads()) {
   if (count_ == 1) {

@@ -19,8 +19,9 @@ class WorkThreads {
   WorkThreads& operator=(const WorkThreads&) = delete;
 
   // Runs `work` and all its parallel parts on these threads, and returns when it is done. The
-  // calling thread is one of them if possible. A caller never waits for a task of another caller
-  // that its thread took. Throws the exceptions of `work`.
+  // calling thread is one of them if possible. A thread that waits for a part of this work takes no
+  // task of another caller meanwhile, so callers do not delay each other. Throws the exceptions of
+  // `work`.
   void run(const std::function<void()>& work);
 
   int asked() const { return count_; }  // the machine may have fewer

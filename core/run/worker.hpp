@@ -20,7 +20,8 @@ class Worker {
  public:
   // The part of a job that runs on the main thread afterwards, inside poll().
   using Delivery = std::function<void()>;
-  // Runs on the worker's thread. An exception is a failure; Cancelled follows its token.
+  // Runs on the worker's thread. An exception is a failure. Throws Cancelled after its token was
+  // cancelled.
   using Job = std::function<Delivery(const RunContext&)>;
 
   struct Failure {

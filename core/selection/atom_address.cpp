@@ -6,6 +6,13 @@
 #include <charconv>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/selection/selection_expression.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -8,10 +8,12 @@
 #include <string>
 #include <string_view>
 
-#include "core/molecule/molecule.hpp"
-#include "core/selection/selection_expression.hpp"
+#include "core/selection/picture_atoms.hpp"
 
 namespace alphascope {
+
+class SelectionError;
+struct Molecule;
 
 // The address of an atom: "A:HIS 87:NE2", "A-2:SER 22A:CB:B". Its parts are chain, residue name and
 // number with insertion code, atom, and the letter of an alternative location. An atom without

@@ -21,8 +21,8 @@ class OneResidue {
   }
 
   // Returns whether the atom begins another residue of the same name and number. Waters and ions
-  // may all have one number. Number 0 does not tell other residues apart either, except where atoms
-  // are named by their elements alone.
+  // may all have one number. Other residues with the number 0 may have the same number, too. There
+  // a repeated atom name ends a residue, unless the names are only element symbols.
   bool ends_before(const Molecule& molecule, const Atom& atom) {
     const bool alone = atom.kind == ResidueKind::water || atom.kind == ResidueKind::ion;
     const bool told = alone || (atom.residue_number == 0 && has_names_);

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "core/molecule/element.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/selection/treatments.hpp"
 #include "core/text/grouped_number.hpp"
 

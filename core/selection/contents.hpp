@@ -12,7 +12,7 @@ namespace alphascope {
 
 struct Molecule;
 
-// Numbers of atoms by kind; the index is an ResidueKind.
+// Numbers of atoms by kind; the index is a ResidueKind.
 using KindCounts = std::array<std::size_t, 5>;
 
 inline std::size_t of_kind(const KindCounts& counts, ResidueKind kind) {

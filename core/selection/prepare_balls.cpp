@@ -8,8 +8,11 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/neighbours/coincident.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/radii/given_radius.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/atom_filter.hpp"
 #include "core/selection/atom_groups.hpp"
 
@@ -97,8 +100,8 @@ class RadiusSource {
     for (const RadiusOverride& o : options.overrides) add_override(o);
   }
 
-  // The given radius (10^-6 Å) from which the last result of radius() was rounded; 0: it was not
-  // rounded.
+  // The radius (10^-6 Å) that the set, table or user gives, if the last result of radius() is that
+  // radius rounded to the lattice; 0: it is exact.
   std::int32_t rounded_from() const { return rounded_from_; }
 
   // The radius in lattice units; 0: the atom has no ball, and `missing` is set to the reason.
@@ -235,8 +238,8 @@ class SizeCounter {
   Counted* last_ = nullptr;
 };
 
-// Returns whether ProtOr suits the atoms. It is made for proteins and nucleic acids without
-// hydrogens and has no values for others.
+// Returns whether the ProtOr radii suit the atoms: polymers without hydrogens, of which ProtOr
+// knows at least one atom.
 bool suits_protor(const Molecule& molecule, AtomRange range) {
   bool typed = false;
   RadiiLookup protor(molecule, RadiiSet::protor, nullptr);

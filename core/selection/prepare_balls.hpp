@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/ball_set.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/radii/radii_set.hpp"
+#include "core/geometry/lattice.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/selection/ball_options.hpp"
 
 namespace alphascope {
+
+struct BallSet;
+struct Molecule;
 
 // Atoms of one kind with a radius that the set did not have.
 struct GuessedRadius {
@@ -75,8 +76,8 @@ struct SelectionReport {
   // Residues of the selected chains and atoms whose kind (polymer or ligand) was guessed.
   std::size_t guessed_residues = 0;
 
-  // Balls whose centre is exactly that of an earlier ball. They stay in the set. Among balls with
-  // one centre only the largest is visible.
+  // Balls with exactly the same centre as an earlier ball. They stay in the set. Among balls with
+  // one centre only the largest is a vertex, and the others are hidden.
   std::size_t coincident_centres = 0;
 };
 

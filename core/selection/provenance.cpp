@@ -1,5 +1,10 @@
 // Collects the provenance of a set of balls as texts.
 #include "core/selection/provenance.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/short_number.hpp"
 

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/text/grouped_number.hpp"
@@ -75,7 +76,7 @@ class Grouping {
   struct Found {
     ResidueGroup group;
     NameId name = 0;
-    std::vector<std::size_t> first;  // first atoms of some residues; one more than can be named
+    std::vector<std::size_t> first;  // first atoms of residues, of at most kMostAddresses + 1
     std::vector<bool> by;            // for each treatment whether it applies to the group
   };
 
@@ -167,7 +168,7 @@ class Grouping {
   std::size_t place_ = 0;  // index of the current residue's group
 };
 
-// The order of groups: small numbers first.
+// The rank of a group in the list; low ranks come first.
 int rank(const ResidueGroup& group) {
   if (is_guess(group.file_why)) return -1;
   constexpr ResidueKind kOrder[] = {ResidueKind::ligand, ResidueKind::ion, ResidueKind::dummy,

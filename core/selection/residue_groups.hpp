@@ -1,16 +1,19 @@
 // The table of a molecule's residues by name and decision, from which people choose what to set by
-// hand. Treatments name atoms; a group knows how its residues can be named.
+// hand. A treatment is a text that names residues and sets their kind; a group has texts for its
+// residues.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "core/molecule/molecule.hpp"
+#include "core/molecule/residue_reason.hpp"
 #include "core/selection/contents.hpp"
 #include "core/selection/treatments.hpp"
 
 namespace alphascope {
+
+struct Molecule;
 
 // Residues of one name with the same kind and reason, both in the file and now.
 struct ResidueGroup {
@@ -23,10 +26,10 @@ struct ResidueGroup {
   std::size_t nth = 1;  // number among the groups of this name, in the order of the list
   // The texts by which treatments name these residues. If no other group has their name, it is the
   // name. Otherwise it is the address of each, or an expression that excludes the others. Empty if
-  // they cannot be named. These are more than kMostAddresses on both sides, points without matter,
-  // and atoms with nothing but a chain.
+  // they cannot be named: points without matter, atoms that have nothing but a chain, and groups in
+  // which both these residues and the others of the name are more than kMostAddresses.
   std::vector<std::string> called;
-  std::vector<std::string> treated;  // active treatments that name any of them
+  std::vector<std::string> treated;  // treatments in use that name any of these residues
   friend bool operator==(const ResidueGroup&, const ResidueGroup&) = default;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/selection_masks.hpp"
 #include "core/selection/selection_program.hpp"
 

@@ -18,17 +18,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/molecule/molecule.hpp"
+#include "core/selection/picture_atoms.hpp"
 #include "core/selection/selection_error.hpp"
 
 namespace alphascope {
 
-// The atoms for "selected" and "hidden": one value for each atom of the molecule. Null: there is no
-// picture, and the word is refused.
-struct PictureAtoms {
-  const std::vector<bool>* selected = nullptr;
-  const std::vector<bool>* hidden = nullptr;
-};
+struct Atom;
+struct Molecule;
 
 // The reason why an expression cannot be understood without a picture; empty if it can.
 std::optional<SelectionError> fault_of_selection(std::string_view text);

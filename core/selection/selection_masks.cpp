@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/molecule/atom_type.hpp"
 #include "core/neighbours/uniform_grid.hpp"
 #include "core/predicates/wide_int.hpp"

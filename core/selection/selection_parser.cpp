@@ -5,6 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "core/selection/selection_program.hpp"
 #include "core/text/letter_case.hpp"

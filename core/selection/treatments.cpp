@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "core/selection/selection_masks.hpp"
@@ -44,7 +45,8 @@ std::function<bool(std::size_t)> residues_named(const Molecule& molecule, const 
 
 using Reasons = std::set<ResidueReason>;
 
-// Removes a note on guesses if none of its residues is a guess any more, or else marks it.
+// Removes a note on guesses if none of its residues is a guess any more. Otherwise adds to the note
+// that some are set by hand.
 void settle_notes(Molecule& molecule, const Reasons& treated_guesses) {
   for (const ResidueReason guess : treated_guesses) {
     const bool is_left = std::any_of(molecule.atoms.begin(), molecule.atoms.end(),
@@ -73,7 +75,7 @@ std::vector<bool> apply_treatments(Molecule& molecule, const Treatment& treatmen
     if (!atoms[i]) continue;
     found = true;
     Atom& atom = molecule.atoms[i];
-    // A point without matter keeps its kind beside its residue's atoms.
+    // A point without matter stays a dummy, whatever the kind of its residue.
     if (atom.why == ResidueReason::virtual_site) continue;
     if (is_guess(atom.why)) guesses.insert(atom.why);
     atom.kind = treatment.kind;

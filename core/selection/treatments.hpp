@@ -5,9 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/molecule/molecule.hpp"
+#include "core/molecule/residue_kind.hpp"
 
 namespace alphascope {
+
+struct Molecule;
 
 // A treatment such as "A:PU8 301=ligand": an address (core/selection/atom_address.hpp), an
 // expression or a residue name, and the kind.

@@ -8,10 +8,10 @@
 
 namespace alphascope {
 
-// Valid UTF-8 on one line. Each character that is neither visible nor a blank becomes an escape as
-// in a program. "\x1B" stands for ESC, and for bytes that are no UTF-8 in the same way. "\u202E"
-// stands for a change of the writing direction, and so on for other invisible characters. So
-// different texts stay different. A tab becomes a blank.
+// Valid UTF-8 on one line. Each character that is neither visible nor a blank becomes an escape, as
+// programming languages write it. "\x1B" stands for ESC. Bytes that are no UTF-8 are written in the
+// same form. "\u202E" stands for a change of the writing direction, and so on for other invisible
+// characters. So different texts stay different. A tab becomes a blank.
 std::string printable(std::string_view text);
 
 // Does the text stay unchanged under printable()?

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/complex/count_limits.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
@@ -98,8 +99,9 @@ void insert_all(CgalTriangulation<CGAL::Sequential_tag>& rt, std::vector<InputPo
   }
 }
 
-// CGAL's parallel range insertion cannot be interrupted, so it gets one chunk after another. The
-// coarse levels of the sort come first. So every chunk but the last ones spreads over all space.
+// CGAL's parallel range insertion cannot be interrupted, so it gets the points in chunks, and the
+// token is read between them. The sort puts a coarse sample of the points first, then finer ones.
+// So every chunk but the last ones spreads over all space.
 void insert_all(CgalTriangulation<CGAL::Parallel_tag>& rt, std::vector<InputPoint>& points,
                 const RunContext& context) {
   constexpr std::size_t kChunk = 131072;
@@ -231,9 +233,9 @@ Triangulation triangulate_parallel(const BallSet& balls, std::vector<InputPoint>
 Triangulation make_triangulation(const BallSet& balls, int threads, const RunContext& context) {
   require_balls(balls.size());
   std::vector<InputPoint> points = visible_input(balls);
-  // On one thread CGAL's locks make its parallel code 1.4 times as slow as the sequential one. On
-  // two threads its spinning makes it slower as soon as other programs run. Its first 100 points
-  // are sequential.
+  // On one thread CGAL's parallel code takes 1.4 times as long as its sequential code, because of
+  // its locks. On two threads its waiting loops make it slower as soon as other programs run. With
+  // few points it does not pay: it inserts the first 100 one after another.
   constexpr std::size_t kWorthBalls = 4096;
   constexpr int kWorthThreads = 3;
   if (threads >= kWorthThreads && points.size() >= kWorthBalls) {

@@ -11,6 +11,7 @@
 
 #include "core/complex/face_groups.hpp"
 #include "core/complex/simplex_hash.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/ties.hpp"
 
@@ -46,8 +47,8 @@ void select_one_by_one(const AlphaComplex& top, float limit, const AllTies& ties
   complex.hash = complex_hash(complex);
 }
 
-// The bound where all ties are decided alike: a simplex with value <= bound is in K_alpha. NaN
-// marks a level that is never reached; it fails the comparison.
+// The bound for a case in which all ties are in K_alpha, or none is: a simplex with value <= bound
+// is in K_alpha. A level that is never reached is NaN, so the comparison is false.
 float bound_of(float limit, bool ties_in) {
   return ties_in ? limit : std::nextafter(limit, -std::numeric_limits<float>::infinity());
 }
@@ -106,9 +107,9 @@ class Selection {
 
   std::uint64_t copy_block(std::size_t block, std::size_t begin, std::size_t end, bool with_values,
                            SimplexList<N>& to) const {
-    // A simplex above the bound is overwritten by the next one. Writing stops at `end`, where the
-    // part of the next block begins. There is no branch, since half of the predictions would be
-    // wrong.
+    // Every simplex is written, and the next one overwrites it if it is above the bound. Writing
+    // stops at `end`, where the part of the next block begins. The loop has no branch, because a
+    // processor would predict about half of the branches wrongly.
     std::uint32_t to_hash[kBlock];
     std::size_t at = begin, count = 0;
     for (std::size_t n = block * kBlock; at < end; ++n) {

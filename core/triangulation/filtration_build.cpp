@@ -16,8 +16,8 @@ namespace alphascope {
 namespace {
 
 // The alpha value of a face: its own ortho-radius, or the least value of its cofaces if the apex of
-// a coface is in conflict with its orthosphere. Only neighbours in the triangulation need this
-// test, also for ties.
+// a coface is in conflict with its orthosphere. Apexes of cofaces are the only balls that need this
+// test, also where there are ties.
 template <int N>
 float alpha_value(const BallSet& balls, const std::array<BallIndex, N>& face,
                   const FaceGroups<N>& groups, std::size_t group,
@@ -181,7 +181,7 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls,
                        const RunContext& context)
     : balls_(std::move(balls)) {
   const Triangulation& all = *triangulation;
-  // The cast is safe because top_ is never changed, so its tetrahedra are not either.
+  // Casting away const is safe, because nobody changes top_ or its tetrahedra.
   const std::span tetrahedra(const_cast<std::array<BallIndex, 4>*>(all.tetrahedra.data()),
                              all.tetrahedra.size());
   build(all, in_place(std::shared_ptr<const void>(std::move(triangulation)), tetrahedra), context);

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/predicates/flow_predicate.hpp"
 #include "core/run/cancel_token.hpp"
 

@@ -12,7 +12,7 @@
 namespace alphascope {
 namespace {
 
-// A threshold then has to hash half of 1/64 of the simplices on average.
+// With so many steps, a threshold has to hash less than 1 % of the simplices on average.
 constexpr std::size_t kSteps = 63, kSamplesPerStep = 64;
 using StepSums = std::array<std::uint64_t, kSteps + 1>;  // the last one: above all steps
 using StepValues = std::array<float, kSteps + 1>;
@@ -32,8 +32,8 @@ std::vector<HashSteps::Step> step_edges(const SimplexList<N>& list) {
   return steps;
 }
 
-// The alpha values of the steps, padded with infinity for a search without branches. Half of the
-// predictions of a branch would be wrong.
+// The alpha values of the steps, padded with infinity for a search without branches. A processor
+// would predict about half of the branches wrongly.
 StepValues search_list(const std::vector<HashSteps::Step>& steps) {
   StepValues values;
   values.fill(std::numeric_limits<float>::infinity());

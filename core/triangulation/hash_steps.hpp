@@ -1,6 +1,6 @@
 // Hash sums of all simplices of one dimension up to some alpha values, the steps. A threshold then
-// hashes only the simplices between the last step and alpha. Hashing was two thirds of a
-// threshold's time before.
+// hashes only the simplices between the last step and alpha. If it hashed all, this would take two
+// thirds of its time.
 #pragma once
 
 #include <algorithm>

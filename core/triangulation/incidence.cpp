@@ -12,8 +12,8 @@
 namespace alphascope {
 namespace {
 
-// The bounds of each ball's part of an array that is ordered by balls. All threads count and then
-// place items, so the items within a part are in any order.
+// The bounds of each ball's part in an array that is ordered by balls. Threads count the items of
+// each ball, and then place them. So the order within a part is arbitrary.
 class Buckets {
  public:
   explicit Buckets(std::size_t balls) : first_(balls + 1, 0) {}
@@ -37,16 +37,16 @@ class Buckets {
   std::vector<std::uint32_t> first_, next_;
 };
 
-// A triangle, as its lower tetrahedron names it: by the corner that it lacks. Its first ball is the
-// bucket's.
+// A triangle, recorded by the lower one of its tetrahedra: by the corner of the tetrahedron that it
+// lacks. Records are in buckets by the triangle's first ball.
 struct TriangleRecord {
   std::uint64_t rest;  // the second ball, then the third
   std::uint32_t tetrahedron, corner;
   bool operator<(const TriangleRecord& other) const { return rest < other.rest; }
 };
 
-// Visits the triangles that tetrahedron t names. The lower one of a triangle's tetrahedra names it,
-// so it is visited once.
+// Visits the triangles of which t is the lower tetrahedron, or the only one. So each triangle is
+// visited once.
 template <class Visit>
 void for_own_triangles(const Triangulation& triangulation, std::size_t t, const Visit& visit) {
   for (std::uint32_t k = 0; k < 4; ++k) {

@@ -36,8 +36,8 @@ ResultArray<std::uint32_t> indices_where(std::size_t count, const Chosen& chosen
   cancel.throw_if_cancelled();
   ResultArray<std::uint32_t> places(first.back());
   parallel_each(0, blocks, [&](std::size_t block) {
-    // There is no branch: every index is written, and the next one overwrites it if it is not
-    // chosen.
+    // The loop has no branch: it writes every index, and the next one overwrites an index that is
+    // not chosen.
     std::array<std::uint32_t, kBlock> found;
     std::size_t count_found = 0;
     each_in(block, [&](std::size_t i) {

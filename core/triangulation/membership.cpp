@@ -35,8 +35,8 @@ Membership::Marks marks_of(const SimplexList<N>& list, float limit, const Ties<N
 }
 
 // Edges or vertices: such a simplex is in K_alpha if a coface is, or if it is unattached and rho <=
-// alpha. Cofaces set the marks of their faces, so no list of a face's cofaces is needed. Threads
-// that store to the same mark at once store the same value.
+// alpha. Cofaces set the marks of their faces, so no list of a face's cofaces is needed. Several
+// threads may store to one mark at once; all store the same value.
 class FaceMarks {
  public:
   FaceMarks(std::size_t count, const CancelToken& cancel) : marks_(count, kOut), cancel_(cancel) {}

@@ -5,6 +5,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/complex/face_groups.hpp"
+#include "core/complex/triangulation.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/complex/triangulation.hpp"
-
 namespace alphascope {
+
+struct Triangulation;
 
 struct SimplexCount {
   std::uint64_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;

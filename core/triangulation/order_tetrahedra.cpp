@@ -18,7 +18,8 @@ struct Record {
   bool operator<(const Record& other) const { return balls < other.balls; }
 };
 
-// Sorts into buckets by the lowest ball, with some seven records each, and then sorts each bucket.
+// Sorts the tetrahedra into buckets by their lowest ball, some seven to a bucket, and then sorts
+// each bucket.
 ResultArray<Record> sorted_records(const Simplices<4>& tetrahedra, std::size_t balls,
                                    const CancelToken& cancel) {
   std::vector<std::uint32_t> first(balls + 1, 0);

@@ -1,6 +1,7 @@
 // The pipeline of the thesis as an engine: grid, tuples of neighbours, filtered and exact validity.
-// It is as exact as every engine. It is for fidelity to the thesis, teaching and ablation, not for
-// speed. gpu/tuples/tuple_engine.hpp is the engine of the CUDA executor.
+// It is exact, as every engine is. It shows the thesis' own algorithm and the effect of its
+// optimisations, and is not meant to be fast. gpu/tuples/tuple_engine.hpp is the engine of the CUDA
+// executor.
 #pragma once
 
 #include "core/engine/engine.hpp"

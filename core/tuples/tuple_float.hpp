@@ -1,11 +1,11 @@
 // The orthocentre of a tuple in single precision with a certified error. It is the epsilon band of
 // kernel II, proven instead of tuned: outside the band a sign is certain, and inside it integers
-// decide (tuple_exact.hpp). Single precision, since laptop GPUs have almost no double precision.
-// Host and device.
+// decide (tuple_exact.hpp). Single precision is used because laptop GPUs have few units for double
+// precision. Host and device.
 //
-// Notation of orthosphere.hpp, measured from the tuple's first ball: ball m has d = p_m - p_i and
-// c = |d|² + w_i - w_m. The orthocentre x of a 4-tuple solves A x = b with rows d and entries c /
-// 2; of a triangle the third row is its normal, with entry 0.
+// Notation of core/predicates/lifted.hpp, measured from the tuple's first ball: ball m has d = p_m
+// - p_i and c = |d|² + w_i - w_m. The orthocentre x of a 4-tuple solves A x = b with rows d and
+// entries c / 2; of a triangle the third row is its normal, with entry 0.
 //
 // The bound. Let X be any approximate inverse of A (here by LU), and y any approximation of x. Let
 // R = I - X A and r = b - A y. Then x - y = A⁻¹ r = (I - R)⁻¹ X r. So if |R| <= t < 1 in the

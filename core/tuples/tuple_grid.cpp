@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/lattice_point.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -54,7 +54,7 @@ TupleInput<Reader> make_tuple_input(const TupleUpload<Reader>& upload, const Tup
   return scene;
 }
 
-// The counts of one run. They count tuples of four balls where no other number is stated.
+// The counts of one run. They count 4-tuples where neither the name nor the comment says otherwise.
 struct TupleCounts {
   std::uint64_t neighbours = 0;  // sum over all cubes
   std::uint64_t pairs = 0, triples = 0;

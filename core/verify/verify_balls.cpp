@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/predicates/exact_rho.hpp"
 

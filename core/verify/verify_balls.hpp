@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/wide_int.hpp"
 
 namespace alphascope {

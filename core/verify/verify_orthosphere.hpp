@@ -44,7 +44,7 @@ class Orthosphere {
   bool flat() const { return d_.sign() == 0; }
 
   // Sign of the power of ball m at the orthocentre minus rho: negative is a conflict, 0 a tie. With
-  // d and c of m as in orthosphere.hpp, it is the sign of c D - d·n.
+  // d and c of m as in core/predicates/lifted.hpp, it is the sign of c D - d·n.
   int side(BallIndex m) const {
     const LiftedInt v = lifted_vector(balls_, simplex_[0], m);
     return (d_.times(v.c) - n_.x.times(v.x) - n_.y.times(v.y) - n_.z.times(v.z)).sign();

@@ -1,5 +1,5 @@
-// The balls near a simplex, and those in conflict with its orthosphere. An object is scratch memory
-// of one thread.
+// Finds the balls near a simplex, and those in conflict with its orthosphere. Each thread has an
+// object of its own, which keeps memory between calls.
 #pragma once
 
 #include <algorithm>

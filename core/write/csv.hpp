@@ -31,8 +31,8 @@ std::string plain_cell(const std::string& cell);
 std::string csv_names(const CsvRow& row);
 std::string csv_values(const CsvRow& row);
 
-// Comments above a table: one line each, after "# ". Spreadsheets begin a cell after a comma,
-// semicolon or tab. An apostrophe there keeps a formula a text.
+// Comments above a table: one line each, after "# ". Spreadsheets begin a new cell after a comma,
+// semicolon or tab. Where a formula would begin there, an apostrophe before it keeps it a text.
 std::string csv_comments(const std::vector<std::string>& comments);
 
 // A line of names, then one line for each row.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/write/script_words.hpp"
 
 namespace alphascope {

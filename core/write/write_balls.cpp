@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/molecule/element.hpp"
 #include "core/write/text_writer.hpp"
 

@@ -3,6 +3,13 @@
 
 #include <cstdio>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/complex/face_class.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_index.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/write/text_writer.hpp"
 
 namespace alphascope {

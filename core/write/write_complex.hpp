@@ -6,11 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/complex/alpha_complex.hpp"
-#include "core/files/atomic_file.hpp"
-#include "core/run/cancel_token.hpp"
-
 namespace alphascope {
+
+class AtomicFile;
+struct AlphaComplex;
+struct BallSet;
+struct RunContext;
 
 // The provenance of the complex: one line "key value" each, in this order.
 using ComplexHeader = std::vector<std::pair<std::string, std::string>>;

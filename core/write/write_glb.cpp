@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/write/text_writer.hpp"
 #include "core/write/write_mesh.hpp"
 

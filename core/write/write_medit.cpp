@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/complex/outward_face.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/write/text_writer.hpp"
 
 namespace alphascope {
@@ -44,7 +45,7 @@ void write_vertices(const BallSet& balls, const std::vector<std::uint32_t>& numb
   }
 }
 
-// Numbers of the corners, so that a tetrahedron has positive volume.
+// The balls of a simplex, with those of a tetrahedron in an order that gives it a positive volume.
 template <class Simplex>
 Simplex oriented(const BallSet& balls, const Simplex& simplex) {
   if constexpr (std::tuple_size_v<Simplex> == 4) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/write/text_writer.hpp"
 
 namespace alphascope {

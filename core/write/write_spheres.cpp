@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 
 void write_spheres_pqr(const std::vector<SphereGroup>& groups,

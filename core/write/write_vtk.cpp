@@ -8,6 +8,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/write/text_writer.hpp"
 
 namespace alphascope {

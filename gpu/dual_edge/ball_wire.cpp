@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope::gpu {

@@ -216,8 +216,8 @@ struct BlockBalls {
   int row0[kMaxBallsPerBlock];
   int exact[kMaxBallsPerBlock];  // 1: undecided, 2: no room; both go to kernel III
   int first_triangle[kMaxBallsPerBlock], end_triangle[kMaxBallsPerBlock];
-  // Offsets into the output, modulo 2^32. The place of a triangle or tetrahedron is the offset plus
-  // its number in the block. The place of an edge is the offset plus its row.
+  // Offsets into the output lists, modulo 2^32. The index of a triangle or tetrahedron in the list
+  // is the offset plus its number in the block; that of an edge is the offset plus its row.
   std::uint32_t triangle_at[kMaxBallsPerBlock], tetrahedron_at[kMaxBallsPerBlock],
       edge_at[kMaxBallsPerBlock];
   // 0: absent at any alpha; 1: the ball's centre lies outside its power cell (attached); 2: within
@@ -226,7 +226,8 @@ struct BlockBalls {
   int scan[kBlockThreads / 32];
   Surroundings surroundings[kBlockThreads / kSearchLanes];
   Measured all_found, all_lists;  // as BlockStatistics' found and list
-  // Number of triangles by number of cuts, most cuts first; later the offsets of these groups.
+  // For each number of cuts, most cuts first, the number of triangles with as many; later the
+  // offset of these triangles in the sorted list.
   int lengths[kLengths];
   int entries, rows, triangles;
   int listed, next_listed, probed, next_work, kept;

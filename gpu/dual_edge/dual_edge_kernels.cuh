@@ -238,9 +238,10 @@ __device__ inline bool probed_away(const DualEdge<float>& edge, int words, const
   return false;
 }
 
-// Most triangles have no dual edge. For culled lists, the likeliest cuts alone are tried first,
-// without ends. They often leave nothing, certainly. This takes about equally long for all lanes of
-// a warp, and the remaining triangles fill other warps. Returns the number of remaining triangles.
+// Most triangles have no dual edge. For culled lists, only the likeliest cuts are tried first, and
+// ends are not computed. Often these cuts certainly leave nothing. This test takes about the same
+// time in all lanes of a warp, and the remaining triangles then fill whole warps. Returns the
+// number of remaining triangles.
 __device__ inline int probe_triangles(const Block& block, int listed) {
   const DualEdgeMemory& m = block.m;
   BlockBalls& s = block.s;
@@ -315,7 +316,7 @@ __device__ inline void write_vertex_states(const Block& block) {
   const int b = static_cast<int>(threadIdx.x);
   if (b >= block.balls || s.exact[b]) return;
   const std::int64_t weight = static_cast<std::int64_t>(s.ball[b].w) * s.ball[b].w;
-  // Equality counts as attached (see BallSimplices::vertex_state).
+  // Equal power counts as attached (see BallSimplices::vertex_state).
   block.out.vertex_state[s.index[b]] = block.p.common.alpha.plus(weight) < 0 ? 0 : s.state[b];
 }
 

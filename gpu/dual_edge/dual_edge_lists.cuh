@@ -148,7 +148,7 @@ class Culler {
     return false;
   }
 
-  // Works in place: each round writes only where all lanes have read.
+  // Shortens the list in place: each round writes only to entries that all lanes have read already.
   __device__ int leave_out(int coverers, bool attached) const {
     int left = 0;
     for (int a = lane_of_half(); a - lane_of_half() < end_; a += kSearchLanes) {
@@ -356,7 +356,8 @@ __device__ inline void find_lists(const Block& block, const SortedBalls& sorted)
   __syncthreads();
   const int half = (threadIdx.x & kSearchLanes) != 0 ? 1 : 0;
   for (int pair = threadIdx.x >> 5; 2 * pair < block.balls; pair += kBlockThreads / 32) {
-    // For an odd last pair, the second half repeats the first's reads without use.
+    // With an odd number of balls, the second half of the last pair repeats the reads of the first,
+    // and its results are not used.
     const bool active = 2 * pair + half < block.balls;
     const int b = 2 * pair + (active ? half : 0);
     find_list<Kind>(block, sorted, b, active);

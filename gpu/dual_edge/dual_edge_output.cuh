@@ -86,7 +86,7 @@ __device__ inline void reserve_output(const Block& block) {
     out.tetrahedra.count[index] = tetrahedra;
     s.tetrahedron_at[b] = start - tetrahedron0;
   }
-  if (!Kind::kExact && b < block.balls && s.exact[b]) {  // kernel III does all of this ball again
+  if (!Kind::kExact && b < block.balls && s.exact[b]) {  // kernel III computes this ball anew
     out.exact_list[atomicAdd(out.exact_count, 1u)] = block.first + b;
     if (s.exact[b] == 2) atomicAdd(&out.statistics->deferred, 1u);
   }

@@ -1,5 +1,6 @@
 // Puts sets of balls on the device: the plan of a run and its grid. The run itself is in
 // dual_edge_run.cu.
+#include "core/geometry/lattice_point.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "gpu/dual_edge/grid_kernels.cuh"
 #include "gpu/dual_edge/pipeline_state.cuh"
@@ -122,8 +123,8 @@ std::optional<Problem> DualEdgePipeline::State::plan(const LatticeAlpha& alpha, 
   p.ghost_reach = 4;
   while (static_cast<double>(p.ghost_reach) < std::sqrt(largest) + 2) p.ghost_reach *= 2;
   p.origin = make_int4(s.low.x, s.low.y, s.low.z, 0);
-  // Coordinates up to 2^24 from the origin are exact in single precision. Beyond, both ends may be
-  // rounded.
+  // Coordinates up to 2^24 from the origin are exact in single precision. Beyond that, the
+  // coordinates of both balls of a distance may be rounded.
   const double extent =
       std::max({static_cast<double>(s.high.x) - s.low.x, static_cast<double>(s.high.y) - s.low.y,
                 static_cast<double>(s.high.z) - s.low.z});
@@ -137,7 +138,8 @@ std::optional<Problem> DualEdgePipeline::State::plan(const LatticeAlpha& alpha, 
     width = std::ceil(width * 1.25);
   }
   p.cell_width = static_cast<int>(std::min(width, 2147483647.0));
-  // Two parts more, because parts of balls are rounded down and sums of floats have small errors.
+  // Two parts of a cell are added, because BallCell::part is rounded down and sums of floats have
+  // small errors.
   p.fraction = static_cast<float>(kCellParts / static_cast<double>(p.cell_width));
   p.reach_max = static_cast<float>((cutoff / 2 * (1 + 1e-4) + p.reach_slack) * p.fraction + 2);
   p.nx = static_cast<int>(cells(s.low.x, s.high.x));
@@ -196,7 +198,7 @@ void DualEdgePipeline::State::assign_piece(const Problem& p, int piece, int all,
 
 void DualEdgePipeline::State::receive_balls(const Problem& p, EventTimer& timer) {
   const int all = pieces(), last = all - 1;
-  // With several pieces, one is put into cells while the next arrives.
+  // With several pieces, the device puts one into cells while the next arrives.
   const cudaStream_t before_last = all > 1 ? queues.other : queues.main;
   // One fill clears the counters and the counts of cells and balls. Prefix sums also read, but do
   // not use, the number after the last.

@@ -16,8 +16,8 @@
 
 namespace alphascope::gpu {
 
-// Limits of the kernels' 32-bit numbers. For balls: up to eight grid cells for each ball and some
-// more. For the simplices of each dimension in a run: three words for each triangle.
+// Limits set by the kernels' 32-bit numbers. kMaxBalls: a grid has up to eight cells for each ball,
+// and some more. kMaxSimplices, for each dimension in a run: a triangle takes three words.
 inline constexpr std::size_t kMaxBalls = (std::size_t{1} << 28) - 128;
 inline constexpr std::size_t kMaxSimplices = std::size_t{1} << 30;
 inline bool are_countable(std::span<const std::size_t> counts) {

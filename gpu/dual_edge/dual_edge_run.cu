@@ -11,8 +11,8 @@
 namespace alphascope::gpu {
 namespace {
 
-// An empty kernel. While it runs, a kernel of another queue that waits for the same event can
-// begin.
+// A kernel that does nothing. While it runs in one queue, a kernel of another queue that waits for
+// the same event can already begin.
 __global__ void empty_kernel() {}
 
 // The computation of one request.
@@ -25,7 +25,8 @@ class Run {
         whole_(plan.whole),
         result_(state, plan.whole),
         timer_(state.queues.main, times) {}
-  // After any end of a run, the next run finds the device idle and the buffers free.
+  // However a run ends, it waits for the device, so that the next run finds the device idle and the
+  // buffers free.
   ~Run() {
     if (busy_) q_.wait(true);
   }
@@ -153,10 +154,10 @@ class Run {
   }
 
   // The first ball of a chunk. It does not depend on the size of blocks, so counts of an earlier
-  // run stay valid. Nothing runs in parallel to the copy of the last chunk, so it is short. For
-  // tetrahedra alone the one before is short too, because it must be on its way by then. A whole
-  // complex in many chunks also has a short first chunk. The copies limit its time and should begin
-  // soon.
+  // run stay valid. The last chunk is short, because nothing runs beside its copy. For tetrahedra
+  // alone the chunk before it is short too, so that its copy is done by then. A whole complex in
+  // many chunks also has a short first chunk: its time is limited by the copies, so they should
+  // begin early.
   std::uint32_t chunk_begin(int number) const {
     const std::size_t balls = most_chunks() * quarters_before(number) / quarters_before(chunks_);
     return static_cast<std::uint32_t>(std::min(s_.n, balls * kMaxBallsPerBlock));
@@ -208,8 +209,9 @@ class Run {
     p.end = part.chunk.end;
     const Blocks blocks{(p.end - p.begin + need.balls_per_block - 1) / need.balls_per_block,
                         stream};
-    // Two and three words at compile time are slower than any number at run time. With unrolled
-    // loops, lanes in different words do not run together.
+    // Only one word is a compile-time constant. Kernels for two or three words would be slower than
+    // that for any number: in their unrolled loops, lanes that are at different words do not run
+    // together.
     if (p.cull) {
       start(dual_edges_filtered<kWhole, true, 0>, blocks, p, sorted, part.out);
     } else if (p.words == 1) {
@@ -296,8 +298,9 @@ class Run {
     return need.counted && need.totals.size() == static_cast<std::size_t>(chunks_);
   }
 
-  // Sends the simplices that a chunk adds, as soon as they are ready. `after`: numbers of simplices
-  // after each chunk. Returns false if there is no room; the run is then repeated.
+  // Queues the copies of the simplices that a chunk adds, to begin as soon as these are ready.
+  // `after`: numbers of simplices after each chunk. Returns false if there is no room; the run is
+  // then repeated.
   bool send(const ResultLayout& layout, const Totals* after, int number) {
     const Totals none{}, &before = number == 0 ? none : after[number - 1];
     if (!ResultCopy::has_place(layout, before, after[number])) return false;
@@ -345,8 +348,8 @@ class Run {
     // Edges and vertices were not counted if the rest did not fit.
     const Totals& all = next.totals.back();
     next.counts = {{all.of[0], all.of[1], got.triangles, got.tetrahedra}};
-    // A little more, because kernel III may cull balls that kernel II would not. The balls in
-    // question vary from run to run.
+    // A little more than was found, because kernel III may leave out neighbours that kernel II
+    // keeps, and the balls that go to kernel III vary from run to run.
     next.candidates = std::size_t{got.edges} + got.edges / 64;
     if (met.found.number == 0) return next;
     const Demand::Spread found = spread_of(met.found);

@@ -29,8 +29,8 @@ struct GroupedChunk : Chunk {
   int group;
 };
 
-// Two numbers of a ball in one word, so that both are summed at once. One more pair makes the last
-// sum the total.
+// Two numbers of a ball in one word, so that one prefix sum adds up both. After the last ball comes
+// a pair of zeros, so that the last sum is the total.
 __device__ inline std::uint64_t pair_of(std::uint32_t low, std::uint32_t high) {
   return static_cast<std::uint64_t>(high) << 32 | low;
 }
@@ -155,7 +155,8 @@ __device__ inline std::uint64_t place_triangle(const DualEdgeOutput& from, const
   const std::uint32_t i = v[0], j = v[1], k = v[2], info = from.triangles.info[t];
   const std::uint32_t l = from.triangles.attached_to[t];
   if (at >= out.capacity) return 0;
-  // The kernel mostly waits for memory, so all possible reads come before any work.
+  // The kernel mostly waits for memory. So it starts all reads that it can before it uses any
+  // result.
   const bool attached = l != kNoBall, pends = j >= chunk.end;
   const SimplexBalls balls = simplex_balls<4>(to.ball, make_uint4(i, j, k, attached ? l : j));
   const std::uint32_t own = from.edges.start[i];

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/geometry/lattice_point.hpp"
 #include "gpu/dual_edge/ball_wire.cuh"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/dual_edge/problem.cuh"

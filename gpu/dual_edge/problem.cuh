@@ -29,7 +29,7 @@ struct Problem {
   float scale;               // power of two: scaled = lattice * scale
   std::int64_t ghost_reach;  // power of two above every sqrt(w + alpha), lattice units
   int balls_per_block;
-  int sampled;          // one of this many blocks counts for BlockStatistics
+  int sampled;          // BlockStatistics are measured on one of this many blocks
   int search_capacity;  // balls that a search may find, limited by the block's memory
 };
 

@@ -14,8 +14,8 @@ inline std::uint32_t whole_words(double list) {
   return static_cast<std::uint32_t>(std::ceil(std::max(1.0, list) / 32)) * 32;
 }
 
-// Returns whether covered discs are culled: from a mean of 20 found balls on. A set that was culled
-// stays so down to 18. So runs near the limit do not alternate.
+// Returns whether neighbours with covered discs are left out: from a mean of 20 found balls on. A
+// set for which this was done keeps it down to 18, so that runs near the limit do not alternate.
 inline bool is_culled(double mean_found, bool was_culled) {
   return mean_found >= (was_culled ? 18 : 20);
 }
@@ -48,9 +48,9 @@ inline Demand measured(const BlockStatistics& met, int balls, bool cull) {
           spread_of(met.probed),
           spread_of(met.kept)};
 }
-// Guesses the demand from the number of balls found alone, if there was no room to see more. It is
-// a fair start. Culled lists of molecules have 10 balls plus a third of those found. A quarter of
-// the pairs in a list meet.
+// Guesses the demand from the number of balls found alone, for a run that had no room to measure
+// more. Culled lists of molecules have 10 balls plus a third of those found. A quarter of the pairs
+// in a list meet.
 inline Demand guessed(const Demand::Spread& found, bool cull, bool whole) {
   const double list = cull ? std::min(found.mean, 10 + 0.35 * found.mean) : found.mean;
   const int balls = kMaxBallsPerBlock;
@@ -87,9 +87,10 @@ inline Demand larger(Demand a, const Demand& b) {
   return a;
 }
 
-// Room for blocks of this many balls: `margin` times three standard deviations above the mean. Sums
-// over fewer balls vary by the root of their number. Sums over more vary in proportion, because
-// neighbours have similar surroundings. Balls that find no room go to kernel III.
+// Room for blocks of this many balls: the mean plus `margin` times three standard deviations (four
+// or more for some). The deviation of a sum over fewer balls than were measured falls with the root
+// of their number. That of a sum over more balls grows in proportion, because neighbours have
+// similar surroundings. Balls that find no room go to kernel III.
 inline BlockRoom room_for(int balls, const Demand& demand, double margin) {
   const double ratio = static_cast<double>(balls) / demand.balls;
   const auto most = [&](const Demand::Spread& of, double deviations) {
@@ -123,9 +124,10 @@ inline std::size_t bytes_of(const BlockRoom& room, int balls, bool cull) {
   return p.layout.bytes;
 }
 
-// A score of how well blocks of this many balls and bytes use the device. More work per block
-// lowers the cost of its barriers. More warps hide latencies. More blocks lower the cost of the
-// last ones. Fitted to times on an H200.
+// A score of how well blocks with this many balls and bytes use the device, fitted to times on an
+// H200. With more work per block, its barriers cost less. With more warps, less time is lost in
+// waiting for memory. With more rounds of blocks, the last round, which leaves a part of the device
+// idle, costs less.
 inline double use_of(const State& s, int balls, const Demand::Spread& found, std::size_t bytes) {
   constexpr double kEnough = 8, kBarriers = 65;
   // CUDA reserves 1 KB per block.
@@ -145,7 +147,8 @@ inline BlockRoom enough_for(const BlockRoom& room, std::uint32_t found, std::uin
           std::max(room.triangles, triangles),       0,     0,     std::max(room.kept, kept)};
 }
 
-// Sets the number of balls per block, and its room. A small improvement is not worth a change.
+// Sets the number of balls per block, and the room of a block. Keeps the present number unless
+// another one is better by more than 3 %.
 inline void choose_room(const State& s, Need& need, const Demand& demand) {
   need.cull = demand.cull;
   const int current = need.balls_per_block;
@@ -180,7 +183,8 @@ inline BlockRoom with_headroom(const BlockRoom& ball, const BlockRoom& longest) 
                     more(longest.kept));
 }
 
-// The need of this alpha, or of the nearest one above. A lower alpha never needs more.
+// The need of this alpha, or of the nearest one above: a lower alpha never needs more. Without any,
+// that of the nearest one below, to which the caller adds room. Without any run yet, a guess.
 inline Need first_need(const State& s, const LatticeAlpha& alpha, bool whole) {
   const Need* best = nullptr;
   const auto better = [&](const Need& n) {
@@ -197,7 +201,7 @@ inline Need first_need(const State& s, const LatticeAlpha& alpha, bool whole) {
     need.counted = best->alpha == alpha;
     return need;
   }
-  // A guess for a molecule at small alpha. The run finds what it really needs.
+  // A guess for a molecule at a small alpha. The run itself finds the true need.
   Need need{};
   need.alpha = alpha;
   need.whole = whole;
@@ -209,9 +213,9 @@ inline Need first_need(const State& s, const LatticeAlpha& alpha, bool whole) {
   return need;
 }
 
-// The number of chunks. Each costs queueing and waiting, but work hides all copies except the last
-// one's. Fitted to times on an H200. The first run of a set takes a single chunk. Its number of
-// simplices is only a guess, too much to pin memory for.
+// The number of chunks. Each chunk costs time for queueing and waiting, but all copies except that
+// of the last chunk run beside other work. Fitted to times on an H200. The first run of a set takes
+// a single chunk. Its number of simplices is only a guess, too much to pin memory for.
 inline int chunk_count(const State& s, const Need& need, std::size_t bytes) {
   if (s.chunks > 0) return std::min(s.chunks, kMaxChunks);
   if (need.totals.empty()) return 1;

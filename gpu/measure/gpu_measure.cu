@@ -5,6 +5,8 @@
 #include <chrono>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "gpu/measure/measure_kernels.cuh"

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/ball_sums.hpp"
 #include "core/measure/find_in_row.hpp"
 #include "core/measure/simplex_terms.hpp"

@@ -34,8 +34,8 @@ inline std::size_t spare_bytes(std::size_t bytes) {
   return std::min(bytes, bytes < kLarge ? kMost : kMost / 2);
 }
 
-// Calls reserve(bytes) with spare bytes added. Without spare if it is the first time, or if there
-// is not that much memory. Returns the reserved size.
+// Calls reserve(bytes), with spare bytes added unless it is the first time. If there is not that
+// much memory, calls it again without spare bytes. Returns the reserved size.
 template <class Reserve>
 std::size_t reserve_to_spare(std::size_t bytes, bool first, const char* what,
                              const Reserve& reserve) {

@@ -6,6 +6,7 @@
 
 #include "core/complex/face_class.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope::gpu {
 

@@ -12,9 +12,9 @@
 
 namespace alphascope::gpu {
 
-// Results may outlive the pipeline, and any thread may release them. A releasing thread, which may
-// be the one that draws, never frees memory, because freeing waits for the device. Unused memory is
-// freed by the next take() of any pipeline, or by free_unused().
+// Results may outlive the pipeline, and any thread may release them. The thread that releases a
+// result may be the one that draws. It never frees the memory, because freeing waits for the
+// device. Unused memory is freed by the next take() of any pipeline, or by free_unused().
 class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
  public:
   ResultMemory() { idle_.reserve(kMostIdle + 1); }
@@ -41,8 +41,8 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     const std::lock_guard lock(mutex_);
     closed_ = true;
   }
-  // Keeps no memory until the next take(): neither idle memory nor memory returned meanwhile. Waits
-  // for the device.
+  // Keeps neither the idle memory nor, until the next take(), memory that is returned. Waits for
+  // the device.
   void release_memory() {
     std::vector<std::unique_ptr<Buffer>> idle;  // freed after the lock is released
     const std::lock_guard lock(mutex_);
@@ -87,9 +87,9 @@ class ResultMemory : public std::enable_shared_from_this<ResultMemory> {
     static Unused all;
     return all;
   }
-  // The shown result and the next one alternate. During a drag there are three: one shown, one
-  // being drawn and one being computed. At rest two of these are idle. If they are large, only one
-  // is kept. The next drag then asks the system for another, once: 20 to 60 ms.
+  // While a slider is dragged there are three results: one shown, one being drawn and one being
+  // computed. At rest the memory of two of them is idle. If it is large, only one piece is kept.
+  // The next drag then asks the system for another piece once, which takes 20 to 60 ms.
   static constexpr std::size_t kMostIdle = 2;
   static constexpr std::size_t kMostIdleBytes = std::size_t{1} << 28;
 

@@ -279,7 +279,8 @@ void CudaTupleExecutor<R>::copy_all_in(const TupleGrid& grid) {
   }
 }
 
-// Timed by the host, because the driver stages pageable memory there.
+// The host takes this time, because the driver copies pageable memory through its own buffers on
+// the host.
 template <class R>
 TupleUpload<R> CudaTupleExecutor<R>::upload(const TupleGrid& grid) {
   const Clock::time_point start = Clock::now();
@@ -378,7 +379,8 @@ void CudaTupleExecutor<R>::give_back_intervals() {
 template <class R>
 StageTimes CudaTupleExecutor<R>::take_times() {
   collect_intervals();
-  // device→host began while kernels still ran, but is listed as the last stage.
+  // The list of stages ends with the copies to the host, although these began while kernels still
+  // ran.
   std::stable_partition(times_.stages.begin(), times_.stages.end(),
                         [](const StageTime& s) { return s.label != stage::kDeviceToHost; });
   return std::move(times_);

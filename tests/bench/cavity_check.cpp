@@ -17,9 +17,16 @@
 #include <vector>
 
 #include "core/cavity/cavity_measures.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/predicates/flow_predicate.hpp"
+#include "core/predicates/orthosphere.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/flow.hpp"
+#include "core/triangulation/incidence.hpp"
+#include "core/triangulation/membership.hpp"
 #include "tests/support/reference/cavity_reference.hpp"
 
 namespace {

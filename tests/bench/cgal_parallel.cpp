@@ -1,6 +1,7 @@
 // Runs CGAL's own parallel triangulation.
 #include "tests/bench/cgal_parallel.hpp"
 
+#include "core/geometry/lattice_point.hpp"
 #include "tests/support/reference/cgal_cells.hpp"
 
 namespace alphascope::testing {

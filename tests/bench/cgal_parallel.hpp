@@ -1,6 +1,5 @@
-// CGAL's own parallel triangulation. Every engine test needs
-// tests/support/reference/cgal_reference. This one is separate, because it takes as long to
-// compile.
+// CGAL's own parallel triangulation. It is not in tests/support/reference/cgal_reference, which
+// every engine test needs, because it takes equally long to compile.
 #pragma once
 
 #include "tests/support/reference/cgal_reference.hpp"

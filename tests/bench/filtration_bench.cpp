@@ -19,6 +19,7 @@
 #include <random>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"

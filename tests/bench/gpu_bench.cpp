@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/bench/read_balls.hpp"
@@ -220,9 +221,9 @@ void hashes(const std::string& name, const BallSet& balls) {
   }
 }
 
-// Prints every single time (ms), for builds that are timed in turns. They are for taking the balls,
-// a set's first run, the same run again, and 40 moves of the slider from 0 to 10 Å². Also prints
-// how many attempts the first run took until there was room.
+// Prints every single time, ms, so that two builds can be timed in turns. It times taking the
+// balls, a set's first run and the same run again. It also times 40 moves of the slider from 0 to
+// 10 Å². Also prints how many attempts the first run took until there was room.
 void samples(const std::string& name, const BallSet& balls) {
   constexpr int kFirst = 5, kAgain = 6, kWarmUp = 3, kMoves = 40;
   for (const double alpha : kSampledAlphas) {

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/union_measures.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"

@@ -30,7 +30,7 @@ class OracleCheck {
  public:
   explicit OracleCheck(std::uint64_t seed) : seed_(seed) {}
 
-  // Compares all families once; false at the first difference.
+  // Compares the sets of all families once. Returns false at the first difference.
   bool round(std::uint64_t number) {
     Random random(seed_ * 0x9e3779b97f4a7c15 + number);
     const int most = random_int(random, 4, 11);

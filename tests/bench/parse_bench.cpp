@@ -20,6 +20,8 @@
 #include <vector>
 
 #include "core/files/text_file.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/read_molecule.hpp"
 
 namespace {

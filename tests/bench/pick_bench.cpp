@@ -11,6 +11,8 @@
 #include <string>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/scene/camera.hpp"
@@ -44,7 +46,7 @@ std::vector<PickLine> lines_of_sight(const BallGeometry& balls) {
   return lines;
 }
 
-// CPU time of this thread, so that a busy machine does not matter.
+// Returns the CPU time of this thread, which other programs hardly change.
 double cpu_milliseconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/molecule/atom_colours.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"

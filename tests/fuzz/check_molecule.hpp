@@ -5,6 +5,11 @@
 #include <stdexcept>
 
 #include "core/files/read_error.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
+#include "core/molecule/assembly.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/text/printable.hpp"
 

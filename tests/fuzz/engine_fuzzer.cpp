@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/complex/compare.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/verify/verify.hpp"
 #include "tests/support/dual_edge_only_engine.hpp"
 #include "tests/support/keeping_engine.hpp"

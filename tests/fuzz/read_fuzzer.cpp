@@ -1,5 +1,9 @@
 // Takes any bytes as a file of one format. The molecule keeps its promises, or there is a
 // ReadError.
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/read/file_format.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 

@@ -1,6 +1,10 @@
 // Takes any text as a selection expression, as addresses of atoms, and as operators of an assembly.
 #include <cstdlib>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/assembly.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/selection_expression.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "core/document/session/session_file.hpp"
 #include "core/files/read_error.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -1,5 +1,8 @@
 // Takes any bytes as a user's table of radii. Radii are above 0 and at most 60 Å, or there is a
 // ReadError.
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/read/user_radii.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 

@@ -1,5 +1,6 @@
 // Tests the packed form in which balls are sent to a device.
 #include "gpu/dual_edge/ball_wire.cuh"
+#include "core/geometry/lattice_point.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Tests an emulated device that is full or lost at any moment. The answer is the same and says
-// where it came from, and the engine works as before afterwards. Also tests messages for impossible
+// Tests an emulated device that is full or lost at any moment. The answer must be the same and name
+// its origin, and the engine must work as before afterwards. Also tests messages for impossible
 // results of the device.
 #include <gtest/gtest.h>
 
@@ -89,7 +89,8 @@ TEST_P(GpuFaults, ASmallerRequestReturnsToFewerSlabs) {
   EXPECT_EQ(found.hash, cpu->compute(smaller, {}).hash);
 }
 
-// Another program may have used the device's memory, so fewer slabs are tried again.
+// The memory may have been used by another program for a while. So the engine tries with fewer
+// slabs again from time to time.
 TEST_P(GpuFaults, FewerSlabsAreTriedOnceInAWhile) {
   const auto engine = make();
   ASSERT_TRUE(engine);

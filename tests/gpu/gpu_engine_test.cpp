@@ -136,7 +136,7 @@ TEST(GpuPieces, EqualTheCpu) {
   }
 }
 
-// Nearly every alpha of a slider is new, and slightly larger than those before.
+// A slider that moves up gives one new alpha after another, each slightly larger than the last.
 TEST(Gpu, RunsOnceWhenAlphaRisesALittle) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(9);
@@ -206,8 +206,8 @@ TEST(GpuLimits, AreWhat32BitsReach) {
   EXPECT_FALSE(gpu::are_countable(more));
 }
 
-// The first run reserves memory for its result while nothing else runs. No stage ends before it
-// begins.
+// The time of the first run contains that of reserving memory for its result. No stage may have a
+// negative time.
 TEST(GpuResults, SayWhatTheirMemoryTook) {
   if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   Random random(11);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/core/measure/measured_sets.hpp"

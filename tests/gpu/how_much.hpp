@@ -1,4 +1,4 @@
-// Sizes of tests for a device. The emulated one is slow, so it gets less.
+// Sizes of tests for a device. Those for the emulated device are smaller, since it is slow.
 #pragma once
 
 #include "tests/support/sanitizer.hpp"

@@ -2,6 +2,7 @@
 // The device may be full or lost at any moment.
 #include <gtest/gtest.h>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/engine_measures.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"

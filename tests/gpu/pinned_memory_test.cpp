@@ -97,7 +97,8 @@ TEST(PinnedMemory, OfLargeResultsIsTakenAgain) {
   EXPECT_EQ(emulated::pinned_bytes(), before);
 }
 
-// A third result exists only during a drag. At rest it would take as much memory as all else.
+// At rest, only one of two idle results stays if they are large. A third result exists only during
+// a drag; it would take as much memory as everything else.
 TEST(PinnedMemory, OfTwoIdleResultsOnlyOneIsKeptWhereTheyAreLarge) {
   constexpr std::size_t kLarge = std::size_t{140} << 20;
   for (const std::size_t bytes : {kMuch, kLarge}) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/alpha.hpp"
 #include "core/tuples/tuple_engine.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/gpu/how_much.hpp"
@@ -17,7 +18,7 @@ using testing::expect_same;
 using testing::NamedBalls;
 using testing::Random;
 
-// Each switch changed alone, and all of them.
+// Returns settings with one switch changed each, and one with all of them changed.
 std::vector<TupleOptions> some_switches() {
   std::vector<TupleOptions> all(8);
   all[1].grid = TupleGridKind::thesis;

@@ -32,8 +32,8 @@ inline BigVector sum_of(const BigVector& a, const Integer& f, const BigVector& b
   return {a.x * f + b.x * g, a.y * f + b.y * g, a.z * f + b.z * g, 0};
 }
 
-// An orthocentre of the flat's dimension: 2 x = centre / scale, with scale > 0. Scale 0: there is
-// none.
+// The orthocentre of some balls, within the flat through their centres: 2 x = centre / scale, with
+// scale > 0. Scale 0: there is none.
 struct BigCentre {
   BigVector centre;
   Integer scale;

@@ -19,9 +19,9 @@ inline std::unique_ptr<Engine> make_gpu_engine(std::shared_ptr<const BallSet> ba
                                      gpu_options);
 }
 
-// Where the device fails, the GPU engine lets the CPU compute the same result, so comparisons would
-// not notice. This engine throws instead. The CPU still computes requests beyond the kernels'
-// limits.
+// A GPU engine that throws if its device fails. The program's GPU engine lets the CPU compute the
+// same result, so comparisons would not notice a failure. Requests beyond the kernels' limits are
+// still the CPU's.
 class DeviceEngine : public Engine {
  public:
   explicit DeviceEngine(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}

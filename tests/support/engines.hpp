@@ -27,7 +27,7 @@ struct EngineFactory {
 
   // Balls in the large hard sets.
   int balls_of_large_sets() const { return std::min(most_balls, unless_sanitized(1000, 100)); }
-  // True when this engine needs seconds at most.
+  // Whether this engine computes the complex within seconds.
   bool affords(const BallSet& balls, double alpha_angstrom2) const;
   friend void PrintTo(const EngineFactory& factory, std::ostream* out) { *out << factory.name; }
 };

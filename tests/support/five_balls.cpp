@@ -5,6 +5,9 @@
 #include <cmath>
 #include <functional>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
+
 namespace alphascope::testing {
 namespace {
 

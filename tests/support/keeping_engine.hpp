@@ -1,4 +1,4 @@
-// An engine that keeps its known results, for tests with many requests.
+// An engine that keeps the results known of its balls, for tests with many requests.
 #pragma once
 
 #include <memory>

@@ -51,9 +51,9 @@ BallSet permuted(const BallSet& balls, const std::vector<BallIndex>& order);
 std::vector<BallIndex> unpermuted(const std::vector<BallIndex>& list,
                                   const std::vector<BallIndex>& order);
 
-// Sets of at most `most` balls each. They are none to five balls, and hidden, collinear, coplanar
-// and cospherical balls. Others have equal centres, are corners of lattices and polytopes, or tiny
-// dense sets. More are at the extremes of the lattice's bounds, and sets_at_the_bounds().
+// Sets of at most `most` balls each. Some have up to five balls, some have hidden, collinear,
+// coplanar or cospherical balls. Others have equal centres, are corners of lattices and polytopes,
+// or are small and dense. The rest are at the lattice's bounds, like sets_at_the_bounds().
 std::vector<NamedBalls> small_hard_sets(Random& random, int most);
 
 // The same kinds with tens to hundreds of balls, at most `most` each, picked at random. Also cubic,

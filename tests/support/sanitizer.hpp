@@ -12,7 +12,8 @@ inline constexpr bool kAddressSanitizer = __has_feature(address_sanitizer);
 inline constexpr bool kAddressSanitizer = false;
 #endif
 
-// A sanitizer takes about ten times as long, and looks for other faults than wrong results.
+// Returns `fewer` under a sanitizer, else `count`. A sanitizer takes about ten times as long, and
+// does not look for wrong results.
 constexpr int unless_sanitized(int count, int fewer) {
   return kAddressSanitizer ? fewer : count;
 }

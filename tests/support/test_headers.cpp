@@ -1,2 +1,2 @@
-// Compiles the headers that most tests include. Other sources use the result
-// (tests/CMakeLists.txt).
+// Has no code of its own. tests/CMakeLists.txt precompiles headers with this source, and other
+// tests use them.

@@ -17,7 +17,7 @@ struct Asked {
   bool run_benchmark = false, cancel_benchmark = false, export_benchmark = false;
 };
 
-// Records calls in `asked`. Calls that no test looks for are dropped.
+// Records calls in `asked`. Calls that no test needs have no effect.
 class AskedCalls {
  public:
   explicit AskedCalls(Asked& asked) : files_(asked), view_(asked), jobs_(asked) {}

@@ -1,4 +1,4 @@
-// Compares pictures with those in tests/ui/baselines, which should be looked at when they change.
+// Compares pictures with those in tests/ui/baselines. Whoever changes one of these must look at it.
 // ALPHASCOPE_RENEW_BASELINES=1 in the environment writes them again. After a failure, the picture
 // and the difference are in tests/ui/pictures of the build folder.
 #pragma once

@@ -1,5 +1,5 @@
-// A small made-up molecule for tests of the window: a rod of atoms in two colours. It needs no file
-// and no OpenGL.
+// A small invented molecule for tests of the window: a rod of atoms in two colours. Making it needs
+// neither a file nor OpenGL.
 #pragma once
 
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/engine/engine.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/scene/mesh/ball_geometry.hpp"
 
 namespace alphascope::testing {

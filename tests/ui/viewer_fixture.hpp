@@ -34,7 +34,7 @@ class ViewerTest : public ::testing::Test {
     ViewerOptions options;
     options.compare = false;
     options.draw_shots_only = draw_shots_only;
-    // Tests of fine pictures ask for them.
+    // Most tests need no fine pictures; those that do choose another preset.
     options.preset = "fast";
     options.samples = 1;
     viewer_ = std::make_unique<Viewer>(*host_, options);

@@ -1,1 +1,2 @@
-// No code of its own: CMakeLists.txt has headers read here once for the tests of the window.
+// Has no code of its own. CMakeLists.txt precompiles headers with this source, for all tests of the
+// window.

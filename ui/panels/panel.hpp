@@ -15,7 +15,7 @@ class Panel {
  public:
   virtual ~Panel() = default;
   virtual void draw(PanelContext& ctx) = 0;
-  // Adds the panel's own commands. They act on the state, and on what the panel remembers.
+  // Adds the panel's own commands. They act on the state and on the panel's own memory.
   virtual void add_commands(Commands&, ViewState&) {}
 };
 

@@ -18,8 +18,8 @@ struct PanelSpec {
   const char* id;
   const char* title;
   PanelPlace place;
-  // A section draws its own heading. The title of a page stands before it in the first line
-  // already.
+  // A section draws its own heading. A page does not, since the window draws the names of the
+  // pages.
   std::unique_ptr<Panel> (*make)();
   const char* also = "";  // other words by which people find it
 };
@@ -32,7 +32,7 @@ class PanelSet {
   PanelSet();
   Panel& of(const PanelSpec& spec) { return of(std::string_view(spec.id)); }
   Panel& of(std::string_view id);                           // throws if panels() has no such id
-  void add_commands(Commands& commands, ViewState& state);  // those of all panels
+  void add_commands(Commands& commands, ViewState& state);  // adds the commands of all panels
 
  private:
   std::vector<std::unique_ptr<Panel>> panels_;  // in the order of panels()

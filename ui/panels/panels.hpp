@@ -2,6 +2,8 @@
 // settings and requests into it.
 #pragma once
 
+#include "core/document/commands/commands.hpp"
+#include "core/document/store/answer.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
@@ -9,14 +11,13 @@ namespace alphascope {
 struct MoleculeState;  // molecule_state.hpp
 
 void draw_menu_bar(PanelContext& ctx);
-// Runs a command as the menu does. A failure opens a dialog, and a refusal is a line in the status
-// bar. A command that the menu greys is refused without a word.
+// Runs a command as the menu does. A failure opens a dialog. If the command refuses its arguments,
+// the status bar says why. A command that is greyed in the menu does nothing.
 void run_command(PanelContext& ctx, const CommandSpec& spec,
                  const std::vector<std::string>& words = {});
 void draw_status_bar(PanelContext& ctx);
 void draw_viewport(PanelContext& ctx);
-// Labels in the view. They are drawn after its picture, since they would lag behind a picture that
-// turns.
+// Draws labels in the view, after its picture. Before it they would lag behind a turning picture.
 void draw_view_labels(PanelContext& ctx);
 
 // The menu that the right mouse button opens in the view.
@@ -30,7 +31,7 @@ void draw_residue_rows(PanelContext& ctx,
                        MoleculeState& memory);  // the kind of each residue
 void draw_provenance(PanelContext& ctx);
 
-// Describes the view in one line: molecule, alpha, and why there is no complex.
+// Describes the complex in one line: molecule, alpha and, if there are no tetrahedra, why.
 std::string caption_text(const Answer& answer);
 std::string hidden_text(std::size_t atoms);  // "1,234 atoms hidden"
 

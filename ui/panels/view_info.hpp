@@ -1,5 +1,5 @@
-// Plain data on molecule and work, which the program fills and the panels show. viewport_info.hpp
-// has that on the view.
+// Plain data on the molecule and on running work, which the program fills and the panels show. Data
+// on the view are in viewport_info.hpp.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,8 @@ struct GrownRadius {
   std::string atoms = {};        // names of some atoms: "CA, CB, …"; may be empty
 };
 
-// Atoms that were left out for one reason: "221 waters", "HOH 221".
+// Atoms left out for one reason: the reason with their number, "221 waters", and their names, "HOH
+// 221".
 struct DroppedRow {
   std::string text, detail;
 };

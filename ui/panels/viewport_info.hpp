@@ -39,7 +39,7 @@ struct ViewportInfo {
   std::optional<ColourRange> ball_range, simplex_range;  // of colours that show quantities
   std::vector<PictureLabel> labels;                      // of the picture in `texture`
   std::size_t hidden_balls = 0;                          // hidden by the user
-  // Pages draw things that balls and simplices must not hide, so these fade to kFadedOpacity.
+  // Balls and simplices fade to kFadedOpacity, so they do not hide the things that a page draws.
   bool fades_rest = false;
   std::string not_drawn;  // parts missing from the picture for lack of memory, and the remedy
   bool outdated = false;  // the picture belongs to older settings; a new one is being made

@@ -14,7 +14,7 @@ namespace alphascope {
 struct WindowSettings {
   Theme theme = Theme::dark;
   double control_scale = 0;     // size of fonts and controls; 0: as the display says
-  bool presenter_size = false;  // everything larger than control_scale, for a projector
+  bool presenter_size = false;  // enlarges fonts and controls further, for a projector
   bool auto_compare = false;    // compare with CGAL after each change
 
   std::string page;                               // id of the page below the view; empty: the first

@@ -5,14 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 namespace {
 
 constexpr double kViewAngleDegrees = 25;  // less than VTK's 30: molecules distort less
 constexpr double kMargin = 1.08;
 using Vector = std::array<double, 3>;
-// Without perspective, lines of sight begin this far behind the camera. Nothing lies behind their
-// start, and the width of a pixel hardly changes along them.
+// Without perspective, lines of sight begin this far behind the camera. So nothing lies behind
+// their start, and a pixel is almost equally wide all along them.
 constexpr double kFarBehind = 1e6;  // Å
 
 double usual_tangent() {
@@ -32,8 +34,8 @@ Vector seen_from(const ViewFrustum& sight, const Point& point) {
   return seen;
 }
 
-// Distances (Å) of a ball from the sides of the view: left, right, bottom, top, behind. A distance
-// is negative where the ball reaches inside that side.
+// Returns how far a ball is outside each side of the view, Å: left, right, bottom, top, behind. A
+// number is negative if part of the ball is inside that side.
 std::array<double, 5> outside_of(const ViewFrustum& sight, const Vector& seen, double radius) {
   const double across = std::hypot(1.0, sight.tangent_right);
   const double upwards = std::hypot(1.0, sight.tangent_up);
@@ -47,7 +49,7 @@ std::array<double, 5> outside_of(const ViewFrustum& sight, const Vector& seen, d
           (-seen[1] - up) / upwards - radius, (seen[1] - up) / upwards - radius, -seen[2] - radius};
 }
 
-// Whether the eye is in the box around the balls, with the radii that they are drawn with (Å).
+// Whether the eye is in the box around the balls as they are drawn.
 bool is_near(const BallGeometry& balls, const std::vector<float>& radii, const ViewFrustum& sight) {
   const double reach = *std::max_element(radii.begin(), radii.end());
   for (std::size_t k = 0; k < 3; ++k) {
@@ -111,7 +113,7 @@ double fitting_distance(const BallGeometry& balls, std::span<const float> drawn,
 
 Viewpoint viewpoint_for_balls(const BallGeometry& balls, const std::vector<BallIndex>& some,
                               const ViewFrustum& sight) {
-  constexpr double kSurroundings = 4;  // Å around each ball, so that a single atom is seen with its
+  constexpr double kSurroundings = 4;  // Å around each ball, so the picture of one atom shows its
                                        // neighbours
   Viewpoint view;
   view.up = sight.up;
@@ -154,7 +156,7 @@ ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& ra
                          const ViewFrustum& sight, bool complex) {
   if (balls.centres.empty()) return ViewProblem::none;  // there is nothing that a view could show
   const bool drawn = radii.size() == balls.centres.size();
-  // Outside this box the camera is in no ball, and the loop may end before the last ball.
+  // A camera outside the box of all balls is inside no ball. The loop may then end early.
   const bool may_be_inside = drawn && !sight.orthographic && is_near(balls, radii, sight);
   bool any_in_view = false;
   std::array<bool, 5> all_outside{true, true, true, true, true};
@@ -175,7 +177,7 @@ ViewProblem view_problem(const BallGeometry& balls, const std::vector<float>& ra
                                      : any_in_view || !drawn;
     if (seen_enough && !may_be_inside) return ViewProblem::none;
   }
-  // If one side of the view has all centres beyond it, it has all simplices beyond it as well.
+  // If all centres lie beyond one side of the view, all simplices do as well.
   const bool all_beyond_a_side =
       std::any_of(all_outside.begin(), all_outside.end(), [](bool b) { return b; });
   const bool nothing = complex ? all_beyond_a_side : drawn && !any_in_view;

@@ -30,15 +30,15 @@ struct ViewFrustum {
   double distance = 1;  // Å, to the focal point
   bool orthographic = false;
 
-  // Factor (Å) by which the tangents give half the width and height of the view, `ahead` Å before
-  // the camera.
+  // Returns the length, Å, that the tangents multiply to half the width and height of the view.
+  // `ahead`: distance before the camera, Å.
   double depth_of_width(double ahead) const { return orthographic ? distance : ahead; }
 };
 
 // The line of sight through a point of the picture. Coordinates run from -1 (left, bottom) to 1.
 Ray ray_through(const ViewFrustum& sight, double across, double upwards);
-// Width (Å) of a pixel at one length of such a ray's direction. `height`: that of the picture,
-// pixels.
+// Returns the width of a pixel, Å, at the end of the ray's direction vector. `height` of the
+// picture is in pixels.
 double pixel_spread(const ViewFrustum& sight, int height);
 
 // Where a picture of this size shows a point: pixels from its top left. The point may lie outside

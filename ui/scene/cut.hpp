@@ -1,5 +1,4 @@
-// The clip as the scene needs it: half-spaces relative to BallGeometry::origin, for drawing and for
-// picking. No VTK.
+// The clip as half-spaces relative to BallGeometry::origin, for drawing and for picking. No VTK.
 #pragma once
 
 #include <algorithm>

@@ -11,8 +11,8 @@ namespace alphascope {
 
 SceneStyle scene_style(const DisplaySettings& display, Theme theme);
 MeshOptions mesh_options(const DisplaySettings& display, Theme theme);
-// Meaning of the colours of a mesh with these options. It is `of_balls` where the mesh has the
-// colours of its balls. Empty if nothing is drawn or the colours have no meaning.
+// Returns the meaning of a mesh's colours. If the mesh has the colours of its balls, this is
+// `of_balls`. Empty if nothing is drawn or the colours have no meaning.
 std::optional<ColourMeaning> mesh_colour_meaning(const ComplexMesh& mesh,
                                                  const MeshOptions& options,
                                                  const std::optional<ColourMeaning>& of_balls);

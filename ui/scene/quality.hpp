@@ -19,13 +19,13 @@ class QualityChooser {
   void note(RenderQuality quality, double milliseconds) {
     taken_[static_cast<std::size_t>(quality)] = milliseconds;
   }
-  // Times measured for one molecule or window size do not hold for another.
+  // To be called for another molecule or another window size, where measured times no longer hold.
   void forget() { taken_ = {}; }
 
   RenderQuality moving() const { return best_within(kMovingBudget); }
   RenderQuality while_computing() const { return best_within(kComputingBudget); }
-  // Fine, so that one sample follows another, unless a single sample would delay input for too
-  // long.
+  // Fine, so samples add up one after another. Draft before any measurement, or if one sample would
+  // delay input for too long.
   RenderQuality at_rest() const {
     if (!expected(RenderQuality::draft)) return RenderQuality::draft;
     return *expected(RenderQuality::fine) <= kRestBudget ? RenderQuality::fine
@@ -35,8 +35,8 @@ class QualityChooser {
   double sample() const { return expected(RenderQuality::fine).value_or(kRestBudget); }
 
  private:
-  // Measured in software OpenGL. A sample of a fine picture costs less occlusion than a medium
-  // picture.
+  // Times in software OpenGL, as multiples of a draft's. A fine sample has fewer occlusion taps
+  // than a medium picture.
   static constexpr std::array<double, 4> kRelativeCost{0.4, 1, 3, 2};
 
   std::optional<double> expected(RenderQuality quality) const {

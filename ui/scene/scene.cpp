@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/scene/mesh/vtk_arrays.hpp"
 #include "ui/scene/picture/frame_grab.hpp"
 #include "ui/scene/picture/step_text.hpp"
@@ -24,9 +26,9 @@
 namespace alphascope {
 namespace {
 
-// VTK draws nothing, without an error, if OpenGL cannot provide one of its buffers. The largest
-// buffer, in which samples add up, has four 16-bit floats a pixel. Mesa's software driver also
-// limits its bytes.
+// Whether OpenGL can provide all buffers for a picture of this size. If one is missing, VTK draws
+// nothing and reports no error. The largest buffer, in which samples add up, has four 16-bit floats
+// a pixel. Mesa's software driver also limits its bytes.
 bool drawable(int width, int height) {
   constexpr int kMost = 16384;
   if (std::max(width, height) > kMost) return false;
@@ -44,7 +46,8 @@ Scene::Scene() : impl_(std::make_unique<Impl>()) {
 
 Scene::~Scene() = default;
 
-// For every change of the picture: samples from before the change must not enter the next mean.
+// Every function that changes the picture calls this, so samples from before the change do not
+// enter the next mean.
 Scene::Impl& Scene::changed() {
   impl_->mean.forget();
   return *impl_;

@@ -1,6 +1,6 @@
-// Contents of the scene in VTK's arrays. Any thread may make them, which takes a while for a large
-// complex. From set_balls(), set_mesh(), set_caps(), set_differences() or set_layers() on they
-// belong to the scene alone. This header needs no VTK.
+// Contents of the scene in VTK's arrays. For a large complex they take long to make, so any thread
+// may make them. Once handed to the scene, by set_mesh() for instance, only the scene may use them.
+// This header needs no VTK.
 #pragma once
 
 #include <memory>

@@ -9,7 +9,8 @@
 namespace alphascope {
 namespace {
 
-// Number of layers with exact transparency. More layers take longer and show no difference.
+// Number of translucent layers that are drawn exactly. More layers take longer and make no visible
+// difference.
 constexpr int kPeels = 6;
 
 // Occlusion rays ("taps") of a pixel on each scale: for all samples together, and limits for one
@@ -31,7 +32,7 @@ void Scene::Impl::apply_quality(RenderQuality quality, bool transparent) {
   renderer->SetMaximumNumberOfPeels(kPeels);
   renderer->SetOcclusionRatio(0);
   samples = quality == RenderQuality::sketch ? kSketchSamples : 1;
-  // Back faces of translucent cells take much of the time.
+  // Back faces of translucent cells take much of the drawing time.
   const bool front_only = !exact && faded(style.complex_opacity) < 1 && !style.cut.on();
   for (CellActor* c : {&boundary, &tetrahedra}) {
     c->actor->GetProperty()->SetBackfaceCulling(front_only);

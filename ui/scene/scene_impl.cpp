@@ -11,6 +11,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
 #include "ui/scene/gl/cut_shader.hpp"
 #include "ui/scene/mesh/vtk_arrays.hpp"
 

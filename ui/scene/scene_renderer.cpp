@@ -30,8 +30,9 @@ void SceneRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjec
   if (after_translucent) after_translucent();
 }
 
-// The pass of VTK 9.1 keeps a framebuffer. Textures of the old size stay attached until all its
-// stages have run. OpenGL draws no farther than the smallest texture, so the pass is made anew.
+// VTK 9.1's peeling keeps its framebuffer. After a change of size, textures of the old size stay
+// attached to it for a while. OpenGL draws no farther than the smallest texture, so the pass is
+// made anew.
 void SceneRenderer::peel_anew_when_resized() {
   int width, height, x, y;
   this->GetTiledSizeAndOrigin(&width, &height, &x, &y);

@@ -1,5 +1,5 @@
-// VTK's renderer with one more step after the opaque things and one after the translucent things.
-// It also has a quick way to draw the latter. For sources of the scene only.
+// VTK's renderer with a step of ours after the opaque things, and one after the translucent things.
+// It can also draw translucent things quickly. For sources of the scene only.
 #pragma once
 
 #include <vtkNew.h>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/document/settings/clip.hpp"
+#include "core/geometry/alpha.hpp"
 
 namespace alphascope {
 namespace {
@@ -44,7 +45,8 @@ std::array<double, 3> side_across(const ViewFrustum& sight, const RealPoint& lin
   RealPoint forward = part_across(point(sight.forward));
   const double turned = length(forward);
   const double along_up = turned > 0 ? dot(forward, point(sight.up)) / turned : 1;
-  // The part of `right` does not vanish here: the line is near the plane of `forward` and `up`.
+  // The part of `right` across the line is not zero here, since the line is near the plane of
+  // `forward` and `up`.
   if (turned < 0.01 || std::fabs(along_up) > kSteep) forward = part_across(point(sight.right));
   forward = unit_vector(forward);
   return {-forward.x, -forward.y, -forward.z};

@@ -4,14 +4,16 @@
 #include <cmath>
 
 #include "core/text/grouped_number.hpp"
+#include "ui/number_text.hpp"
 
 namespace alphascope {
 namespace {
 
-// Peak memory of the window with an assembly's complex from the CPU engine, measured with 3J6R
-// (1.03 million atoms). An empty window takes 130 MB. Each atom adds 1,230 bytes at alpha 0, and
-// 1,800 bytes at 1.4 Å². With a solvent radius of 1.4 Å after those it adds 2,370 bytes. It depends
-// on alpha, so both ends are reported, the upper with a tenth more.
+// Peak memory of the window with the complex of an assembly, measured with 3J6R (1.03 million
+// atoms) and the CPU engine. An empty window takes 130 MB. Each atom adds 1,230 bytes at alpha 0,
+// and 1,800 bytes at 1.4 Å². A solvent radius of 1.4 Å, set afterwards, raises this to 2,370 bytes.
+// The memory depends on alpha, so a range is reported. Its upper end is a tenth above the measured
+// one.
 constexpr std::uint64_t kBytesOfTheWindow = 130'000'000;
 constexpr std::uint64_t kLeastBytesPerAtom = 1230, kMostBytesPerAtom = 2600;
 

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <string>
 
-#include "ui/number_text.hpp"
-
 namespace alphascope {
 
 std::string with_separators(long long value);        // "58,674"

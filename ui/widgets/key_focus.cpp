@@ -8,6 +8,13 @@
 #include <string_view>
 #include <utility>
 
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/real_point.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
 
 namespace alphascope {
@@ -16,7 +23,7 @@ namespace {
 constexpr int kF10 = key::kF1 + 9;
 
 KeyState& keys_of(PanelContext& ctx) {
-  return ctx.state.memory.keys;
+  return ctx.state.keys;
 }
 
 // Whether the topmost popup is a menu or list; dialogs are popups as well.
@@ -67,8 +74,8 @@ void menu_keys(KeyState& keys) {
   }
 }
 
-// Each dialog remembers its own stop. When the topmost dialog closes, the stop of the one below
-// counts again.
+// Keeps one place of the keyboard focus for the window and for each open dialog. When the topmost
+// dialog closes, the place in the one below holds again.
 void follow_dialogs(KeyState& keys, std::size_t dialogs) {
   if (dialogs + 1 > keys.at.size()) keys.fresh = true;
   if (dialogs + 1 < keys.at.size()) keys.fresh = false;
@@ -90,8 +97,8 @@ bool types(KeyStop kind) {
   return kind == KeyStop::type || kind == KeyStop::path || kind == KeyStop::type_when_asked;
 }
 
-// ImGui drops characters typed in the frame in which a field begins. So they are kept for the next
-// frame.
+// Keeps the typed characters for the next frame. ImGui would drop them in the frame in which a
+// field begins.
 void hold_characters(KeyState& keys) {
   ImGuiIO& io = ImGui::GetIO();
   keys.held.assign(io.InputQueueCharacters.begin(), io.InputQueueCharacters.end());
@@ -122,12 +129,12 @@ void press_stop(const KeyState::Stop& stop) {
 
 void go_to_stop(PanelContext& ctx, const KeyState::Stop& stop) {
   keys_of(ctx).at.back() = {stop.name, true};
-  if (!stop.visible) ctx.state.memory.reveal = stop.name;
+  if (!stop.visible) ctx.state.scroll.widget = stop.name;
   if (types(stop.kind)) start_typing(keys_of(ctx), stop);
 }
 
-// A dialog that has just opened begins with its first field for typing. So the user can type at
-// once.
+// Leads the keyboard to the first text field of a dialog that has just opened, so the user can type
+// at once.
 void enter_dialog(PanelContext& ctx) {
   KeyState& keys = keys_of(ctx);
   const auto on_top = [&](const auto& stop) { return of_top(keys, stop); };
@@ -229,7 +236,7 @@ void begin_key_focus(PanelContext& ctx) {
   keys.slid.clear();
   give_held_characters(keys);
   if (std::exchange(keys.begins, false)) hold_characters(keys);
-  follow_dialogs(keys, ctx.state.memory.dialogs.size());
+  follow_dialogs(keys, ctx.state.dialogs.open.size());
   if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1)) keys.at.back().shown = false;
   menu_keys(keys);
   if (keys.list_open && std::exchange(keys.mark_list, false)) {
@@ -290,11 +297,11 @@ void type_into(PanelContext& ctx, const std::string& name) {
 }
 
 ImGuiInputTextFlags caret_flags(const PanelContext& ctx, const char* name) {
-  return ctx.state.memory.keys.caret == name ? ImGuiInputTextFlags_CallbackAlways : 0;
+  return ctx.state.keys.caret == name ? ImGuiInputTextFlags_CallbackAlways : 0;
 }
 
-// Places the caret; for a path it selects the file's name without ending and number: in
-// "/data/frame-%04d.png" "frame".
+// Places the caret at the end. For a path it selects the file's name without number and ending:
+// "frame" in "/data/frame-%04d.png".
 int place_caret(ImGuiInputTextCallbackData* data) {
   KeyState& keys = *static_cast<KeyState*>(data->UserData);
   keys.caret.clear();

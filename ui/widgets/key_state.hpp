@@ -12,7 +12,8 @@ namespace alphascope {
 enum class KeyStop : std::uint8_t {
   press,            // like a click
   type,             // typing begins as soon as Tab arrives, or when a dialog opens
-  path,             // like type; a dialog that opens selects the name without folder and ending
+  path,             // like type; a dialog that opens selects the file's name, without folder and
+                    // ending
   type_when_asked,  // like type, but a dialog that opens does not begin with it
   number,           // the slider becomes a field
   slide             // like number; Left and Right move the slider
@@ -26,13 +27,15 @@ struct KeyState {
     KeyStop kind = KeyStop::press;
     bool visible = true;  // not scrolled out of sight
   };
-  // The widget of a level from which Tab goes on, and whether it is marked.
+  // The widget from which Tab goes on, and whether a frame marks it. The window and each dialog
+  // have one.
   struct Place {
     std::string name;  // empty: none
     bool shown = false;
   };
 
-  std::vector<Stop> stops, drawn;  // of the last frame, of this one; in the order of drawing
+  std::vector<Stop> stops, drawn;  // stops of the last frame, and of this one so far; in the order
+                                   // of drawing
   std::vector<Place> at{{}};
   bool fresh = false;        // the topmost dialog has just opened and takes the keyboard
   bool list_open = false;    // a menu or list is open and takes the keys
@@ -52,8 +55,8 @@ struct KeyState {
   std::vector<unsigned> held;
   bool alt_alone = false;  // Alt is down, and nothing else was pressed since
   bool open_menu = false;  // the first menu of the bar has to open
-  // Of the bar in the last frame: index of the open menu (-1: none). in_submenu: an entry with a
-  // menu of its own is chosen or open in it.
+  // Index of the open menu in the bar, in the last frame; -1: none. in_submenu: the entry chosen or
+  // open in it has a menu of its own.
   int bar_menu = -1;
   bool in_submenu = false;
   bool mark_list = false;  // the chosen entry of the next list must be marked at once

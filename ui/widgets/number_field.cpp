@@ -8,9 +8,17 @@
 #include <cmath>
 #include <utility>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/store/key.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
+#include "ui/widgets/number_typing.hpp"
 
 namespace alphascope {
 namespace {
@@ -34,7 +42,7 @@ void reason(PanelContext& ctx, const char* name, const std::string& text) {
 }
 
 RefusedNumber* refused_in(PanelContext& ctx, const std::string& name) {
-  auto& all = ctx.state.memory.number.refused;
+  auto& all = ctx.state.number.refused;
   const auto at = all.find(name);
   if (at == all.end()) return nullptr;
   if (at->second.frame + 1 < ImGui::GetFrameCount()) {  // the field was not drawn in the last frame
@@ -47,7 +55,7 @@ RefusedNumber* refused_in(PanelContext& ctx, const std::string& name) {
 
 // Draws the text field. Returns true when typing has ended.
 bool type(PanelContext& ctx, const char* name, const std::string& shown, std::string& text) {
-  NumberTyping& typing = ctx.state.memory.number;
+  NumberTyping& typing = ctx.state.number;
   const bool mine = typing.name == name;
   const RefusedNumber* const refused = mine ? nullptr : refused_in(ctx, name);
   text = mine ? typing.text : refused != nullptr ? refused->text : shown;
@@ -74,8 +82,8 @@ bool type(PanelContext& ctx, const char* name, const std::string& shown, std::st
 }
 
 // A click elsewhere hides the reason, which covers widgets below. On a page, that click or Escape
-// also discards the typed text. In a dialog the text stays, because confirming uses what the fields
-// show.
+// also discards the typed text. In a dialog the text stays, because the Confirm button uses the
+// texts in the fields.
 void tell_reason(PanelContext& ctx, const char* name, RefusedNumber& refused) {
   const bool over = ImGui::IsItemHovered(), elsewhere = !over && ImGui::IsMouseClicked(0);
   const bool escaped = !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key::kEscape, false);
@@ -87,7 +95,7 @@ void tell_reason(PanelContext& ctx, const char* name, RefusedNumber& refused) {
 // `read` converts the text to a value, or gives the reason why it cannot.
 template <class Number, class Read>
 bool field(PanelContext& ctx, const char* name, Number& value, const Read& read) {
-  NumberTyping& typing = ctx.state.memory.number;
+  NumberTyping& typing = ctx.state.number;
   const std::string shown = shortest_number(value);
   if (const auto* refused = refused_in(ctx, name); refused != nullptr && refused->value != shown) {
     typing.refused.erase(name);
@@ -114,10 +122,10 @@ bool field(PanelContext& ctx, const char* name, Number& value, const Read& read)
   return true;
 }
 
-// Whether the widget is a field now, after a Ctrl+click or Enter.
+// Whether the slider or drag is a field for typing now. A Ctrl+click or Enter makes it one.
 template <class Number>
 bool is_field(PanelContext& ctx, const char* name, const Number& value) {
-  NumberTyping& typing = ctx.state.memory.number;
+  NumberTyping& typing = ctx.state.number;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 end{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
   const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, end);
@@ -134,14 +142,14 @@ bool is_field(PanelContext& ctx, const char* name, const Number& value) {
 }  // namespace
 
 bool has_refused_number(PanelContext& ctx, const std::string& dialog) {
-  const auto& all = ctx.state.memory.number.refused;
+  const auto& all = ctx.state.number.refused;
   return std::any_of(all.begin(), all.end(), [&](const auto& one) {
     return one.first.starts_with(dialog + ".") && one.second.frame + 1 >= ImGui::GetFrameCount();
   });
 }
 
 void forget_typing(PanelContext& ctx, const std::string& name) {
-  ctx.state.memory.number.refused.erase(name);
+  ctx.state.number.refused.erase(name);
 }
 
 bool number_field(PanelContext& ctx, const char* name, double& value, const NumberRule& rule) {

@@ -5,10 +5,11 @@
 #include <string>
 
 #include "core/chart/plot.hpp"
-#include "core/molecule/rgb8.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
+
+struct Rgb8;
 
 // A colour of our own on a plot.
 ChartPaint plot_colour(const Rgb8& colour, float opacity = 1);
@@ -17,7 +18,7 @@ inline ChartPaint plot_ink(ChartColourRole ink, float opacity = 1) {
   return {ink, {}, opacity};
 }
 
-// The present font and scale.
+// Measures text in ImGui's present font, at the window's scale.
 ChartFont chart_type(const PanelContext& ctx);
 
 // Draws a drawing at `origin`. Returns the tooltip of the box or dot under the mouse; empty: none.
@@ -29,7 +30,7 @@ struct PlotMargins {
   float lines_above = 0, lines_below = 2;  // lines of text, beside `top` and `bottom`
   float least_width = 120, least_height = 40;
 };
-// The remaining room without margins. None: there is too little.
+// Returns the remaining room inside the margins; none if there is too little.
 std::optional<PlotArea> plot_area(const PanelContext& ctx, const PlotMargins& margins);
 
 // Sets the area's ranges to those of the plot, and draws the plot there.

@@ -1,4 +1,4 @@
-// Sets alpha within its bounds, for everything that counts it up and down.
+// Sets alpha within its bounds, for keys, buttons and playback that raise or lower it in steps.
 #pragma once
 
 #include <algorithm>

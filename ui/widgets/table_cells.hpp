@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "core/document/tables/cell_value.hpp"
-
 namespace alphascope {
 
 struct PanelContext;

@@ -7,11 +7,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "ui/calls.hpp"
 #include "ui/fitted_text.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/frame/mouse_state.hpp"
+#include "ui/panels/frame/scroll_state.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 
@@ -30,9 +48,9 @@ void record(PanelContext& ctx, const char* name) {
   const bool visible = ImGui::IsItemVisible() && middle >= drawn->GetClipRectMin().y &&
                        middle <= drawn->GetClipRectMax().y;
   ctx.rects[name] = {low.x, low.y, high.x, high.y, visible};
-  if (ctx.state.memory.reveal == name) {
+  if (ctx.state.scroll.widget == name) {
     ImGui::SetScrollHereY();
-    ctx.state.memory.reveal.clear();
+    ctx.state.scroll.widget.clear();
   }
 }
 
@@ -78,11 +96,11 @@ bool checkbox(PanelContext& ctx, const char* name, const char* label, bool& valu
 
 bool text_field(PanelContext& ctx, const char* name, std::string& text, const char* hint,
                 KeyStop kind) {
-  KeyState& keys = ctx.state.memory.keys;
+  KeyState& keys = ctx.state.keys;
   const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | caret_flags(ctx, name);
   ImGui::PushID(name);
-  // If the program has changed the text meanwhile, ImGui would overwrite it with its own; so typing
-  // ends.
+  // While a field is typed into, ImGui keeps a copy of its text. If the program has changed the
+  // text, typing ends here, since the copy would overwrite the change.
   const bool active = GImGui->ActiveId == ImGui::GetID("##text");
   if (active && keys.field == name && keys.field_text != text) ImGui::ClearActiveID();
   const bool entered = ImGui::InputTextWithHint("##text", hint, &text, flags, &place_caret, &keys);
@@ -108,8 +126,8 @@ bool list_field(PanelContext& ctx, const char* name, const char* chosen, ImGuiCo
 }
 
 void open_browser(ViewState& state, BrowserPurpose purpose) {
-  state.memory.browser_purpose = purpose;
-  state.memory.show_browser = true;
+  state.browser.purpose = purpose;
+  state.browser.show = true;
 }
 
 bool choice(PanelContext& ctx, const char* name, std::initializer_list<const char*> labels,
@@ -202,9 +220,9 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   ImGui::PushStyleColor(ImGuiCol_Header, to_imgui(ctx.palette.panel_raised));
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, to_imgui(ctx.palette.field));
   ImGui::PushStyleColor(ImGuiCol_HeaderActive, to_imgui(ctx.palette.field));
-  const bool wanted = ctx.state.memory.go_to_section == name;
-  auto& closed = ctx.state.window.closed_sections;  // ImGui's own state would not be saved in
-                                                    // sessions
+  const bool wanted = ctx.state.scroll.section == name;
+  auto& closed = ctx.state.window.closed_sections;  // sessions save this set, and not ImGui's own
+                                                    // state
   if (wanted) closed.erase(name);
   ImGui::SetNextItemOpen(!closed.contains(name));
   const bool open = ImGui::CollapsingHeader(title);
@@ -219,15 +237,15 @@ bool section(PanelContext& ctx, const char* name, const char* title) {
   key_stop(ctx, name);
   if (wanted) {
     ImGui::SetScrollHereY(0);
-    ctx.state.memory.go_to_section.clear();
+    ctx.state.scroll.section.clear();
   }
   return open;
 }
 
 namespace {
 
-// Places a tooltip below a field or button, or beside a menu or list, so that it covers neither.
-// For large items, such as the view, it stays at the mouse.
+// Places a tooltip below a field or button, or above it if there is no room below. In a menu or
+// list it lies beside the list. For large items, such as the view, it stays at the mouse.
 void place_tooltip(const PanelContext& ctx, ImVec2 size) {
   const ImGuiLastItemData& item = GImGui->LastItemData;
   const ImGuiWindow* const window = GImGui->CurrentWindow;
@@ -253,7 +271,7 @@ void place_tooltip(const PanelContext& ctx, ImVec2 size) {
 }  // namespace
 
 void tooltip(PanelContext& ctx, const char* text) {
-  if (ctx.state.memory.mouse_still_seconds < kTooltipDelaySeconds) return;
+  if (ctx.state.mouse.still_seconds < kTooltipDelaySeconds) return;
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   const float wrap = ImGui::GetFontSize() * 24;
   const ImVec2 room = ImGui::CalcTextSize(text, nullptr, false, wrap);

@@ -4,20 +4,26 @@
 
 #include <imgui.h>
 
+#include <cstdint>
+#include <initializer_list>
 #include <string>
 
-#include "core/document/commands/commands.hpp"
-#include "ui/calls.hpp"
-#include "ui/panels/view_state.hpp"
-#include "ui/widgets/style.hpp"
+#include "ui/widgets/key_state.hpp"
 #include "ui/widgets/widget_rects.hpp"
 
 namespace alphascope {
 
+class Commands;
 class PanelSet;
 class Store;
+enum class BrowserPurpose : std::uint8_t;
+struct Calls;
+struct Colour;
 struct Inputs;
 struct NumberRule;
+struct Palette;
+struct PanelFonts;
+struct ViewState;
 
 struct PanelContext {
   ViewState& state;
@@ -30,7 +36,7 @@ struct PanelContext {
   const PanelFonts& fonts;
   const Palette& palette;
   float scale = 1;
-  std::size_t dialog = 0;  // the dialog being drawn, an index into SharedPanelState::dialogs
+  std::size_t dialog = 0;  // the dialog being drawn, an index into DialogState::open
   std::size_t level = 0;   // 0: the window is being drawn; n: the nth dialog
 
   float px(float pixels_at_scale_1) const { return pixels_at_scale_1 * scale; }
@@ -61,8 +67,8 @@ bool text_field(PanelContext& ctx, const char* name, std::string& text, const ch
 // is open. The caller then draws the entries and calls ImGui::EndCombo().
 bool list_field(PanelContext& ctx, const char* name, const char* chosen, ImGuiComboFlags flags = 0);
 
-// Opens the file dialog for this purpose.
-void open_browser(ViewState& state, BrowserPurpose purpose = BrowserPurpose::molecule);
+// Opens the file dialog for this purpose; by default for a molecule.
+void open_browser(ViewState& state, BrowserPurpose purpose = {});
 
 // Two or more choices side by side. Returns whether the choice changed.
 bool choice(PanelContext& ctx, const char* name, std::initializer_list<const char*> labels,
@@ -84,8 +90,8 @@ bool percent_slider(PanelContext& ctx, const char* name, float& value, float low
 bool disclosure(PanelContext& ctx, const char* name, const std::string& title,
                 const Colour& colour);
 
-// Draws a line in the place of a disclosure() that has nothing to list. So things below do not move
-// when the disclosure comes and goes.
+// Draws a line instead of a disclosure() that has nothing to list. The line is as high, so the
+// things below do not move.
 void nothing_to_disclose(PanelContext& ctx, const char* text);
 
 // Keeps room for `lines` lines from the cursor position `top` on, even if fewer were drawn.

@@ -65,7 +65,7 @@ EglContext::EglContext() : handles_(std::make_unique<Handles>()) {
 EglContext::~EglContext() {
   if (eglGetCurrentContext() == handles_->context) release();
   eglDestroyContext(handles_->display, handles_->context);
-  // The display stays: EGL shares it among all contexts of the process.
+  // The display is not terminated, because all contexts of the process share it.
 }
 
 void EglContext::make_current() {

@@ -84,7 +84,7 @@ class EglHost final : public Host {
   void make_current() override { context_.make_current(); }
   std::unique_ptr<BackgroundContext> make_background_context() override {
     auto context = std::make_unique<EglBackgroundContext>();
-    make_current();  // the constructor of the new context has made that one current
+    make_current();  // the new context has made itself current
     return context;
   }
 

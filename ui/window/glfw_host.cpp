@@ -67,7 +67,7 @@ float monitor_scale() {
 class GlfwBackgroundContext final : public BackgroundContext {
  public:
   GlfwBackgroundContext() {
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // the other hints stay those of the window
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // the other hints are still those of the window
     window_ = glfwCreateWindow(16, 16, "Alphascope", nullptr, nullptr);
     glfwWindowHint(GLFW_VISIBLE, GLFW_TRUE);
     if (window_ == nullptr) {
@@ -83,7 +83,8 @@ class GlfwBackgroundContext final : public BackgroundContext {
   GLFWwindow* window_ = nullptr;
 };
 
-// EGL cannot make a context current on a thread where a GLX context is current.
+// A software context from EGL, beside GLFW's contexts from GLX. EGL cannot make it current while a
+// GLX context is current on the thread, so that one is released first.
 class QuietContextBesideGlx final : public BackgroundContext {
  public:
   void make_current() override {
@@ -126,7 +127,8 @@ class GlfwHost final : public Host {
     }
     glfwSetWindowUserPointer(window_, this);
     set_icon();
-    if (const float dense = density(); dense > 1) {  // on a desktop that measures windows in points
+    if (const float dense = density(); dense > 1) {  // GLFW measures this window in points, not in
+                                                     // pixels
       resize(pixels(options.width, scale), pixels(options.height, scale));
     }
     limit_size();
@@ -251,7 +253,7 @@ class GlfwHost final : public Host {
     of(window).input_.push(event);
   }
 
-  // The scale of fonts and controls; without a fixed scale, that of the window's monitor.
+  // Returns the scale of fonts and controls. Without a fixed scale, the monitor's scale counts.
   float scale() const {
     if (fixed_scale_ > 0) return fixed_scale_ * times_;
     float x = 1, y = 1;
@@ -259,7 +261,7 @@ class GlfwHost final : public Host {
     return std::max({1.0f, x, y}) * times_;
   }
 
-  // Pixels for each unit of GLFW's sizes and positions; 1 on X11.
+  // Returns the number of pixels in a unit of GLFW's sizes and positions; 1 on X11.
   float density() const {
     int points = 0, width = 0;
     glfwGetWindowSize(window_, &points, nullptr);
@@ -267,8 +269,8 @@ class GlfwHost final : public Host {
     return points > 0 && width > 0 ? static_cast<float>(width) / static_cast<float>(points) : 1;
   }
 
-  // A scale that the user has chosen does not raise the least size: the window could then exceed
-  // the screen.
+  // Sets the least size of the window. A scale that the user has chosen does not raise it, since
+  // the window could then exceed the screen.
   void limit_size() {
     density_ = density();
     const float points = std::min(scale(), monitor_scale()) / density_;

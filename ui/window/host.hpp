@@ -1,5 +1,6 @@
-// The host shows the program's pictures and collects its input. It is a window (GLFW) or a
-// framebuffer without any display (EGL). It knows nothing of the pictures' content.
+// The interface of a host, which shows the program's pictures and collects its input. A host is a
+// window (GLFW) or a framebuffer without a display (EGL). It knows nothing of the pictures'
+// content.
 #pragma once
 
 #include <filesystem>
@@ -46,8 +47,8 @@ class Host {
   // cannot be interrupted.
   virtual void hide() = 0;
   virtual void set_title(const std::string& title) = 0;
-  // Waits for input, wake() or the timeout, then collects input; 0 only collects. Returns whether
-  // there may be any.
+  // Waits for input, for wake() or for the timeout, then collects the input. A timeout of 0 does
+  // not wait. Returns whether there may be something to do.
   virtual bool wait_events(double timeout_seconds) = 0;
   // Ends wait_events(). Other threads may call this function and no other.
   virtual void wake() = 0;

@@ -1,4 +1,4 @@
-// Runs ImGui's frames. ImGui's OpenGL backend has a loader of its own.
+// Runs ImGui's frames. ImGui's OpenGL backend loads OpenGL's functions by itself.
 #include "ui/window/imgui_frame.hpp"
 
 #define GL_GLEXT_PROTOTYPES
@@ -11,6 +11,11 @@
 #include <cfloat>
 #include <iterator>
 
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/run/stage_timer.hpp"
+#include "ui/calls.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/window/egl_context.hpp"

@@ -31,8 +31,8 @@ class ImGuiFrame {
   ImGuiFrame& operator=(const ImGuiFrame&) = delete;
 
   // Starts a frame: follows changes of theme and display scale, then calls ImGui's NewFrame. If
-  // `scripted` is null, the host's input is used. Returns false while the window is minimised; the
-  // caller must then draw nothing.
+  // `scripted` is null, the host's input is used. Returns false while the window is minimised or
+  // smaller than 64 pixels; the caller must then draw nothing.
   bool begin(Theme theme, ScriptedInput* scripted);
   // Draws the frame and shows it.
   void end();
@@ -43,7 +43,7 @@ class ImGuiFrame {
 
   const PanelFonts& fonts() const { return fonts_; }
   float scale() const { return scale_; }
-  // Whether the processor draws the frames.
+  // Whether OpenGL draws the frames on the CPU.
   bool in_software() const { return in_software_; }
   // Draws the frame, calls `before_swap` with its framebuffer, and shows it. A window's framebuffer
   // is valid only before the swap, so pictures of frames are taken in `before_swap`.

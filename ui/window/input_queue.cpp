@@ -33,7 +33,7 @@ void InputQueue::push(const InputEvent& event) {
   const bool known = event.kind != Kind::key || (event.code >= 0 && event.code < 512);
   const bool three_buttons = event.kind != Kind::button || (event.code >= 0 && event.code < 3);
   if (!known || !three_buttons) return;
-  // Of several moves in succession only the last counts.
+  // Among successive moves only the last counts.
   if (same_place(event) && !events_.empty() && same_place(events_.back())) {
     events_.back() = event;
   } else {
@@ -48,8 +48,8 @@ bool InputQueue::Frame::takes(const InputEvent& e) const {
     case Kind::leave:
       return !button && !wheel && !press;
     case Kind::button:
-      // ImGui must see a widget hovered before a press, and a slider's last move before the
-      // release.
+      // A frame never has both a move and a press or release. ImGui must first see the widget under
+      // the mouse, and before a release the slider's last move.
       return !moved && !press && !wheel && !text && !buttons[code];
     case Kind::wheel:
       return !button && !press;

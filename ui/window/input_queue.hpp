@@ -23,8 +23,8 @@ struct InputEvent {
 class InputQueue {
  public:
   void push(const InputEvent& event);
-  // Whether events are left that the last frame of feed() could not take. Another frame is due
-  // then.
+  // Whether events are left that the last feed() could not give to its frame. If so, another frame
+  // must be drawn.
   bool waiting() const { return !events_.empty(); }
 
   // Gives the next frame of the current ImGui context its events and its DeltaTime. `now` is in

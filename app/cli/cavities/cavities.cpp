@@ -1,5 +1,5 @@
-// Runs alphascope-cli cavities: finds voids and pockets of each file or model as CASTp does.
-// Measures their areas and volumes, and lists their mouths and lining residues.
+// Runs alphascope-cli cavities, which finds voids and pockets of each file or model as CASTp does.
+// It measures their areas and volumes, and lists their mouths and lining residues.
 #include "app/cli/cavities/cavity_answer.hpp"
 #include "app/cli/cavities/cavity_comparison.hpp"
 #include "app/cli/cavities/cavity_exports.hpp"
@@ -11,6 +11,12 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/options/option_values.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/predicates/flow_predicate.hpp"
+#include "core/predicates/wide_int.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -20,8 +26,9 @@ InputOptions with_radii(InputOptions options, const std::string& radii) {
   return options;
 }
 
-// The molecule with another radii set. Compared sets must have the same atoms. United-atom sets
-// leave out hydrogens, so all sets do.
+// Gives the molecule the radii of these options. Compared sets must have the same atoms, and
+// united-atom sets have none for hydrogens. So a comparison drops hydrogens unless the user keeps
+// them.
 Input with_radii(Input input, const InputOptions& of, const CavitiesOptions& options) {
   if (!options.compares()) return with_body_radii(std::move(input), of);
   BallOptions balls = body_options(of, options.body, run_context()).balls;

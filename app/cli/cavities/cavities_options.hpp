@@ -9,6 +9,7 @@
 #include "app/cli/input_options.hpp"
 #include "core/cavity/cavities.hpp"
 #include "core/document/settings/request.hpp"
+#include "core/predicates/flow_predicate.hpp"
 
 namespace alphascope::cli {
 

@@ -9,6 +9,8 @@
 #include "app/session/rounding_note.hpp"
 #include "core/document/channels/network_results.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/predicates/flow_predicate.hpp"
+#include "core/predicates/wide_int.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/text/grouped_number.hpp"
 
@@ -20,7 +22,8 @@ bool is_wanted(const CavityAnswer& answer, const CavitiesOptions& options, std::
   return !options.min_volume_angstrom3 || volume >= *options.min_volume_angstrom3;
 }
 
-// Whether to compute where a listed network comes apart. A comparison of radii shows it already.
+// Whether to compute at which solvent radius a listed network comes apart. A comparison of radii
+// needs no such number.
 bool wants_network_end(const CavityAnswer& answer, const CavitiesOptions& options,
                        std::size_t row) {
   return !options.no_network_radius && !options.compares() &&
@@ -102,7 +105,8 @@ namespace {
 
 constexpr double kNarrowAngstrom = 0.5;
 
-// How a network comes apart when solvent radius or alpha grows.
+// Says at which solvent radius and alpha no network is left, and into how many cavities it falls
+// apart.
 std::string parting_text(const NetworkEnd* end) {
   if (!end) return "a larger --solvent parts it";
   const auto cavities = [](std::size_t n) {
@@ -126,7 +130,7 @@ std::string parting_text(const NetworkEnd* end) {
   return text;
 }
 
-// A note on networks that are listed as their parts.
+// Returns a note that networks are listed as their parts.
 std::string split_note(const CavityTable& table) {
   std::string text;
   for (const SplitNetwork& network : table.found.networks) {
@@ -138,7 +142,7 @@ std::string split_note(const CavityTable& table) {
   return text.empty() ? text : text + "; passages between parts are no mouths";
 }
 
-// A note on listed networks, unless the solvent radius already explains them.
+// Returns a note on listed networks; empty if the solvent radius already explains them.
 std::string network_note(const CavityAnswer& answer) {
   const CavityTable& table = answer.table();
   std::string text;

@@ -1,5 +1,5 @@
-// The cavities of one molecule with one radii set and one solvent radius, and the data reported on
-// them. Used by the sources of alphascope-cli cavities.
+// The cavities of one molecule with one radii set and one solvent radius, and facts about them. The
+// sources of alphascope-cli cavities use it.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct CavityAnswer : CavityFacts {
 CavityAnswer find_cavities_of(const Input& input, const CavitiesOptions& options,
                               double solvent_radius_angstrom, const RunContext& context);
 
-// Sentences that a reader needs to understand the numbers.
+// Returns sentences that explain the numbers, such as differences from CASTp.
 std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOptions& options);
 
 // Prints the table as text to standard output.

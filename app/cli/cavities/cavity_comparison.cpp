@@ -12,6 +12,8 @@
 #include "app/cli/text/text.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/document/tables/column_json.hpp"
+#include "core/predicates/wide_int.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
@@ -120,7 +122,8 @@ void print_variants(const CavityComparison& comparison) {
   }
 }
 
-// The columns of the first answer's cavities, with one for each answer before the last two.
+// Prints the cavities of the first answer. The volumes in each answer are a column, before the last
+// two columns.
 void print_side_by_side(const CavityComparison& comparison, std::size_t shown) {
   constexpr PrintedColumn kPrinted[] = {
       {"id", 4},

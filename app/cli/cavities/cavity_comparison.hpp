@@ -12,7 +12,7 @@ namespace alphascope::cli {
 // The counterpart of the first answer's cavity in another answer.
 struct Counterpart {
   std::optional<std::size_t> row;  // row in the other answer; none: the cavity is gone
-  bool same = false;               // false: it has joined a cavity that mostly stems from another
+  bool same = false;               // false: `row` is a cavity that mostly comes from another one
   std::size_t parts = 1;           // 2 or more: it has split, and `row` is its largest part
 };
 
@@ -25,8 +25,8 @@ class CavityComparison {
   Counterpart counterpart(std::size_t answer, std::size_t first_row) const;
   // Id of the first answer's cavity that matches a row of another answer; 0: none.
   std::size_t first_id(std::size_t answer, std::size_t row) const;
-  // Spread of a cavity's SA volume in per cent: (largest - smallest) / largest. It covers the
-  // answers in which the cavity is the same. None if it is only in the first answer.
+  // Spread of a cavity's SA volume in per cent: (largest - smallest) / largest. Only answers in
+  // which the cavity is the same count. None if it is in the first answer only.
   std::optional<double> spread_percent(std::size_t first_row) const;
 
  private:

@@ -1,6 +1,6 @@
-// Runs alphascope-cli channel: finds the largest ball that can move through a molecule, and the
-// profile of its way. The way may also start at a point or cavity, and end at another point or a
-// mouth.
+// Runs alphascope-cli channel, which finds the largest ball that can move through a molecule, and
+// the radii along its way. The way may also start at a point or cavity, and end at another point or
+// a mouth.
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -19,14 +19,22 @@
 #include "app/cli/text/text.hpp"
 #include "app/options/option_values.hpp"
 #include "core/channel/ways_through.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/channels/channel_export.hpp"
 #include "core/document/channels/channel_json.hpp"
 #include "core/document/channels/channel_records.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/channels/channel_text.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/key.hpp"
 #include "core/geometry/point_text.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/predicates/orthosphere.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/triangulation/flow.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -34,8 +42,8 @@ namespace {
 struct ChannelOptions {
   InputOptions input;
   BodyOptions body;
-  // Three coordinates each (Å), or empty. A channel without a start point begins in a cavity.
-  // Without both it leads through the molecule.
+  // Each has three coordinates (Å) or is empty. A channel without a start point begins in the
+  // cavity `cavity`. Without either it leads through the molecule.
   std::vector<double> point, to, along;
   int cavity = 0;              // its number in the table of `cavities`; 0: none
   std::vector<double> mouths;  // numbers of the cavity's mouths, from 1: the end, or both ends

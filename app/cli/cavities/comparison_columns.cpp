@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/document/store/key.hpp"
+
 namespace alphascope::cli {
 namespace {
 
@@ -21,7 +23,7 @@ Counterpart counterpart(const ComparedCounterpart& c) {
   return c.all.counterpart(c.answer, c.first_row);
 }
 
-// Number of cavities in an answer that match none of the first answer.
+// Returns how many cavities of an answer match no cavity of the first answer.
 std::size_t new_ones(const ComparedVariant& v) {
   std::size_t number = 0;
   for (const std::size_t row : answer(v).rows) number += v.all.first_id(v.answer, row) == 0;

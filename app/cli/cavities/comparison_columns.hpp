@@ -23,7 +23,8 @@ struct ComparedCavity {
 };
 std::span<const Column<ComparedCavity>> compared_cavity_columns();
 
-// A cavity of the first answer in another one. The list is that of "in" in JSON.
+// The match of a first answer's cavity in another answer. These columns are the list "in" of the
+// JSON.
 struct ComparedCounterpart {
   const CavityComparison& all;
   std::size_t answer = 0, first_row = 0;

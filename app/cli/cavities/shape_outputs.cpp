@@ -3,6 +3,7 @@
 
 #include "app/cli/failure.hpp"
 #include "core/files/output_ending.hpp"
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope::cli {
 namespace {

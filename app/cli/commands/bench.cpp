@@ -1,7 +1,7 @@
-// Runs alphascope-cli bench: medians of our engine and CGAL in one process, cold and warm. Cold: a
-// new engine is made and asked once, as after opening a molecule. CGAL's cold time covers its own
-// route, triangulation and filter. Warm: the same engine is asked again at a slightly different
-// alpha, as with a slider.
+// Runs alphascope-cli bench, which prints median times of our engine and of CGAL in one process,
+// cold and warm. Cold: a new engine is made and asked once, as after opening a molecule. CGAL's
+// cold time covers triangulation and filter. Warm: the same engine is asked again at a slightly
+// different alpha, as with a slider.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -44,7 +44,7 @@ struct Series {
   std::size_t tetrahedra = 0;
 };
 
-// The smallest step of a slider that a user can still notice.
+// The warm run's alpha differs by this. It is the smallest step of a slider that a user can notice.
 constexpr double kSliderStep = 0.001;  // Å²
 
 void run_once(const std::shared_ptr<const BallSet>& balls, const Request& request,
@@ -87,7 +87,7 @@ Row measure(const Input& input, const std::shared_ptr<const BallSet>& balls, con
   Request cgal = request;
   cgal.engine = EngineChoice::cgal;
   for (int run = 0; run < runs; ++run) {
-    // The engines take turns, so that a machine that slows down slows both.
+    // The engines take turns, so a slowdown of the machine affects both.
     run_once(balls, request, context, row.ours);
     run_once(balls, cgal, context, row.cgal);
   }

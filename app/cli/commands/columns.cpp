@@ -11,12 +11,16 @@
 #include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/text/terminal.hpp"
+#include "core/channel/channel.hpp"
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
 #include "core/document/channels/channel_columns.hpp"
 #include "core/document/measures/measure_columns.hpp"
 #include "core/document/reference/measurement_columns.hpp"
 #include "core/document/tables/column_info.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -52,7 +56,7 @@ std::string table_ids(const char* between) {
   return ids;
 }
 
-// A row of the list itself.
+// A row of the printed list: a column, and the table that it belongs to.
 struct ListedColumn {
   const TableInfo& table;
   const ColumnInfo& info;

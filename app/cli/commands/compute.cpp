@@ -38,7 +38,7 @@ struct Computed {
   const EngineAnswer& result;
 
   const AlphaComplex& complex() const { return result.complex; }
-  // None for a list that a tetrahedra-only complex lacks.
+  // Returns no value for a list that is not computed with --tetrahedra-only.
   template <class List>
   CellValue count_of(const List& list) const {
     if (complex().tetrahedra_only) return {};
@@ -152,7 +152,8 @@ CsvRow csv_row(const Input& input, const EngineAnswer& result) {
   const AlphaComplex& complex = result.complex;
   CsvRow row = csv_row_of(kAllColumns, {input, result});
   for (auto& [key, value] : input.provenance()) {
-    // The solvent radius may need a finer lattice.
+    // The lattice is that of the complex, since the solvent radius may need a finer one than the
+    // molecule.
     if (key == "lattice_unit_angstrom") value = lattice_unit_text(complex.lattice);
     if (key != "model") row.emplace_back(key, std::move(value));
   }
@@ -165,13 +166,14 @@ std::string request_text(const Request& request) {
          shortest_number(request.solvent_radius_angstrom) + " Å\n";
 }
 
-// The lines that --verbose adds to a result.
+// Returns the lines that --verbose adds to a result.
 std::string effort_text(const Input& input) {
   return "opened in   " + milliseconds_text(input.open_milliseconds) + "\nmemory      " +
          grouped(resident_bytes() / 1'000'000) + " MB in use by the program\n";
 }
 
-// Flushed only after the files are complete, so that `| head` loses no file.
+// Prints a result without flushing it. The files are completed before that, so a reader that stops
+// early, such as `head`, loses no file.
 void print_one(const Input& input, const EngineAnswer& result) {
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n"
             << request_text(result.request) << complex_text(result.complex);

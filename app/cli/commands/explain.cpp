@@ -16,6 +16,9 @@
 #include "core/document/explain/explanation_json.hpp"
 #include "core/document/explain/explanation_results.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {

@@ -42,7 +42,7 @@ ExportColours colours_of(const ExportOptions& options) {
                                       : ExportColours::element;
 }
 
-// Opens the files before the computation.
+// Opens all files of the format, before the computation.
 std::vector<AtomicFile*> open_files(const ExportFormatInfo& format, const fs::path& path,
                                     Outputs& outputs) {
   if (format.surface != nullptr && path == "-") {
@@ -51,7 +51,7 @@ std::vector<AtomicFile*> open_files(const ExportFormatInfo& format, const fs::pa
   std::vector<AtomicFile*> files;
   const std::string ending = std::string(".") + format.id;
   for (const fs::path& file : export_files(format, path)) {
-    // The format names the files beside a script.
+    // Files beside the first have names that the format chooses.
     files.push_back(file == path
                         ? outputs.add("--output", file.string(), {ending})
                         : outputs.add("--output", file.string(), {".pqr", ".glb", ".obj"}));

@@ -18,7 +18,9 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/options/option_values.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/molecule/assembly.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/residue_list.hpp"
 #include "core/selection/treatments.hpp"
 #include "core/text/grouped_number.hpp"
@@ -71,7 +73,8 @@ Json kinds_json(const MoleculeContents& contents) {
 }
 
 void print_guesses(std::vector<GuessedRadius> guesses) {
-  // Guesses from sources outside the set come first: they matter more than a ligand's usual carbon.
+  // Guesses from sources outside the radii set come first. They matter more than the usual carbon
+  // radius for a ligand.
   std::stable_partition(guesses.begin(), guesses.end(), [](const GuessedRadius& guess) {
     return guess.source != kTypicalValueSource;
   });
@@ -87,7 +90,8 @@ void print_guesses(std::vector<GuessedRadius> guesses) {
   }
 }
 
-// Atoms and memory hold for copies of this molecule, so only a deposited one prints them.
+// Prints atoms and memory of each assembly only if the molecule is the deposited one. They would be
+// wrong for copies of an expanded one.
 void print_assemblies(const Molecule& molecule) {
   for (const AssemblyInfo& assembly : list_assemblies(molecule)) {
     std::cout << "assembly    --assembly " << assembly.id << ": " << grouped(assembly.copies)
@@ -101,7 +105,7 @@ void print_assemblies(const Molecule& molecule) {
   }
 }
 
-// An upper bound of the rounding, with two digits.
+// Writes a length with two digits, rounded up, since it bounds the rounding.
 std::string rounding_text(double angstrom) {
   const double unit = std::pow(10, std::floor(std::log10(angstrom)) - 1);
   return shortest_number(std::ceil(angstrom / unit) / std::round(1 / unit));

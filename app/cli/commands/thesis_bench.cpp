@@ -16,6 +16,9 @@
 #include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
 #include "core/document/tables/column_json.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope::cli {

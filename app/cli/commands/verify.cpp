@@ -1,5 +1,6 @@
-// Runs alphascope-cli verify: compares our complex with CGAL's, simplex by simplex. A complex that
-// comes from CGAL's triangulation is checked against the definition.
+// Runs alphascope-cli verify, which compares our complex with CGAL's, simplex by simplex. If our
+// complex comes from CGAL's triangulation as well, it is also checked against the definition of the
+// complex.
 #include "core/verify/verify.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "app/cli/text/text.hpp"
 #include "app/options/option_values.hpp"
 #include "app/session/rounding_note.hpp"
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -63,7 +65,7 @@ void print_comparison(std::ostream& out, const Comparison& comparison, const Inp
   }
 }
 
-// Prints all faults; true if there are none.
+// Checks the complex against its definition, and prints all faults. Returns true if there are none.
 bool check_definition(std::ostream& out, const BallSet& balls, const AlphaComplex& complex,
                       Json& json) {
   const Verification found = verify(balls, complex, run_context());

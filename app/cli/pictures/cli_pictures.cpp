@@ -17,6 +17,7 @@
 #include "app/session/system_memory.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/display_preset.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_parts.hpp"
 #include "ui/annotation_layer.hpp"
@@ -59,7 +60,7 @@ Paint like_balls(const Paint& paint) {
   return {ColourBy::single, {}, {}, {}};
 }
 
-// The settings that the window's Display panel would hold.
+// Returns the settings of the window's section Display that correspond to the options.
 DisplaySettings display(const ScreenshotCommandOptions& options) {
   DisplaySettings d;
   d.triangles = d.edges = true;
@@ -75,7 +76,7 @@ DisplaySettings display(const ScreenshotCommandOptions& options) {
   return d;
 }
 
-// The options of the picture's file, without its contents.
+// Returns the options of the file: size, background and marks.
 PictureOptions picture_options(const ScreenshotCommandOptions& options) {
   PictureOptions picture;
   set_size(options.size, picture);
@@ -175,7 +176,8 @@ void CommandLinePictures::follow_options(const ScreenshotCommandOptions& options
                              options.annotations);
 }
 
-// Takes the settings of the window's "Save picture", without the drawings of pages below the view.
+// Takes from the session the settings that the window uses for a saved picture. Drawings of pages
+// below the view are not among them.
 void CommandLinePictures::follow_session(const ScreenshotCommandOptions& options,
                                          const RunContext& context) {
   SessionToDraw found = open_session(options, context);

@@ -21,7 +21,8 @@ class CommandLinePictures {
 
   const Input& input() const { return input_; }
   const PictureOptions& options() const { return picture_.options; }
-  // The complex at this alpha (Å²). Without one, at that of the options or the session.
+  // Computes the complex at this alpha (Å²). Without a value, the options' or the session's alpha
+  // is used.
   std::shared_ptr<const EngineAnswer> compute(std::optional<double> alpha,
                                               const RunContext& context);
   Picture picture(const std::shared_ptr<const EngineAnswer>& answer, const RunContext& context);

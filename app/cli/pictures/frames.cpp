@@ -46,7 +46,7 @@ std::string recording_text(const Recording& r) {
   return what + (r.there_and_back ? ", there and back" : "");
 }
 
-// Ends a cancelled run with frames as output: finished pictures stay.
+// Ends a cancelled run that writes pictures. Finished pictures stay.
 ExitCode cancelled_after(int finished) {
   clear_progress();
   if (verbosity() != Verbosity::quiet) {

@@ -12,6 +12,7 @@
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/document/settings/paint.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -63,7 +64,7 @@ Option display_option(const DisplayField& field, DisplayChanges& changes) {
   return option;
 }
 
-// Those of switches and numbers; paint_option() makes those of colours.
+// Options of the display that are switches or numbers. paint_option() makes options of colours.
 Options display_options(DisplayChanges& changes) {
   Options options;
   for (const DisplayField& field : display_fields()) {
@@ -97,8 +98,8 @@ Option paint_option(OptionText text, const char* fallback,
           .set = std::move(set)};
 }
 
-// Notes each given option that a session would set. These are all options but those of the
-// picture's file.
+// Makes an option note that it was given, if a session would set the same. These are all options
+// but those of the picture's file.
 void note_what_sessions_say(Option& option, ScreenshotCommandOptions& options) {
   constexpr std::string_view kOfThePicture[] = {"FILE",        "--session",        "--output",
                                                 "--size",      "--transparent",    "--no-legend",

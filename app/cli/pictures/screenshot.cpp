@@ -31,7 +31,7 @@ class MemoryFile {
   std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
   std::string bytes() const {
     std::ostringstream bytes;
-    // Without exceptions a failure could return a part of the bytes.
+    // Without exceptions, a failure could go unnoticed and return a part of the bytes.
     bytes.exceptions(std::ios::badbit | std::ios::failbit);
     bytes << std::ifstream(path(), std::ios::binary).rdbuf();
     return std::move(bytes).str();

@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* kDrawingProgram = "alphascope-cli-draw";
 
-// The program lies beside this one in a build, or in its own folder where it is installed.
+// Returns where the program may be: beside this one in a build folder, or in a folder of its own in
+// an installation.
 std::vector<std::filesystem::path> candidates() {
   const std::filesystem::path folder =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
@@ -31,7 +32,7 @@ std::vector<std::filesystem::path> candidates() {
     arguments.push_back(const_cast<char*>(argument.c_str()));
   }
   arguments.push_back(nullptr);
-  // The other program would not notice a signal that came before execv.
+  // A signal that came before execv() would be lost, so it is handled here.
   run_context().cancel.throw_if_cancelled();
   std::string tried;
   for (const std::filesystem::path& program : candidates()) {

@@ -6,7 +6,10 @@
 
 #include "app/cli/failure.hpp"
 #include "app/cli/text/text.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/selection/selection_error.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_parts.hpp"

@@ -90,8 +90,8 @@ extern "C" void on_cancel(int signal) {
   }
 }
 
-// Ends the program when work ignores its token, such as drawing in OpenGL or opening a pipe without
-// a reader.
+// Ends the program if its work did not react to the cancel token. Drawing in OpenGL, or opening a
+// pipe that nobody reads, does not.
 extern "C" void on_deadline(int signal) {
   if (cancelling_signal.load() == 0) return kill_self_by(signal);
   end_all_writing();
@@ -121,7 +121,7 @@ class ProgressLine {
 
  private:
   std::mutex mutex_;
-  // No line for the first 300 ms: a short flash informs nobody.
+  // The first line appears after 300 ms, since nobody could read a shorter flash.
   std::chrono::steady_clock::time_point next_ =
       std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
   int width_ = 0;  // width of the present line; 0: none
@@ -175,8 +175,8 @@ RunContext make_context() {
 void set_up_standard_streams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-    // Opened in the wrong direction, so that reading or writing still fails. The lowest free number
-    // is this descriptor.
+    // Opens /dev/null in the wrong direction, so reading or writing still fails. open() takes the
+    // lowest free number, which is this descriptor.
     static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   }
   std::cout.rdbuf(&standard_output());

@@ -1,5 +1,5 @@
-// The terminal during long work. Signals cancel the work, progress is shown on one line of standard
-// error, and losses of standard output are noticed.
+// Handles the terminal during long work. Signals cancel the work, one line of standard error shows
+// progress, and failed writes to standard output are noticed.
 #pragma once
 
 #include "core/run/cancel_token.hpp"
@@ -11,16 +11,17 @@ namespace alphascope::cli {
 // start stay ignored. Temporary files are removed in every case.
 void set_up_signals();
 
-// Call before a file is opened. Opens closed descriptors 0, 1 and 2 so that their use fails, and no
-// file becomes standard output. From here on std::cout remembers its first write error.
+// Call before any file is opened. If descriptor 0, 1 or 2 is closed, gives it a file whose use
+// fails; otherwise an output file could get that number. From here on std::cout remembers its first
+// write error.
 void set_up_standard_streams();
 
 // Sends later summaries from std::cout to standard error, since a result takes standard output.
 void summary_to_standard_error();
 
-// Flushes std::cout and returns the exit status of a process whose work ended with `status`. If
-// standard output lost data, status 0 becomes an error with a message. A pipe closed by its reader
-// gives 141 without a message, as shells show for SIGPIPE.
+// Flushes std::cout and returns the exit status of the process. It is `status`, unless that is 0
+// and standard output lost data, which is an error with a message. If the reader of a pipe closed
+// it, the status is 141 without a message, as shells show for SIGPIPE.
 int finish_standard_output(int status);
 
 // The amount of output besides results and errors. Quiet: none. Verbose: also progress as lines,

@@ -3,12 +3,19 @@
 #include <stdexcept>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/document/reference/measurement_columns.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/session/setting_ids.hpp"
 #include "core/document/session/settings_fields.hpp"
+#include "core/document/store/key.hpp"
 #include "core/explain/power_diagram.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/radii/radii_set.hpp"
+#include "core/selection/selection_error.hpp"
 #include "ui/annotation_layer.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

@@ -3,8 +3,17 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/chart/colour_scale.hpp"
 #include "core/chart/colour_text.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/picture/caption_parts.hpp"
+#include "core/document/reference/appearance.hpp"
+#include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/selection/selection_error.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
@@ -44,7 +53,7 @@ std::function<std::string()> without_picture(const ViewState& s) {
 
 namespace {
 
-// A command on the atoms of its parameter or, without one, on the selection.
+// Makes a command on the atoms that its parameter names or, without a name, on the selection.
 CommandSpec on_atoms(ViewState& s, CommandSpec spec, std::function<void(const AtomSet&)> act) {
   spec.parameters.push_back(which_atoms());
   spec.why_not = without_picture(s);

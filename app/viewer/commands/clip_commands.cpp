@@ -1,5 +1,11 @@
 // Commands that cut the picture open.
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/real_point.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
 
 namespace alphascope {
@@ -86,7 +92,7 @@ void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .help = "Turns the view to face the cut",
                 .why_not = without_clip,
                 .run = [&s, ask](const Arguments&) {
-                  // Looks from the side that is cut away.
+                  // The view comes from the side that is cut away.
                   const bool behind =
                       s.settings.clip.kind == Clip::Kind::plane && s.settings.clip.flipped;
                   std::array<double, 3> towards = s.settings.clip.normal;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/document/commands/commands.hpp"
+#include "core/document/reference/atom_set.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/view_state.hpp"
 
@@ -12,8 +13,8 @@ namespace alphascope {
 
 struct DisplayField;
 
-// Each returns a test that says why a command cannot run without a molecule or result. Empty: it
-// can run.
+// Each returns a test for a command that needs a molecule or a result. The test says why the
+// command cannot run; empty if it can.
 std::function<std::string()> without_molecule(const ViewState& s);
 std::function<std::string()> without_result(const ViewState& s);
 
@@ -28,8 +29,8 @@ CommandSpec with_switch(CommandSpec spec, bool& value);
 // Commands of alpha, solvent, molecule, engine, comparison and benchmark.
 void add_compute_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// Commands of recordings, sessions, recent files, the scale and pages. The caller adds each at its
-// place in a menu.
+// Commands of recordings, sessions, recent files, the scale and pages. The caller adds each of
+// them, since the order decides places in menus.
 CommandSpec open_session_command(ViewState& s, const Calls& ask);
 CommandSpec record_command(ViewState& s, const Calls& ask);
 CommandSpec save_session_command(ViewState& s, const Calls& ask);
@@ -67,15 +68,16 @@ void add_lesson_commands(Commands& commands, ViewState& s, const Calls& ask);
 // Commands that hide and colour atoms.
 void add_appearance_commands(Commands& commands, ViewState& s);
 
-// The item under the mouse, or the item of the open context menu; none if there is neither.
+// Returns the item of the open context menu or, if no menu is open, the item under the mouse.
+// Either may be none.
 const std::optional<Ref>& pointed(const ViewState& s);
 void add_pointed_commands(Commands& commands, ViewState& s, const Calls& ask);
 
 // Commands of labels, distances and angles.
 void add_annotation_commands(Commands& commands, ViewState& s, const Calls& ask);
 
-// The last parameter of commands on atoms, and its value: named atoms or, without a name, the
-// selection. ViewState::references must be set.
+// The last parameter of commands on atoms, and a function that reads it: named atoms or, without a
+// name, the selection. ViewState::references must not be null.
 Parameter which_atoms();
 struct NamedOrSelectedAtoms {
   AtomSet atoms;

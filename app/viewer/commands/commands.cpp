@@ -6,13 +6,24 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/chart/colour_scale.hpp"
 #include "core/document/export/complex_export.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/picture/caption_parts.hpp"
+#include "core/document/picture/picture_options.hpp"
+#include "core/document/store/key.hpp"
 #include "core/files/output_ending.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/read/file_format.hpp"
+#include "core/run/work_threads.hpp"
 #include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/panel_list.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
@@ -82,7 +93,7 @@ Outcome open_sample(const Arguments& arguments, ViewState& s, const Calls& ask) 
 
 // Without a path the dialog asks for all parameters.
 Outcome save_picture(const Arguments& arguments, ViewState& s, const Calls& ask) {
-  SharedPanelState& m = s.memory;
+  DialogState& m = s.dialogs;
   if (!arguments.has("path")) {
     m.show_save = true;
     return {};
@@ -106,7 +117,7 @@ Outcome save_picture(const Arguments& arguments, ViewState& s, const Calls& ask)
 
 // Without a path the dialog asks for it.
 Outcome export_complex(const Arguments& arguments, ViewState& s, const Calls& ask) {
-  SharedPanelState& m = s.memory;
+  DialogState& m = s.dialogs;
   if (!arguments.has("path")) {
     m.show_export = true;
     return {};
@@ -307,7 +318,7 @@ void add_help_commands(Commands& commands, ViewState& s) {
                 .works_everywhere = true,
                 .menu = "Help",
                 .run = [&s](const Arguments&) {
-                  s.memory.show_cheat_sheet = !s.memory.show_cheat_sheet;
+                  s.dialogs.show_cheat_sheet = !s.dialogs.show_cheat_sheet;
                   return Outcome();
                 }});
   commands.add({.id = "help.about",
@@ -316,7 +327,7 @@ void add_help_commands(Commands& commands, ViewState& s) {
                 .menu = "Help",
                 .line_above = true,
                 .run = [&s](const Arguments&) {
-                  s.memory.show_about = true;
+                  s.dialogs.show_about = true;
                   return Outcome();
                 }});
 }

@@ -3,6 +3,8 @@
 
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/session/setting_ids.hpp"
+#include "core/document/store/key.hpp"
+#include "ui/panels/playback.hpp"
 #include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {
@@ -12,13 +14,13 @@ using Kind = Parameter::Kind;
 
 // --- Alpha and solvent
 
-// Repeated steps must not lead to 0.30000000000000004.
+// Rounds to 0.001 Å², so that repeated steps do not lead to 0.30000000000000004.
 double rounded(double angstrom2) {
   return std::round(angstrom2 * 1000) / 1000;
 }
 
-// Playback starts at the other end if alpha is at an end. The command for the other direction turns
-// a running playback round.
+// Starts or stops playback. If alpha is at the end, playback starts at the other end. The command
+// of the other direction reverses a running playback.
 void toggle_playing(ViewState& s, bool backwards) {
   Playback& p = s.playback;
   const bool stops = p.alpha && p.backwards == backwards;
@@ -222,8 +224,8 @@ Outcome set_engine(const Arguments& arguments, ViewState& s) {
   return {};
 }
 
-// While something plays, only playback stops. The running step still finishes, so that the picture
-// gets its complex.
+// Stops playback, if something plays, and nothing else. The running step still finishes, so that
+// the picture gets its complex. Otherwise cancels a job, or clears the selection.
 Outcome stop(ViewState& s, const Calls& ask) {
   const bool playing = s.playback.alpha || s.playback.models || s.steps.playing;
   s.playback.alpha = s.playback.models = s.steps.playing = false;
@@ -305,7 +307,7 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .why_not = without_molecule(s),
                 .run = [&s](const Arguments&) {
                   s.playback.alpha = s.playback.models = false;
-                  s.memory.show_benchmark = true;
+                  s.dialogs.show_benchmark = true;
                   return Outcome();
                 }});
 }

@@ -1,5 +1,5 @@
-// Commands that show a page below the view or a section at its left. Synonyms in the palette find a
-// panel by its content.
+// Commands that show a page below the view or a section at its left. With synonyms, the palette
+// finds a panel by its content too.
 #include <functional>
 #include <string>
 #include <utility>
@@ -52,7 +52,7 @@ CommandSpec section_command(ViewState& s) {
                      .help = "Opens radii, chains, colours, light or other settings",
                      .run =
                          [&s](const Arguments& arguments) {
-                           s.memory.go_to_section = arguments.text("section");
+                           s.scroll.section = arguments.text("section");
                            return Outcome();
                          }},
                     {.name = "section", .help = "Which section", .example = "molecule"},

@@ -3,7 +3,13 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_measurements.hpp"
+#include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 
 namespace alphascope {
 

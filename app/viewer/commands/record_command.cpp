@@ -3,7 +3,15 @@
 #include <stdexcept>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/picture/caption_parts.hpp"
 #include "core/document/picture/frame_names.hpp"
+#include "core/document/picture/picture_options.hpp"
+#include "core/document/picture/recording.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/run/cancel_token.hpp"
+#include "ui/panels/dialogs/picture_requests.hpp"
 
 namespace alphascope {
 namespace {
@@ -12,7 +20,7 @@ using Kind = Parameter::Kind;
 
 // Without a path the dialog asks for all parameters.
 Outcome record(const Arguments& arguments, ViewState& s, const Calls& ask) {
-  RecordState& m = s.memory.record;
+  RecordState& m = s.record;
   if (!arguments.has("path")) {
     m.show = true;
     return {};

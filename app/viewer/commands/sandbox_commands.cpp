@@ -1,7 +1,11 @@
 // Commands that create and edit balls of the sandbox.
 #include "app/viewer/commands/command_parts.hpp"
 #include "app/viewer/resources.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/document/store/key.hpp"
+#include "core/molecule/sandbox.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/sandbox/sandbox_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -25,7 +29,7 @@ SandboxPlace place_of(const Arguments& arguments) {
   return {arguments.number("x"), arguments.number("y"), arguments.number("z")};
 }
 
-// The index of the ball, which may not exist.
+// Returns the index of the ball, even if there is no such ball.
 std::size_t ball_of(const Arguments& arguments) {
   return static_cast<std::size_t>(arguments.number("ball")) - 1;
 }
@@ -35,7 +39,7 @@ Outcome open_preset(const Arguments& arguments, ViewState& s, const Calls& ask) 
   for (const SandboxPreset& preset : sandbox_presets()) {
     if (preset.id != id) continue;
     ask.files.open(preset.path);
-    s.memory.sandbox.edit_when_open = preset.path;
+    s.sandbox.edit_when_open = preset.path;
     s.window.page = "sandbox";
     return {};
   }
@@ -99,8 +103,7 @@ void add_changes(Commands& commands, ViewState& s) {
                          .help = "Adds a ball to the sandbox and selects it",
                          .parameters = added},
                         s, [&s](const Arguments& a, Sandbox& sandbox) {
-                          const double r =
-                              a.number("radius", s.memory.sandbox.next_radius_angstrom);
+                          const double r = a.number("radius", s.sandbox.next_radius_angstrom);
                           select_ball(s, add_ball(sandbox, place_of(a), r));
                         }));
   commands.add(changing({.id = "sandbox.move",
@@ -174,7 +177,7 @@ void add_sandbox_commands(Commands& commands, ViewState& s, const Calls& ask) {
            },
        .checked = [&s] { return s.settings.open.sandbox && s.settings.open.sandbox->flat; },
        .run = [&s](const Arguments& arguments) { return set_flat(arguments, s); }});
-  SandboxState& m = s.memory.sandbox;
+  SandboxState& m = s.sandbox;
   commands.add(with_switch({.id = "sandbox.drawing",
                             .title = "Flat drawing",
                             .help = "Draws balls in a plane flat, in the place of the picture"},

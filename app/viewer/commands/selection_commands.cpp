@@ -2,9 +2,16 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/selection_expression.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
@@ -62,7 +69,7 @@ CommandSpec by_name(ViewState& s, bool more) {
           }};
 }
 
-// Sets the row only: the page chooses the cavity when its table is ready.
+// The command only notes the row. The page chooses the cavity when its table is ready.
 CommandSpec select_cavity(ViewState& s) {
   static constexpr NumberRule kRowRule{"The number", 1, 1e6, "", true};
   return {.id = "cavities.choose",

@@ -7,6 +7,7 @@
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -40,8 +41,8 @@ Outcome save_session(const Arguments& arguments, ViewState& s, const Calls& ask)
     ask.files.save_session(path);
     return {};
   }
-  s.memory.session_path = s.session_file.string();  // the session of the open molecule
-  s.memory.show_save_session = true;
+  s.dialogs.session_path = s.session_file.string();  // the session of the open molecule
+  s.dialogs.show_save_session = true;
   return {};
 }
 

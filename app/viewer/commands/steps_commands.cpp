@@ -1,7 +1,10 @@
 // Commands of the page that shows an engine's steps for one ball.
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/explain/steps_results.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -32,7 +35,8 @@ CommandSpec open_command(ViewState& s) {
           }};
 }
 
-// Until the steps are known, next and back count from the step that will be shown first.
+// A command that goes to another step. Before the steps are known, next and back change the step
+// that will be shown first.
 struct Move {
   const char *id, *title, *help, *key;
   void (*go)(StepsState& memory);

@@ -1,4 +1,4 @@
-// A job of another owner, such as the session, in the list of jobs.
+// Lists work that another class owns, such as the session, as a job.
 #pragma once
 
 #include <chrono>
@@ -7,6 +7,7 @@
 
 #include "app/viewer/jobs/job_list.hpp"
 #include "core/run/worker.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 
@@ -31,7 +32,7 @@ class ActivityJob : public ViewerJob {
     } else if (!since_) {
       since_ = Clock::now();
     }
-    return {};  // the owner tells the outcome
+    return {};  // the owner reports the outcome itself
   }
 
  private:

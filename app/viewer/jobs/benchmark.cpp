@@ -6,12 +6,19 @@
 
 #include "app/bench/thesis_charts.hpp"
 #include "app/bench/thesis_table.hpp"
+#include "core/chart/colour_scale.hpp"
 #include "core/chart/layout.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
 #include "core/document/commands/number_input.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/provenance.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
@@ -179,7 +186,8 @@ std::optional<RunningJob> Benchmark::running() const {
   return RunningJob{JobId::benchmark, "Benchmark", info_.progress, info_.share, seconds.count()};
 }
 
-// A run that was cancelled or has failed keeps its rows: they are valid and can be exported.
+// Takes the end of a run. Rows of a cancelled or failed run stay, because they are valid and can be
+// exported.
 void Benchmark::finish() {
   running_ = false;
   info_.error = failure_;

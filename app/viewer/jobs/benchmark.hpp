@@ -46,8 +46,8 @@ class Benchmark : public ViewerJob {
   BenchmarkInfo& info_;
   std::chrono::steady_clock::time_point since_;
   std::shared_ptr<Arrived> arrived_;
-  // The report of the last run, perhaps of its first rows only, and the rows so far of the running
-  // one. Either may be null.
+  // The report of the last run, which may have only its first rows. Then the rows so far of the
+  // running one. Either may be null.
   std::shared_ptr<const ThesisReport> report_;
   std::shared_ptr<ThesisReport> partial_;
   bool cancelled_ = false;

@@ -6,9 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/document/export/program_name.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/thread_priority.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/text/printable.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 

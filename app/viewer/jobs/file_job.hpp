@@ -12,6 +12,7 @@
 #include "app/viewer/jobs/job_list.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/run/worker.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 
@@ -21,7 +22,8 @@ class FileJob : public ViewerJob {
     std::filesystem::path file;
     std::string title;        // "Exporting a.vtu"
     std::string error_title;  // "The complex cannot be exported"
-    // Runs on the job's thread. Returns a text on the content for the notice, perhaps empty.
+    // Runs on the job's thread. Returns a text on the files' content for the status bar; it may be
+    // empty.
     std::function<std::string(const RunContext&)> write;
     std::function<void()> when_saved = {};  // runs on the main thread
   };
@@ -33,7 +35,7 @@ class FileJob : public ViewerJob {
   bool busy() const { return task_.has_value(); }
 
   std::optional<RunningJob> running() const override;
-  // The files stay unchanged, unless the job has already finished.
+  // Cancels the job. The files stay as they were, unless the job has already finished.
   void cancel() override { worker_.cancel(); }
   JobNews poll() override;
 

@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
 #include "core/text/printable.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/picture/caption_parts.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "ui/running_job.hpp"
+
 namespace alphascope {
 
 RunningJob running_job(JobId id, std::string title, const Worker::Activity& activity,

@@ -13,9 +13,9 @@
 
 namespace alphascope {
 
-// News of a job since the last look.
+// Events of a job since the last poll().
 struct JobNews {
-  std::string notice;              // one line: it ended well, or was cancelled
+  std::string notice;              // one line on a job that succeeded or was cancelled
   std::string error_title, error;  // why it failed, for a dialog; empty: it did not fail
   bool changed = false;            // the window has something new to show
   bool frees_memory = false;       // the job has ended, and its memory is free

@@ -1,14 +1,19 @@
-// Jobs of PictureSaver, and the context and scene for each. Two VTK scenes share nothing while they
-// draw, if both were created on the main thread. GLEW, VTK's access to OpenGL, is set up there.
+// Runs the jobs of PictureSaver, each with an OpenGL context and a scene of its own. GLEW, through
+// which VTK calls OpenGL, must be set up on the main thread, so scenes are created there. After
+// that two scenes share nothing while they draw.
 #include "app/viewer/jobs/picture_saver.hpp"
 
 #include <exception>
 #include <stdexcept>
 #include <utility>
 
+#include "core/document/export/program_name.hpp"
 #include "core/files/atomic_file.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/thread_priority.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 
@@ -77,7 +82,7 @@ SceneJob recording_job(const RecordRequest& request, FrameSource source, Picture
   if (const std::string fault = fault_of(recording); !fault.empty()) {
     throw std::invalid_argument(fault);
   }
-  // These texts describe one complex, and a sweep has many.
+  // Leaves out texts that describe one complex, since a sweep has many.
   std::erase_if(texts, [&](const auto& text) {
     return recording.kind == RecordingKind::sweep &&
            (text.first.starts_with("alphascope:alpha") || text.first == "alphascope:hash");
@@ -132,7 +137,7 @@ void PictureSaver::begin() {
       [this, path = job->path, recording = job->recording](const Worker::Failure& failure) {
         studio_.reset();
         news_.frees_memory = true;
-        if (failure.cancelled) {  // the user knows already, unless cancel() came too late
+        if (failure.cancelled) {  // the user knows, unless cancel() came too late
           if (failure.too_late) news_.notice = "Saved " + printable(path.string());
           return;
         }

@@ -19,7 +19,7 @@
 
 namespace alphascope {
 
-// Titles of the dialogs that tell a failure.
+// Titles of the dialogs that report a failure.
 inline constexpr const char* kNoPicture = "The picture cannot be saved";
 inline constexpr const char* kNoRecording = "The recording cannot be made";
 
@@ -48,8 +48,8 @@ class PictureSaver : public ViewerJob {
   // Starts one job. Throws std::runtime_error while another job runs, or if OpenGL gives no second
   // context.
   void start(SceneJob job);
-  // Ends the job at once for the user; its thread ends when it can. The file stays unchanged, and
-  // finished frames of a recording stay.
+  // Cancels the job. It disappears from the list at once, and its thread ends later. An older file
+  // stays as it was, and finished frames of a recording stay.
   void cancel() override;
   bool busy() const { return saving_.has_value(); }
 

@@ -7,7 +7,8 @@
 namespace alphascope {
 namespace {
 
-// Delay of saving: while the window is resized, its size changes all the time.
+// Preferences are saved this long after a change. While the window is resized, its size changes all
+// the time.
 constexpr std::chrono::milliseconds kSaveAfter{1000};
 
 }  // namespace

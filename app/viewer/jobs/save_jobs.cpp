@@ -12,8 +12,8 @@ namespace {
 constexpr const char* kNoTable = "The table cannot be saved";
 constexpr const char* kNoExport = "The complex cannot be exported";
 
-// Moves the camera back until the picture shows as much width as the window. A lesson's view was
-// chosen in the window, and the picture beside its text is narrower.
+// Moves the camera back until the picture shows as much of the width as the window. A lesson's
+// picture beside its text is narrower than the window, in which the view was chosen.
 Picture with_sides(Picture picture, const ViewportInfo& window, const PictureOptions& size) {
   if (!picture.viewpoint || window.height <= 0 || size.width <= 0) return picture;
   const double back = static_cast<double>(window.width) / window.height * size.height / size.width;
@@ -89,8 +89,8 @@ SweepRecorder::Window SaveJobs::swept_window() {
           [this]() -> const void* { return p_.session.state().opened.get(); }};
 }
 
-// Records molecule, radii, display and view that are on screen; a sweep sets alpha itself. The
-// window stays unchanged, unless pages draw into the picture.
+// Records the molecule, radii, display and view on screen. A sweep sets alpha itself. The window
+// does not change, unless pages draw into the picture.
 void SaveJobs::record(const RecordRequest& request) {
   try {
     if (request.lesson_seconds) {
@@ -127,7 +127,7 @@ void SaveJobs::save_table(const SaveTableRequest& request) {
   p_.due.ask();
 }
 
-// Exports the complex on screen, not one that is being computed.
+// Exports the complex on screen, even while a newer one is being computed.
 void SaveJobs::export_complex(const ExportRequest& request) {
   try {
     const std::shared_ptr<const Answer> answer = p_.scene.drawn().answer;

@@ -15,6 +15,7 @@
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/running_job.hpp"
 #include "ui/window/host.hpp"
 
 namespace alphascope {

@@ -10,18 +10,19 @@
 #include "app/viewer/jobs/file_job.hpp"
 #include "core/document/session/session_file.hpp"
 #include "core/run/worker.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 
 // A session that was read, and the present state of its files.
 struct FoundSession {
   std::filesystem::path file;  // absolute path of the session; empty: no file
-  bool is_recent = true;       // the molecule or the session goes to the recent files
+  bool is_recent = true;       // opening adds the molecule or the session to the recent files
   ReadSession read;
   FoundFile molecule;
   std::optional<FoundFile> radii_table;  // none: the session needs no table
 
-  bool complete() const;        // all files are those of the time of saving
+  bool complete() const;        // all files are as they were when the session was saved
   bool can_open() const;        // all files exist
   std::string problem() const;  // a message if complete() is false
 };

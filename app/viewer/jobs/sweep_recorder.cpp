@@ -8,11 +8,13 @@
 #include <mutex>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 namespace {
 
-// Quiet frames before a picture is taken: a derived result reaches the picture one frame after it
-// is ready.
+// Frames without other work before a picture is taken. A derived result reaches the picture one
+// frame after it is ready.
 constexpr int kQuietFrames = 3;
 
 }  // namespace
@@ -82,8 +84,8 @@ std::string SweepRecorder::step(bool quiet) {
   const bool same_molecule = window_.molecule() == molecule_;
   const bool as_asked = window_.alpha() == asked_.value_or(alpha_before_);
   if (!saver_.busy()) {  // finished, cancelled or failed; PictureSaver tells which
-    // The recorder stays busy for one more frame, since this change of alpha belongs to the
-    // recording.
+    // The recorder stays busy for one more frame. The change of alpha then counts as a part of the
+    // recording, and not as one by the user.
     if (asked_ && same_molecule && as_asked) {
       window_.set_alpha(alpha_before_);
       asked_.reset();
@@ -112,7 +114,7 @@ std::string SweepRecorder::step(bool quiet) {
   return hand_over();
 }
 
-// All work is done at this point, so a missing part of the picture stays missing.
+// Hands the picture over. No work is left, so a part that is missing now would never come.
 std::string SweepRecorder::hand_over() {
   try {
     Picture picture = window_.take_picture({request_.path, request_.options});

@@ -1,6 +1,6 @@
-// Records a sweep of alpha together with the drawings of pages, such as cavities, channels and
-// labels. The window makes these for the complex on screen, so the window itself goes through the
-// sweep. The thread that draws and writes requests each alpha.
+// Records a sweep of alpha together with drawings of pages, such as cavities and channels. The
+// window makes these drawings only for the complex on screen. So it goes through the sweep itself,
+// and the thread that draws and writes requests each alpha.
 #pragma once
 
 #include <functional>
@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/viewer/jobs/picture_saver.hpp"
+#include "core/geometry/alpha.hpp"
 
 namespace alphascope {
 

@@ -4,9 +4,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/document/export/program_name.hpp"
 #include "core/files/atomic_file.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 namespace {
@@ -71,7 +77,8 @@ void TableSaver::fail(const std::string& why) {
   wanted_.reset();
 }
 
-// Wants the table's text. Fails if the picture changed before all its numbers were ready.
+// Asks the store for the table's text. Fails if the picture has changed before all numbers were
+// ready.
 void TableSaver::want() {
   const TableToSave& table = *wanted_->table;
   const bool other = inputs_.balls_key != table.inputs.balls_key ||
@@ -81,7 +88,8 @@ void TableSaver::want() {
                 " was not written, because the picture changed before all numbers were ready. "
                 "Save the table again.");
   }
-  // Needed after cancel() of an earlier request.
+  // An earlier request may have been cancelled, and the store makes a cancelled result only after
+  // retry().
   if (!std::exchange(begun_, true)) store_.retry(definition().id);
   const Inputs& of = table.of_the_picture ? inputs_ : table.inputs;
   if (const FormatToSave* other_one = other_format()) return want_as(other_one->writer, of);

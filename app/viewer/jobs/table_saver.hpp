@@ -13,6 +13,7 @@
 #include "core/document/store/store.hpp"
 #include "ui/panels/dialogs/table_state.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 

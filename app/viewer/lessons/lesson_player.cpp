@@ -30,7 +30,7 @@ void LessonPlayer::restart() {
   if (memory_.open) go_to(0);
 }
 
-// Appends the answer's commands to those of the step, which may still be running.
+// Shows the answer. Its commands follow those of the step, which may still be running.
 void LessonPlayer::reveal() {
   if (!memory_.open || !now().asks() || memory_.revealed) return;
   memory_.revealed = true;
@@ -82,12 +82,12 @@ void LessonPlayer::take_asked() {
   if (came) ours_ = stage_.file();
   const bool another = came && stage_.path() != asked;
   if (another) return leave();
-  if (phase_ != Phase::opening) return;  // the user has gone to another step
+  if (phase_ != Phase::opening) return;  // the user has chosen another step meanwhile
   phase_ = came ? Phase::running : Phase::shown;
   if (!came) refuse(now().line, "The molecule " + asked.filename().string() + " was not opened.");
 }
 
-// Keeps the open molecule before the first step, then requests the step's molecule.
+// Requests the step's molecule. Before the first step, keeps the molecule that is open.
 void LessonPlayer::arrive() {
   memory_.left = false;
   if (!std::exchange(kept_, true)) stage_.keep();

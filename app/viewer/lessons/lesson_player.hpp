@@ -27,7 +27,7 @@ class LessonStage {
   virtual void open(const std::filesystem::path& molecule) = 0;  // with a lesson's settings
   virtual void reset() = 0;  // gives the open file a lesson's settings
   virtual Outcome run(const std::string& command) = 0;
-  virtual void settle() = 0;        // undo goes back to the settings of the step
+  virtual void settle() = 0;        // from here on undo leads back to the settings of the step
   virtual void restore_kept() = 0;  // restores the kept molecule
   virtual void forget() = 0;  // as restore_kept(), but a file that the user has opened stays open
 };
@@ -51,8 +51,9 @@ class LessonPlayer {
   bool busy() const { return memory_.open && phase_ != Phase::shown; }
 
  private:
-  // A chosen step is `arriving`. While its molecule is being opened, it is `opening`. Before
-  // `shown` the player waits for all files that are being opened: it may have to keep one of them.
+  // A step that was just chosen is `arriving`, and while its molecule is being opened it is
+  // `opening`. The player does nothing while any file is being opened, since it may have to keep
+  // that one.
   enum class Phase : std::uint8_t { arriving, opening, running, shown };
 
   const LessonStep& now() const { return memory_.open->steps[memory_.step]; }

@@ -1,5 +1,5 @@
-// Steps of the recording in the window, and the queue of pages for the thread that draws and
-// writes. This thread is mostly ahead of the window and waits for pages.
+// Takes the steps of the recording in the window, and queues their pages for the thread that draws
+// and writes. That thread is mostly faster than the window, and waits for pages.
 #include "app/viewer/lessons/lesson_recorder.hpp"
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 
 #include "core/document/picture/frame_names.hpp"
 #include "core/files/files_read.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -139,11 +140,11 @@ std::string LessonRecorder::step(bool quiet) {
     return "The recording ended because the lesson was closed or another step was opened. Record "
            "the lesson again.";
   }
-  memory_.shown = true;  // its text is read from the column
+  memory_.shown = true;  // the recording takes the text from this column
   memory_.list = false;
   quiet_frames_ = quiet && memory_.ready && !player_.busy() ? quiet_frames_ + 1 : 0;
   if (quiet_frames_ < kQuietFrames || pages_->full()) return {};
-  // All work is done at this point, so a missing part of the picture stays missing.
+  // No work is left, so a part of the picture that is missing now would never come.
   try {
     hand_over();
   } catch (const std::exception& error) {  // for example when memory is too small for the picture

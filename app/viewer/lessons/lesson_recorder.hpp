@@ -1,6 +1,6 @@
 // Records the open lesson: brings the window to each step and each answer. Another thread gets
-// picture and text, draws and writes. Picture files hold one part each. A movie shows each part for
-// some seconds.
+// their pictures and texts, draws and writes them. Each step and each answer is a picture file, or
+// some seconds of a movie.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Gives the player the window as its stage. The previous molecule is kept as a session in memory,
-// and is restored as a session is.
+// Makes the window the LessonStage of the player. The previous molecule is kept as a session in
+// memory, and is restored like any session.
 #include "app/viewer/lessons/window_lessons.hpp"
 
 #include <utility>
@@ -51,8 +51,8 @@ void check_commands(const Lesson& lesson, const Commands& known) {
   }
 }
 
-// The settings at the start of a step, before its own commands. Drawing quality, engine and threads
-// are the user's choice. A step may change them, for that step only.
+// Returns the settings at the start of a step, before its commands. Drawing quality, engine and
+// threads stay as the user chose them. A step may change them, for that step only.
 Settings lesson_settings(const Settings& now) {
   Settings s;
   s.open.read.max_bytes = now.open.read.max_bytes;
@@ -181,7 +181,7 @@ class WindowLessons::Stage : public LessonStage {
 
   Parts p_;
   std::optional<Kept> kept_;
-  // The settings at the end of the last step. Later differences are the user's.
+  // The settings at the end of the last step. Differences from them are changes by the user.
   std::optional<Settings> settled_;
   Settings of_user_;
 };

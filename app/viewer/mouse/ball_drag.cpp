@@ -6,8 +6,8 @@
 namespace alphascope {
 namespace {
 
-// Least sine of the angle between line of sight and plane. Below it a ball would run away from the
-// mouse.
+// Least sine of the angle between line of sight and plane. At smaller angles, a small movement of
+// the mouse would move the ball very far.
 constexpr double kLeastSine = 0.05;
 
 double dot(const SandboxPlace& a, const SandboxPlace& b) {

@@ -19,7 +19,7 @@ class Gestures {
 
  private:
   Gesture count_ = 0;
-  int frames_left_ = 0;  // until the gesture ends: the effect of a release shows in the next frame
+  int frames_left_ = 0;  // until the gesture ends; settings follow a release one frame later
 };
 
 }  // namespace alphascope

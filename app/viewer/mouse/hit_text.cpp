@@ -3,6 +3,9 @@
 
 #include "core/document/explain/explanation_text.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/selection/ball_options.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/explain/ball_text.hpp"
 #include "ui/widgets/format.hpp"
 

@@ -9,6 +9,9 @@
 #include <variant>
 
 #include "core/complex/own_dimension.hpp"
+#include "core/radii/radii_set.hpp"
+#include "ui/panels/frame/context_state.hpp"
+#include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 
 namespace alphascope {
@@ -19,7 +22,7 @@ constexpr double kBesideALine = 4;
 constexpr double kWheelStep = 0.1;  // Å a notch, if no step is set
 
 double step_of(const ViewState& s) {
-  return ImGui::GetIO().KeyAlt ? 0 : s.memory.sandbox.snap_angstrom;
+  return ImGui::GetIO().KeyAlt ? 0 : s.sandbox.snap_angstrom;
 }
 
 void resize_by(ViewState& s, std::size_t ball, double notches) {
@@ -42,7 +45,7 @@ std::optional<Pointing::UnderMouse> Pointing::under(int x, int y) const {
   if (references == nullptr) return std::nullopt;
   const auto hit = scene_.shown().pick(x, y, kBesideALine * scale);
   if (!hit) return std::nullopt;
-  if (hit->corners == 0) return UnderMouse{};  // a panel's mesh covers the rest
+  if (hit->corners == 0) return UnderMouse{};  // a body that a panel draws, without a name
   if (hit->layer == kAtomInFront) return under_atom(hit->index);
   if (hit->layer == kBesideBody) {
     const LeftOutAtom& atom = scene_.shown().beside_body().atoms.at(hit->index);
@@ -121,8 +124,8 @@ void Pointing::place_clip_handle() {
   const float scale = frame_.scale();
   constexpr double kSize = 85;  // pixels at scale 1
   const auto pivot = pivot_near(state_.settings.clip, state_.viewport.box_middle);
-  if (state_.memory.clip_part == HandlePart::none) clip_pivot_.reset();
-  if (state_.memory.clip_part == HandlePart::turn && !clip_pivot_) {
+  if (state_.mouse.clip_part == HandlePart::none) clip_pivot_.reset();
+  if (state_.mouse.clip_part == HandlePart::turn && !clip_pivot_) {
     clip_pivot_ = state_.viewport.clip_handle.pivot;
   }
   state_.viewport.clip_handle = scene_.cameras().clip_handle(

@@ -26,7 +26,7 @@ class Pointing {
 
  private:
   struct UnderMouse {
-    std::optional<Ref> what;  // none: a panel's mesh that covers the rest
+    std::optional<Ref> what;  // none: a body that a panel draws, such as a cavity
     HitText text;
   };
   std::optional<UnderMouse> under(int x, int y) const;  // x and y in pixels of the picture

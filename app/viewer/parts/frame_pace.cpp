@@ -8,8 +8,8 @@
 namespace alphascope {
 namespace {
 
-// A tooltip appears when the mouse rests. This is no event, so a frame is drawn for it after this
-// time. ImGui measures a tooltip in its first frame and hides it there.
+// A tooltip appears when the mouse rests, which is no event. So a frame is drawn after this time.
+// More frames follow it, since ImGui hides a tooltip in its first frame to measure it.
 constexpr std::chrono::milliseconds kTooltipFrameAfter{450};
 static_assert(kTooltipFrameAfter.count() > 1000 * kTooltipDelaySeconds);
 constexpr double kBusyInterval = 0.05, kIdleInterval = 1.0;  // seconds

@@ -5,14 +5,15 @@
 
 namespace alphascope {
 
-// Takes the molecule's options as they were sent, since those of the panels may still be refused.
+// Returns the settings, with the molecule's options as the session has them. Options that panels
+// hold may still be refused.
 Settings History::settings() const {
   Settings settings = state_.settings;
   settings.open = session_.open_options();
   return settings;
 }
 
-// Call once a frame, after typed values have been checked.
+// Makes entries of changes. To be called once a frame, after typed values have been checked.
 void History::note_changes(bool by_itself) {
   const std::size_t entries = editor_.depth();
   if (std::exchange(state_.selection_followed, false)) {
@@ -40,7 +41,7 @@ void History::note_changes(bool by_itself) {
 void History::show_settings() {
   state_.settings = editor_.now();
   state_.playback.alpha = state_.playback.models = false;
-  state_.memory.number = {};  // typed text that is not an entry yet is dropped
+  state_.number = {};  // typed text that is not an entry yet is dropped
   state_.expression_error.reset();
 }
 
@@ -55,7 +56,7 @@ void History::note_view() {
   moved.moves = view_moves_;
 }
 
-// Where the atoms change, the view changes with their picture.
+// Restores a view: at once, or together with the picture of other atoms.
 void History::bring_view_back(const CameraPlace& view, bool other_atoms) {
   if (other_atoms) {
     scene_.cameras().set_when_drawn(view);
@@ -64,7 +65,7 @@ void History::bring_view_back(const CameraPlace& view, bool other_atoms) {
   }
 }
 
-// A view that the user has moved since stays.
+// Undoes the last entry. Its view comes back too, unless the user has moved the view since.
 void History::undo() {
   const std::string what = editor_.undo_text();
   const auto moved = moved_views_.find(editor_.depth());

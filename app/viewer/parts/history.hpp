@@ -32,7 +32,8 @@ class History {
   void redo();
   void restart();  // for another file: the history is empty from here on
   void restart(const Settings& settings);
-  void amend();  // the last request failed or was cancelled: the present settings make no new entry
+  void amend();  // to be called if the last request failed or was cancelled; the settings that are
+                 // back then make no entry
 
   // Moves the view on request. A change of settings may come with the move; its undo brings the
   // view back.
@@ -40,7 +41,7 @@ class History {
   void note_view_moved() { ++view_moves_; }
   void begin_calls() { view_before_calls_.reset(); }
 
-  // The history that a kept session takes along and gets back.
+  // The undo history of a molecule that is kept during a lesson, and its return.
   const Editor& editor() const { return editor_; }
   void put(const Editor& editor);
   void set_to_restore(std::optional<Editor> editor) { to_restore_ = std::move(editor); }

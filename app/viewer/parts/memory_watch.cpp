@@ -1,4 +1,4 @@
-// Memory that large objects leave behind goes back to the machine.
+// Reads amounts of memory from the system, and returns freed memory to it.
 #include "app/viewer/parts/memory_watch.hpp"
 
 #include "app/session/system_memory.hpp"

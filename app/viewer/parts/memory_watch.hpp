@@ -13,7 +13,7 @@ class MemoryWatch {
 
   void read();                                                    // into the state
   void note_freed(bool freed = true) { to_give_back_ |= freed; }  // a large object was freed
-  // Waits for the end of a computation, which would allocate the memory again.
+  // Gives freed memory back, unless `busy`: running work would allocate it again at once.
   void give_back_when_due(bool busy);
 
  private:

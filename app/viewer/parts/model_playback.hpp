@@ -17,8 +17,8 @@ class ModelPlayback {
     bool settled = false;  // the model is on screen, with its complex
   };
 
-  // The index of the model to show now, or nothing. It is given only when the last model is
-  // settled, so that no requests pile up. At most `per_second` (above 0) models are given a second.
+  // Returns the index of the model to show now, or nothing. It waits until the last model is
+  // settled, so requests do not pile up. At most `per_second` (above 0) models are given a second.
   // The first model follows the last.
   std::optional<int> next(const Scene& scene, double per_second, Clock::time_point now);
 

@@ -8,11 +8,14 @@
 #include "app/viewer/resources.hpp"
 #include "app/viewer/session_text.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/dialogs/folder_listing.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 
 bool Opening::may_open(const std::filesystem::path& path) {
-  if (benchmark_busy_()) {  // it uses the open molecule, and its times would include the reading
+  if (benchmark_busy_()) {  // it uses the open molecule, and reading would disturb its times
     state_.show_error(
         "A benchmark is running",
         path.filename().string() +
@@ -25,8 +28,8 @@ bool Opening::may_open(const std::filesystem::path& path) {
   drop_note_.clear();
   std::error_code ignored;
   // An open file dialog stays in its folder.
-  if (!state_.memory.show_browser && std::filesystem::is_directory(path.parent_path(), ignored)) {
-    state_.memory.browser_folder = path.parent_path();
+  if (!state_.browser.show && std::filesystem::is_directory(path.parent_path(), ignored)) {
+    state_.browser.folder = path.parent_path();
   }
   return true;
 }
@@ -41,10 +44,10 @@ void Opening::open(const std::filesystem::path& path) {
 void Opening::open_dropped(const std::vector<std::filesystem::path>& files) {
   const DroppedFiles dropped = choose_dropped(files);
   if (!dropped.opened) return;
-  // The file answers an open dialog that asks for a file.
-  const BrowserPurpose asked = state_.memory.browser_purpose;
+  // If a dialog asks for a file, the dropped file is the answer.
+  const BrowserPurpose asked = state_.browser.purpose;
   if (asked == BrowserPurpose::molecule || asked == BrowserPurpose::session) {
-    state_.memory.show_browser = false;
+    state_.browser.show = false;
   }
   open(*dropped.opened);
   if (!benchmark_busy_()) drop_note_ = dropped.note;
@@ -119,14 +122,14 @@ void Opening::show_session() {
   state_.settings.request = possible_here(s.settings.request);
   state_.window.theme = s.view.light_theme ? Theme::light : Theme::dark;
   state_.playback.alpha = false;
-  state_.memory.number = {};
+  state_.number = {};
   state_.window.page = s.view.panels.page;
   state_.window.page_height = static_cast<float>(s.view.panels.page_height);
   const auto& closed = s.view.panels.closed_sections;
   state_.window.closed_sections = {closed.begin(), closed.end()};
   state_.window.alpha_slider = s.view.panels.alpha_slider;
   state_.window.picture = s.view.picture;
-  static_cast<RecordSettings&>(state_.memory.record) = s.view.recording;
+  static_cast<RecordSettings&>(state_.record) = s.view.recording;
   state_.molecule.radii = grown_radii(*session_.state().prepared, state_.settings.request);
   if (s.view.camera.any()) scene_.cameras().set_when_drawn(s.view.camera);
   state_.session_file = found->file;
@@ -166,7 +169,7 @@ SessionView Opening::window_of_session() const {
                      {w.closed_sections.begin(), w.closed_sections.end()},
                      w.alpha_slider},
           .picture = w.picture,
-          .recording = state_.memory.record};
+          .recording = state_.record};
 }
 
 void Opening::go_on(const std::filesystem::path& molecule) {

@@ -1,5 +1,5 @@
-// Opens molecules and sessions. A session that was read waits here until its molecule is open. A
-// failure on the way therefore leaves the window unchanged.
+// Opens molecules and sessions. A session that was read waits here until its molecule is open, so a
+// failure leaves the window unchanged.
 #pragma once
 
 #include <filesystem>
@@ -66,7 +66,7 @@ class Opening {
   bool opens_session() const { return files_.reading().busy || waiting_ || starting_; }
 
  private:
-  // Returns whether a file may be opened, and shows why not. Clears the notes of the last file.
+  // Returns whether a file may be opened; if not, shows why. Clears notes about the last file.
   bool may_open(const std::filesystem::path& path);
   void start_session();  // starts waiting_
 

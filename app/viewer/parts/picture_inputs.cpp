@@ -34,7 +34,7 @@ void PictureInputs::take(const std::shared_ptr<const Answer>& shown) {
   inputs_.frames_key = frames_key_;
 }
 
-// Derived results are those of the picture, so they need a first picture.
+// Takes balls and complex on screen as inputs. Without a picture there are no inputs.
 void PictureInputs::follow_picture() {
   const SessionState& s = session_.state();
   const auto& shown = state_.result;
@@ -59,8 +59,8 @@ void PictureInputs::follow_picture() {
   poll_store();
 }
 
-// A GPU computes each alpha anew and needs no filtration. A large one (0.6 GB for a million balls)
-// would serve panels alone. These ask for it when they are open.
+// Whether to make the filtration unasked. A GPU computes each alpha anew and needs none. For many
+// balls it is large (0.6 GB for a million), and open panels ask for it themselves.
 bool PictureInputs::needs_filtration() const {
   constexpr std::size_t kSmall = 100'000;  // balls
   const EngineChoice engine = state_.settings.request.engine;
@@ -84,7 +84,8 @@ void PictureInputs::poll_store() {
   due_.ask_for_news();
 }
 
-// The complex on screen may differ from the session's last one, so both count.
+// Reports large objects to the store's budget. The complex on screen may be older than the
+// session's, and then both count.
 void PictureInputs::note_large_objects() {
   const SessionState& s = session_.state();
   const auto& shown = state_.result;

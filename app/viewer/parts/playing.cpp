@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/widgets/set_alpha.hpp"
 
 namespace alphascope {

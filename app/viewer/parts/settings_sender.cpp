@@ -1,16 +1,18 @@
-// Decides when a changed setting is sent: a slider must not get ahead of what it shows.
+// Decides when changed settings are sent. A moving slider waits for the results of its earlier
+// values.
 #include "app/viewer/parts/settings_sender.hpp"
 
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/mouse/gestures.hpp"
 #include "app/viewer/session_text.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/selection/selection_expression.hpp"
 
 namespace alphascope {
 namespace {
 
-// While the slider of models moves, a model that is being computed may finish, so that pictures
-// keep coming. The next request waits for it no longer than this.
+// While the user moves a ball or the slider of models, the model that is being computed may finish.
+// So pictures keep coming. The next request waits for it at most this long.
 constexpr std::chrono::milliseconds kModelGrace{300};
 
 }  // namespace
@@ -64,11 +66,11 @@ void SettingsSender::send_selection() {
     if (state_.expression_error) {
       wanted.balls.selection = options_.balls.selection;
       // The typed expression stays in its field, so that it can be corrected.
-      state_.memory.expression_shown = wanted.balls.selection;
+      state_.expression.shown = wanted.balls.selection;
     }
   }
   if (wanted == options_) return;
-  OpenOptions as_frames = options_;  // a slider or a dragged ball changes model and sandbox often
+  OpenOptions as_frames = options_;  // these two may change in every frame
   as_frames.balls.model = wanted.balls.model;
   as_frames.sandbox = wanted.sandbox;
   const bool may_wait = wanted == as_frames && !settled() && state_.error.empty() &&

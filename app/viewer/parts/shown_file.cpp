@@ -22,7 +22,8 @@ bool ShownFile::take_molecule(float line_scale) {
     // Colours and looks that the molecule decides, before its first picture.
     p_.sender.send_look(line_scale);
   }
-  // A new selection of the same molecule keeps the last result on screen until its own is there.
+  // After a new selection in the same molecule, the last result stays on screen until the next is
+  // ready.
   p_.scene.set_molecule(s.opened);
   return another;
 }
@@ -37,14 +38,13 @@ void ShownFile::take_file() {
   state.cavities.wanted_row.reset();
   state.playback.models = false;
   state.steps.playing = false;
-  Settings fresh;  // keeps what is no matter of one file
+  Settings fresh;  // gets the settings that do not belong to one file
   fresh.request = state.settings.request;
   fresh.display = state.settings.display;
   state.settings = fresh;
   p_.sender.take_options();
   state.expression_error.reset();
-  state.memory.expression_typed = state.memory.expression_shown =
-      state.settings.open.balls.selection;
+  state.expression.typed = state.expression.shown = state.settings.open.balls.selection;
   const auto session = p_.opening.starting();
   const std::filesystem::path& source = file_->source;
   const bool of_session = session && session->molecule.path == source;
@@ -60,22 +60,23 @@ void ShownFile::take_file() {
 
 // Closes dialogs about the previous file.
 void ShownFile::close_dialogs() {
-  SharedPanelState& m = p_.state.memory;
-  m.saving.names.clear();
-  const bool any = m.show_save || m.show_export || m.show_save_session || m.record.show ||
-                   m.save_table.table || !m.confirm_assembly.empty();
+  ViewState& s = p_.state;
+  s.saving.names.clear();
+  const bool any = s.dialogs.show_save || s.dialogs.show_export || s.dialogs.show_save_session ||
+                   s.record.show || s.save_table.table || !s.dialogs.confirm_assembly.empty();
   if (!any) return;
-  m.show_save = m.show_export = m.show_save_session = m.record.show = false;
-  m.save_table.table = nullptr;
-  m.save_path.clear();
-  m.export_path.clear();
-  m.record.path.clear();
-  if (m.browser_purpose == BrowserPurpose::save) m.show_browser = false;
-  m.confirm_assembly.clear();
-  p_.state.notice = "The dialog was closed because another file was opened.";
+  s.dialogs.show_save = s.dialogs.show_export = s.dialogs.show_save_session = s.record.show = false;
+  s.save_table.table = nullptr;
+  s.dialogs.save_path.clear();
+  s.dialogs.export_path.clear();
+  s.record.path.clear();
+  if (s.browser.purpose == BrowserPurpose::save) s.browser.show = false;
+  s.dialogs.confirm_assembly.clear();
+  s.notice = "The dialog was closed because another file was opened.";
 }
 
-// Colours by element where there is only one chain. A colour that the user has chosen stays.
+// Colours by element if there is only one chain, else by chain. Colours that the user has chosen
+// stay.
 void ShownFile::colour_by_what_differs(const Molecule& molecule) {
   DisplaySettings& d = p_.state.settings.display;
   const Paint automatic{automatic_colour_, {}, {}, {}};
@@ -89,7 +90,7 @@ void ShownFile::colour_by_what_differs(const Molecule& molecule) {
 
 // Starts editing the preset of the sandbox that was opened for it.
 void ShownFile::start_preset() {
-  SandboxState& m = p_.state.memory.sandbox;
+  SandboxState& m = p_.state.sandbox;
   m.pixels_per_angstrom = 0;
   const std::filesystem::path wanted = std::exchange(m.edit_when_open, {});
   if (wanted.empty() || wanted != file_->source) return;

@@ -1,4 +1,4 @@
-// Marks of the selection and labels on the picture, as far as the picture shows the selected items.
+// Marks selected items and draws labels in the picture. Items that the picture lacks get no mark.
 #pragma once
 
 #include <cstdint>

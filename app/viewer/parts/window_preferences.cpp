@@ -4,6 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/real_point.hpp"
+#include "ui/theme.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -12,7 +19,7 @@ constexpr double kPresenterTimes = 1.5, kPresenterLines = 1.4;
 
 }  // namespace
 
-// Options of the command line take precedence over preferences.
+// Applies the preferences, unless an option of the command line says otherwise.
 void WindowPreferences::begin_with(const ViewerOptions& options) {
   set_scale_ = options.scale;
   const Preferences& p = keeper_.now();
@@ -22,7 +29,7 @@ void WindowPreferences::begin_with(const ViewerOptions& options) {
   state_.window.presenter_size = p.presenter_size;
   std::error_code ignored;
   if (std::filesystem::is_directory(p.last_folder, ignored)) {
-    state_.memory.browser_folder = p.last_folder;
+    state_.browser.folder = p.last_folder;
   }
   state_.recent = p.recent;
   if (needs_gpu(p.engine)) {
@@ -33,14 +40,15 @@ void WindowPreferences::begin_with(const ViewerOptions& options) {
   noted_ = preferred();
 }
 
-// The window's present preferences. Values that are unknown keep their last value.
+// Returns the present values of all preferences. A minimised window has no size, and keeps the last
+// one.
 Preferences WindowPreferences::preferred() const {
   Preferences p = noted_;
   p.light_theme = state_.window.theme == Theme::light;
   p.scale = state_.window.control_scale;
   p.presenter_size = state_.window.presenter_size;
   p.engine = state_.settings.request.engine;
-  p.last_folder = state_.memory.browser_folder;
+  p.last_folder = state_.browser.folder;
   const HostSize size = host_.size();
   if (size.width <= 0 || size.height <= 0) return p;  // minimised
   const auto at_scale_1 = [&size, this](int pixels) {
@@ -53,7 +61,7 @@ Preferences WindowPreferences::preferred() const {
   return p;
 }
 
-// Notes only changes by the user. Values from an option or a session are no preference.
+// Notes changes by the user as preferences. Values from options or sessions are not noted.
 void WindowPreferences::note() {
   const Preferences seen = preferred();
   if (seen == noted_) return;

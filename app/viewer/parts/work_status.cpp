@@ -8,6 +8,7 @@
 #include "app/viewer/session_text.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/text/printable.hpp"
+#include "ui/running_job.hpp"
 
 namespace alphascope {
 namespace {
@@ -17,7 +18,8 @@ BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
   BackgroundInfo info;
   bool of_all_simplices = false;
   for (const JobInfo& job : jobs) {
-    // Panels show the results that follow the slider. Here they appear only if they cannot be made.
+    // Panels show the progress of results that follow the slider. This line names such results only
+    // if they cannot be made.
     const bool running = job.state == DerivedState::running && job.lane == Lane::background;
     const bool failed = job.state == DerivedState::failed || job.state == DerivedState::no_room;
     if (running) {

@@ -1,6 +1,6 @@
 // The colours of the balls on screen. Colours that depend on the complex come with its drawing, so
-// that no picture mixes two alphas. After a change of the paint alone, a worker makes them. The
-// last colours and their legend stay until then.
+// no picture mixes two alphas. If only the paint changes, a worker makes the colours, and the last
+// colours and their legend stay until these are ready.
 #pragma once
 
 #include <functional>

@@ -22,7 +22,7 @@ class BallStandIn {
   bool wanted(bool at_rest, bool other) const { return slow_ && !at_rest && other; }
 
  private:
-  // Time of a sketch as a share of a draft's, as in QualityChooser.
+  // Assumed time of a sketch as a share of a draft's.
   static constexpr double kSketchOfDraft = 0.3;
   bool slow_ = false;
 };

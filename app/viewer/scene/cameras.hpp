@@ -22,8 +22,8 @@ class Cameras {
   Cameras(Canvas& canvas, const DrawnPicture& picture) : canvas_(canvas), picture_(picture) {}
 
   void reset() { canvas_.change().reset_view(); }
-  // Call before an action that starts from the present view. Without it the view of a new molecule
-  // is fitted only with its first picture.
+  // Call before an action that starts from the present view. It fits the view to a new molecule at
+  // once, and not with the first picture.
   void settle(const ViewportInfo& viewport);
   // The present view; nothing if no molecule is drawn.
   std::optional<CameraPlace> place() const;
@@ -51,7 +51,8 @@ class Cameras {
 
   // Sets the view for the next picture with other balls. Nothing: the view then shows all of them.
   void set_when_drawn(const std::optional<CameraPlace>& camera) { when_drawn_ = camera; }
-  // The view before other atoms of the file were fitted into it, once; then nothing.
+  // Returns once the view that was left when other atoms of the file were fitted into the picture;
+  // then nothing.
   std::optional<CameraPlace> take_left() { return std::exchange(left_, std::nullopt); }
 
   // Whether the view was set for the atoms of this molecule.

@@ -16,7 +16,7 @@ class Canvas {
     changed_ = true;
     return scene_;
   }
-  // The scene for drawing, and for changes whose picture is asked for elsewhere.
+  // The scene for drawing, and for changes after which this class need not ask for a new picture.
   Scene& drawing() { return scene_; }
   bool changed() const { return changed_; }
   bool take_change() { return std::exchange(changed_, false); }

@@ -42,9 +42,9 @@ void DrawingMaker::make(WantedDrawing wanted) {
       });
 }
 
-// Reading the amount of free memory takes about as long as the mesh of a small molecule. A reading
-// therefore serves for a second if it exceeds the complex a thousandfold. The mesh takes only a few
-// times the complex.
+// Returns the free memory. Reading it takes as long as making a small molecule's mesh. So a reading
+// is used again for a second, if it is a thousand times the size of the complex. The mesh takes
+// only a few times that size.
 std::optional<std::uint64_t> DrawingMaker::free_memory_for(const DrawingTask& task) {
   constexpr std::chrono::seconds kServesFor{1};
   constexpr std::uint64_t kBytesABall = 200, kPlenty = 1000;
@@ -76,7 +76,7 @@ Worker::Delivery DrawingMaker::run(const WantedDrawing& wanted, const RunContext
                   wanted.agreement ? &wanted.agreement->comparison : nullptr,
                   mesh_options(wanted.controls.display, wanted.controls.theme)});
   if (!plan.complete() && wanted.drawn) return events_.short_of_memory;
-  // Shared, since a delivery is copied and a drawing is large.
+  // A pointer, because a delivery is copied and a drawing is large.
   const auto drawing = std::make_shared<Drawing>(draw(wanted, plan, context));
   return [this, drawing] { events_.ready(std::move(*drawing)); };
 }

@@ -21,12 +21,12 @@ std::shared_ptr<const DrawnMolecule> make_drawn(std::shared_ptr<const OpenedMole
 // A molecule without balls, for too little memory.
 std::shared_ptr<const DrawnMolecule> make_undrawn(std::shared_ptr<const OpenedMolecule> opened);
 
-// Whether the same sandbox was edited. Its view stays, so that a dragged ball stays under the
-// mouse. `before` may be null, here and in the next function.
+// Whether both are states of one sandbox, before and after an edit. The view then stays, so a
+// dragged ball stays under the mouse. `before` may be null, here and in the next function.
 bool changes_sandbox(const DrawnMolecule* before, const DrawnMolecule& now);
 
-// Whether both molecules have the same balls. Two drawings begun before the first one is shown both
-// make these balls.
+// Whether both molecules have the same balls. Two drawings that were begun before the first was
+// shown both contain them.
 bool has_same_balls(const DrawnMolecule* before, const DrawnMolecule& now);
 
 }  // namespace alphascope

@@ -2,6 +2,7 @@
 #include "app/viewer/scene/drawn_picture.hpp"
 
 #include "app/session/result_header.hpp"
+#include "ui/colour_legend.hpp"
 
 namespace alphascope {
 

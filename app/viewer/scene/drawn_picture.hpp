@@ -1,5 +1,5 @@
-// The molecule and the complex on screen, with the parts of their picture. They may be older than
-// those that are set, and change together.
+// The molecule and the complex on screen, with the parts of their picture. They change together,
+// and may be older than the molecule and complex that were set last.
 #pragma once
 
 #include <memory>

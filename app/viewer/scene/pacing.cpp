@@ -11,8 +11,8 @@ namespace alphascope {
 namespace {
 
 constexpr double kRefineAfterSeconds = 0.25;
-// Seconds for which a picture that waits for its replacement is not refined, if samples are slow.
-// The replacement would have to wait for them.
+// An outdated picture is not refined for this many seconds, if samples are slow. Its replacement
+// would have to wait for them.
 constexpr double kReplacedWithinSeconds = 2;
 // Length of a slice of refinement, if one sample takes less.
 constexpr double kSliceMilliseconds = 12;
@@ -70,7 +70,8 @@ bool Pacing::draw_when_due(bool interacting, bool pending, bool patient) {
   return true;
 }
 
-// Exact translucency is for pictures at rest only: it needs a pass for each layer.
+// Returns the quality after a change. Exact translucency is left to pictures at rest, since each
+// layer takes a pass.
 RenderQuality Pacing::quality_for_change(bool follows_computation) const {
   const RenderQuality best = follows_computation ? quality_.while_computing() : quality_.moving();
   return canvas_.scene().draws_translucent() ? std::min(best, RenderQuality::draft) : best;

@@ -26,9 +26,8 @@ class Pacing {
   void forget_times();
   // Whether a picture was begun that is not drawn yet.
   bool has_new_picture() const { return new_picture_ && canvas_.changed(); }
-  // Call in each frame with whether the picture is older than what is wanted. Returns whether it
-  // has been so for a while. Newer pictures that arrive sooner follow the slider, and marking them
-  // would flicker.
+  // To be called in each frame. `outdated`: the picture is older than the settings. Returns whether
+  // it has been so for 300 ms. Marking the pictures of a moving slider sooner would flicker.
   bool note_age(bool outdated);
 
   // Draws after a change, or when a finer picture is due. Returns whether it drew. `pending`: the
@@ -41,8 +40,8 @@ class Pacing {
   // Seconds until a finer picture is due, or kNotDue.
   double seconds_to_refinement() const;
 
-  // Milliseconds for mesh, upload and drawing of the first picture of the complex on screen. Empty
-  // before this picture.
+  // Milliseconds for mesh, upload and drawing of the first picture of the complex on screen. Until
+  // that picture is drawn, only the mesh's time is there.
   const std::vector<StageTime>& stages() const { return stages_; }
 
  private:
@@ -60,7 +59,7 @@ class Pacing {
   BallStandIn balls_;
   RenderQuality drawn_ = RenderQuality::draft;
   bool refine_ = false;       // the picture on screen could be finer
-  bool new_picture_ = false;  // since the last picture while the user moved something
+  bool new_picture_ = false;  // a picture of another complex was begun and is not drawn yet
   std::optional<Clock::time_point> outdated_since_;
   Clock::time_point last_change_ = Clock::now();
   std::vector<StageTime> stages_;

@@ -18,8 +18,8 @@ class Picking {
   Picking(std::function<void()> wake, const Canvas& canvas, const DrawnPicture& picture)
       : canvas_(canvas), picture_(picture), worker_(std::move(wake)) {}
 
-  // Call after a change of the mesh. Until its layers are made, none of its simplices is found. So
-  // the user points at nothing new at once, and at nothing while alpha moves.
+  // Call after a change of the mesh. Until a worker has made its layers, no simplex of it is found.
+  // So none is found while alpha moves.
   void follow_mesh();
   // Call after a change of the radii.
   void follow_radii() { margin_ = picture_.molecule->picker->margin(picture_.parts.radii); }

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "core/radii/amber_radii.hpp"
 #include "ui/scene/display_style.hpp"
 
 namespace alphascope {
@@ -57,7 +58,7 @@ void SceneController::set_agreement(std::shared_ptr<const Agreement> agreement) 
 
 void SceneController::show_without_answer() {
   if (!opened_ || answer_) return;
-  // Called in each frame, so a drawing in progress must not be started again.
+  // This is called in each frame, so it must not start a drawing that is in progress.
   const bool there = drawn().molecule && drawn().molecule->prepared == opened_->prepared;
   if (!waiting_ && (there || maker_.busy())) return;
   waiting_ = false;
@@ -174,7 +175,7 @@ void SceneController::describe(ViewportInfo& viewport) const {
 }
 
 void SceneController::render(ViewportInfo& viewport, bool interacting, bool patient) {
-  // Balls that wait for their first complex are not an outdated picture.
+  // A picture of balls that wait for their first complex does not count as outdated.
   const bool first = opened_ && drawn().molecule &&
                      drawn().molecule->prepared == opened_->prepared && !drawn().answer;
   const bool old = viewport.texture != 0 && !first && (pending_ || outdated());

@@ -53,14 +53,14 @@ class SceneController {
   Cameras& cameras() { return shown_.cameras(); }
   const Cameras& cameras() const { return shown_.cameras(); }
 
-  // Takes finished meshes. True: from the next render() on another complex is shown. This render()
-  // must not be skipped, or texts about the complex would run ahead of the picture.
+  // Takes finished meshes. If it returns true, the next render() shows another complex. That
+  // render() must not be skipped, because texts already describe the new complex.
   bool poll();
   // Call before the panels: begins a new picture, which a GPU draws while the panels are drawn. It
   // has no effect without changes, with software OpenGL, or when panels add to the picture. A later
   // render() is needed in any case, and draws again after a change.
   void begin_picture(ViewportInfo& viewport, bool interacting);
-  // With software OpenGL too.
+  // Draws in the background with software OpenGL too.
   void render_asynchronously() { shown_.canvas().drawing().set_renders_asynchronously(true); }
   // Call when OpenGL has finished: the time of the picture is then known.
   void note_finished() { shown_.pacing().take_time(true); }

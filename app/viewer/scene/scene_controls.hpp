@@ -1,4 +1,5 @@
-// The controls that the picture follows: the display settings, and what else changes its look.
+// All settings that decide how the picture looks: display, theme, clip, and hidden or coloured
+// atoms.
 #pragma once
 
 #include "core/document/reference/appearance.hpp"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/document/reference/ref_set.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "ui/rgb8.hpp"
 
 namespace alphascope {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/radii/radii_set.hpp"
 #include "ui/scene/display_style.hpp"
 #include "ui/scene/mesh/drawing_memory.hpp"
 
@@ -64,7 +65,8 @@ void ShownPicture::show(Drawing drawing) {
     drawing.balls = nullptr;
   }
   const Cameras::Before view = cameras_.before(*drawing.molecule);
-  // The second mesh of an answer reuses the faces that the device found.
+  // Only the first mesh of an answer has the time for its outer faces. Later meshes reuse the faces
+  // that the device found.
   const bool first_of_answer = picture_.answer != drawing.answer && drawing.answer;
   pacing_.begin_picture(drawing.parts.mesh_milliseconds +
                         (first_of_answer ? drawing.answer->outer_faces_milliseconds : 0));
@@ -80,7 +82,8 @@ void ShownPicture::show(Drawing drawing) {
   cameras_.follow(view, [this] { return view_problem(); });
 }
 
-// Makes the balls of a drawing that expected its balls on screen, when these have gone meanwhile.
+// Makes balls for a drawing that has none. It was begun when its balls were on screen, and they no
+// longer are.
 void ShownPicture::make_balls(Drawing& drawing) {
   const DrawnMolecule& m = *drawing.molecule;
   const DrawnParts& parts = drawing.parts;
@@ -97,7 +100,7 @@ void ShownPicture::exchange_parts(Drawing& drawing, bool new_balls) {
   parts.clip = before.clip;        // until the caps are exchanged
   if (new_balls) forget_layers();  // layers belong to their balls
   const bool new_painting = before.paintings.balls != parts.paintings.balls && !new_balls;
-  // Each drawing makes its own looks, which are mostly equal.
+  // Each drawing makes looks of its own, so their pointers do not tell whether they differ.
   const bool new_looks = (before.looks || parts.looks) && !new_balls;
   if (new_balls || controls_.display.grown_balls) {
     show_balls(std::move(drawing.balls));

@@ -18,6 +18,8 @@
 #include "app/viewer/script/timed_moves.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/files/output_ending.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/run/freed_on_other_thread.hpp"
 #include "core/text/text_parts.hpp"
 #include "ui/no_calls.hpp"
@@ -87,7 +89,8 @@ class ScriptRunner {
     for (int i = 0; i < count; ++i) viewer_.step(&input_);
   }
 
-  // Checks the molecule's data and not the widgets, so that a missing widget stays an error.
+  // Conditions ask for facts about the molecule, not for widgets. So a missing widget is still an
+  // error.
   bool holds(const std::string& condition) const {
     const MoleculeInfo& m = viewer_.state().molecule;
     return (condition == "dropped" && !m.dropped.empty()) ||
@@ -129,7 +132,7 @@ class ScriptRunner {
   WidgetRect place(const std::string& name) {
     auto it = find(name);
     if (it != viewer_.widgets().end() && !it->second.visible) {
-      viewer_.state().memory.reveal = it->first;
+      viewer_.state().scroll.widget = it->first;
       frames(2);
       it = find(name);
     }
@@ -223,7 +226,7 @@ class ScriptRunner {
   }
   void wait_idle(const Arguments&) {
     const auto deadline = std::chrono::steady_clock::now() + kLongestWait;
-    // A result that is taken in may start the next job, so one quiet frame is not the end.
+    // A result may start the next job, so the end is four frames without work.
     for (int quiet = 0; quiet < 4; quiet = viewer_.busy() ? 0 : quiet + 1) {
       if (std::chrono::steady_clock::now() > deadline) {
         throw std::runtime_error("still busy after five minutes");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/viewer/viewer.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "core/run/picture_stages.hpp"
 #include "ui/widgets/set_alpha.hpp"
@@ -19,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kLongest{300};
-// Å², distance of the start from the target: another complex of about the same size
+// Å²; moves start this far from the target, at a complex of about the same size
 constexpr double kBeside = 0.05;
 // Moves that are not counted. They allocate the memory for the results.
 constexpr int kWarmUp = 2;

@@ -6,7 +6,9 @@
 #include <cstdio>
 
 #include "core/chart/readable_number.hpp"
+#include "core/complex/triangulation.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/geometry/lattice.hpp"
 #include "core/write/csv.hpp"
 
 namespace alphascope {

@@ -1,6 +1,6 @@
-// Bars of cavities for all alphas at once: from birth to filling, for drawing and as a table. For
-// voids they are the bars of persistent homology in dimension 2. A void's bar may begin as a
-// pocket.
+// Bars of cavities for all alphas at once: from birth to filling, for drawing and as a table. A bar
+// covers the time as a pocket and the time as a void. The parts as voids are the bars of persistent
+// homology in dimension 2.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "core/cavity/cavity_lives.hpp"
+#include "core/complex/triangulation.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/tables/column.hpp"
+#include "core/geometry/lattice.hpp"
 
 namespace alphascope {
 

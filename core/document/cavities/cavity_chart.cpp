@@ -3,7 +3,9 @@
 
 #include <optional>
 
+#include "core/complex/face_class.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/predicates/orthosphere.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/write/csv.hpp"
 

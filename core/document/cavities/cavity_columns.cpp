@@ -1,11 +1,30 @@
-// The list of columns, and their values. Nested values of JSON are in cavity_json.cpp.
+// The list of columns of the table of cavities, and how a row gives their values. Nested values of
+// JSON are in cavity_json.cpp.
 #include "core/document/cavities/cavity_columns.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <string>
 
+#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_measures.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
+#include "core/cavity_identity/network_radius.hpp"
+#include "core/channel/bottlenecks.hpp"
+#include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_records.hpp"
+#include "core/document/cavities/known_cavities.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/store/key.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/ball_index.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/element.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 namespace {
@@ -43,7 +62,7 @@ CellValue depth(const Row& r) {
   return r.of.depths ? CellValue(r.of.depths->of_angstrom[r.row]) : CellValue();
 }
 
-// A void has no mouth, so neither the mouths' area nor the depth says anything.
+// A void has no mouth, so it has neither an area of mouths nor a depth.
 std::string dash_of_void(const Row& r, const CellValue& value) {
   return cavity(r).is_void() && value.index() != 0 ? "–" : readable_cell(value);
 }

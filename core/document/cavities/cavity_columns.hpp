@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <span>
 
-#include "core/document/cavities/cavity_records.hpp"
-#include "core/document/tables/column.hpp"
-
 namespace alphascope {
+
+template <class Row>
+struct Column;
+struct CavityFacts;
+struct KnownCavities;
 
 // A row of the table. The window has no `facts`: it shows no column of the request.
 struct CavityRow {

@@ -5,10 +5,16 @@
 #include <map>
 #include <tuple>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_identity/cavity_of_points.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/store/key.hpp"
+#include "core/predicates/orthosphere.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
+#include "core/selection/ball_options.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/text/grouped_number.hpp"
 
 namespace alphascope {

@@ -7,6 +7,8 @@
 
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/selection/ball_options.hpp"
 
 namespace alphascope {
 

@@ -4,8 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/lattice_point.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/predicates/exact_rho.hpp"
+#include "core/radii/radii_set.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,10 +4,12 @@
 #include <array>
 #include <stdexcept>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_shape/cavity_mesh.hpp"
 #include "core/cavity_shape/filling_spheres.hpp"
 #include "core/channel/clearance.hpp"
 #include "core/chart/colour_map.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/text/printable.hpp"
 #include "core/write/viewer_script.hpp"
 #include "core/write/write_mesh.hpp"

@@ -1,8 +1,11 @@
 // Converts CavityFacts into JSON.
 #include "core/document/cavities/cavity_json.hpp"
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
 #include "core/document/tables/column_json.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/predicates/wide_int.hpp"
 #include "core/selection/atom_address.hpp"
 
 namespace alphascope {

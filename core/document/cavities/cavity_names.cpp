@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/complex/triangulation.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/text/grouped_number.hpp"
 
 namespace alphascope {

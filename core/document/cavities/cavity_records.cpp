@@ -4,10 +4,17 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
+#include "core/document/tables/column.hpp"
 #include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {
+
+RecordSource CavityFacts::computed_source() const {
+  return source.on(table().ground->balls->lattice);
+}
+
 std::vector<std::size_t> ranks_by_exact_volume(const CavityTable& table,
                                                const ExactVolumes& exact) {
   const auto volume = [&](std::size_t row) {

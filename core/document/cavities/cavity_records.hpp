@@ -27,7 +27,7 @@ struct CavityFacts : KnownCavities {
   std::map<std::size_t, NetworkEnd> network_ends;  // of rows that are networks, if known
 
   // The source with the lattice of the computation.
-  RecordSource computed_source() const { return source.on(table().ground->balls->lattice); }
+  RecordSource computed_source() const;
   // Null if it is unknown, or if the cavity is not a network.
   const NetworkEnd* network_end(std::size_t row) const {
     const auto at = network_ends.find(row);

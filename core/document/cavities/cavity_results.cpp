@@ -2,7 +2,10 @@
 #include "core/document/cavities/cavity_results.hpp"
 
 #include "core/cavity/cavity_depth.hpp"
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/store/key.hpp"
+#include "core/predicates/flow_predicate.hpp"
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
 
@@ -154,6 +157,12 @@ Key key_of_cavity(const Inputs& in, const std::array<BallIndex, 4>& sink) {
   Key key = key_of_balls_and_alpha(in);
   for (const BallIndex ball : sink) key.more = Key{key.more + 1, ball, 0}.number();
   return key;
+}
+
+bool CavityLines::is_of(const Inputs& in) const {
+  return table->ground->balls == in.balls &&
+         table->question.alpha_angstrom2 == in.alpha_angstrom2 &&
+         table->question.split_networks == in.split_networks;
 }
 
 Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before) {

@@ -45,14 +45,11 @@ struct CavityLines {
   std::shared_ptr<const CavityNumbers> numbers;  // identify cavities between alphas
   std::vector<CavityLine> of;                    // by row of the table
 
-  // Whether these lines are up to date, so that no new ones need be requested.
-  bool is_of(const Inputs& in) const {
-    return table->ground->balls == in.balls &&
-           table->question.alpha_angstrom2 == in.alpha_angstrom2 &&
-           table->question.split_networks == in.split_networks;
-  }
+  // Whether these lines belong to the present table, so that no new ones need be requested.
+  bool is_of(const Inputs& in) const;
 };
-// Numbers continue those of `before`; null: they begin anew. Requires Inputs::atoms.
+// Cavities keep the numbers that they have in `before` (core/cavity_identity/cavity_numbers.hpp);
+// null: numbers begin anew. Requires Inputs::atoms.
 Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before);
 
 // Depths take longer and follow in the background, like exact volumes.

@@ -3,6 +3,7 @@
 
 #include "core/document/cavities/cavity_json.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/key.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,5 +1,7 @@
-// Facts on a cavity that follow from several results.
+// Computes facts on a cavity from the results that KnownCavities holds.
 #include "core/document/cavities/known_cavities.hpp"
+
+#include "core/cavity/cavity_ground.hpp"
 
 namespace alphascope {
 

@@ -20,7 +20,8 @@ struct CavityBottlenecks {
   std::vector<Bottleneck> rows;  // for the first rows of the CavityTable
 };
 
-// A result that is not known, or not wanted, is null. Functions need the results that they name.
+// Results that are not known yet, or not wanted, are null. A function may be called only if the
+// results that it reads are there.
 struct KnownCavities {
   std::shared_ptr<const CavityTable> all;
   std::shared_ptr<const BallReferences> atoms;

@@ -6,10 +6,14 @@
 #include <functional>
 #include <optional>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_shape/cavity_shape.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/store/key.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
+#include "core/selection/ball_options.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 namespace {

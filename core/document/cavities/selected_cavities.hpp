@@ -10,6 +10,7 @@
 #include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/geometry/real_point.hpp"
+#include "core/selection/ball_options.hpp"
 
 namespace alphascope {
 

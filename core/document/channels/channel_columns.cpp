@@ -1,9 +1,16 @@
-// The lists of columns, and their values. Nested values of JSON are in channel_records.cpp.
+// The lists of columns of a channel's samples and of ways, and how a row gives their values. Nested
+// values of JSON are in channel_records.cpp.
 #include "core/document/channels/channel_columns.hpp"
 
 #include <cstdint>
 
+#include "core/channel/channel.hpp"
 #include "core/chart/readable_number.hpp"
+#include "core/document/channels/channel_results.hpp"
+#include "core/document/store/key.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/real_point.hpp"
 #include "core/text/fixed_digits.hpp"
 
 namespace alphascope {

@@ -4,10 +4,13 @@
 #include <span>
 #include <string>
 
-#include "core/document/channels/channel_results.hpp"
-#include "core/document/tables/column.hpp"
-
 namespace alphascope {
+
+template <class Row>
+struct Column;
+struct Channel;
+struct ChannelSample;
+struct FoundChannel;
 
 // In the order of the CSV. The provenance follows there.
 std::span<const Column<ChannelSample>> sample_columns();

@@ -8,10 +8,11 @@
 
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/export/file_writer.hpp"
-#include "core/document/export/record_source.hpp"
 #include "core/document/export/shape_export.hpp"
 
 namespace alphascope {
+
+struct RecordSource;
 
 std::span<const ShapeExportInfo> channel_exports();
 

@@ -6,7 +6,22 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
+#include "core/channel/bottlenecks.hpp"
 #include "core/channel/centre_line.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/document/store/key.hpp"
+#include "core/engine/known_results.hpp"
+#include "core/predicates/orthosphere.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {
@@ -22,8 +37,8 @@ std::uint64_t number_of(const ChannelEnds& ends) {
   return Key{number, std::bit_cast<std::uint64_t>(ends.end_radius_angstrom), 0}.number();
 }
 
-// Progress of a search with an unknown number of triangulations. Each triangulation advances by
-// half of the remaining share; the centre line follows.
+// Progress of a search with an unknown number of triangulations. Each triangulation takes half of
+// the share that remains; the centre line has the last part.
 class SearchShare {
  public:
   static constexpr double kSearch = 0.8;
@@ -67,7 +82,8 @@ std::shared_ptr<const FoundChannel> make_channel(const Inputs& in, const Channel
   return found;
 }
 
-// A search holds the widest open scene, and the next two that it tests.
+// A search holds the triangulation of the widest growth known to be open, and the next two that it
+// tests.
 MemoryNeed search_memory(const Inputs& in) {
   constexpr std::uint64_t kScenes = 3, kProfile = 1'000'000;
   return {kProfile, kScenes * triangulation_memory(in.balls->size()).peak + kProfile};

@@ -9,9 +9,13 @@
 #include "core/cavity_shape/cavity_places.hpp"
 #include "core/channel/channel.hpp"
 #include "core/channel/ways_through.hpp"
-#include "core/document/cavities/known_cavities.hpp"
 
 namespace alphascope {
+
+template <class T>
+struct Definition;
+struct CavityBottlenecks;
+struct Inputs;
 
 // Points where a channel from a cavity may begin and end: those of the largest clearance, for radii
 // without the solvent.
@@ -51,15 +55,16 @@ struct FoundChannel {
   std::optional<WayFacts> way;    // if set, `ends` is the bottleneck and the axis, and was not
                                   // requested
   std::optional<WayCover> cover;  // only with a channel
-  // Whether the channel tells what can pass through the whole molecule.
+  // Whether the channel is a way through, or leads through so much of the molecule that its
+  // bottleneck tells what can pass the molecule.
   bool is_whole() const { return way || (cover && cover->is_whole()); }
 };
 // Inputs::balls and balls_key must be those without solvent, since the answer does not depend on
 // alpha or the solvent radius. Runs on one thread.
 Definition<FoundChannel> found_channel(const ChannelEnds& ends);
 
-// The ways through a molecule, the best first. Only atoms of polymers are walls, or all atoms if
-// there are no polymers: things in a pore are not part of it.
+// The ways through a molecule, the best first. Only atoms of polymers are walls, so that ions and
+// ligands in a pore do not narrow it. Without polymers all atoms are walls.
 struct FoundWays {
   std::vector<std::shared_ptr<const FoundChannel>> ways;
   std::size_t parts_left_out = 0;  // number of chains that were not searched because there were too

@@ -1,8 +1,16 @@
-// Texts and colours on channels.
+// Makes texts on channels: what passes, how much is covered, which atoms touch. Also the colours of
+// bands of width.
 #include "core/document/channels/channel_text.hpp"
 
 #include <cstdio>
 
+#include "core/complex/face_class.hpp"
+#include "core/engine/known_results.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/predicates/orthosphere.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/selection/atom_address.hpp"
 
 namespace alphascope {

@@ -1,10 +1,12 @@
-// Definition of the end of a network, with its memory.
+// The definition of the derived result on where a network falls apart, with its memory and key.
 #include "core/document/channels/network_results.hpp"
 
 #include <memory>
 #include <stdexcept>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/triangulation/memory_need.hpp"
 

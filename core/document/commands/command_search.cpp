@@ -6,6 +6,9 @@
 #include <optional>
 #include <sstream>
 
+#include "core/document/commands/commands.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/letter_case.hpp"
 
 namespace alphascope {
@@ -79,7 +82,7 @@ bool looks_like_a_number(const std::string& word) {
          word.starts_with("−");
 }
 
-// A wrong number counts as an argument too, since the command explains the mistake.
+// Text that is no valid number counts as an argument, too; the command then explains the mistake.
 bool may_be_arguments(const CommandSpec& spec, std::string_view text, const std::string& first) {
   if (spec.parameters.empty()) return false;
   if (spec.parameters[0].kind == Parameter::Kind::number && looks_like_a_number(first)) return true;

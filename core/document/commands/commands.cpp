@@ -5,6 +5,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/letter_case.hpp"
 
 namespace alphascope {

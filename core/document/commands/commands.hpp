@@ -73,7 +73,8 @@ struct Shortcut {
   std::string arguments = {};
 };
 
-// Words by which users may search the command, and arguments that these words imply.
+// Other words for the command, by which users may search it, and the arguments that these words
+// stand for.
 struct Synonym {
   std::string words;  // "image screenshot"
   std::string arguments = {};
@@ -85,7 +86,8 @@ struct CommandSpec {
   std::string help;   // a sentence without full stop
   std::vector<Synonym> synonyms = {};
   std::vector<Shortcut> shortcuts = {};
-  // Keys that this command takes while it can run, although they are shortcuts of another command.
+  // Keys that run this command while it can run, although they are shortcuts of another command at
+  // other times.
   std::vector<Shortcut> keys_before_others = {};
   bool works_everywhere = false;  // shortcuts also work while text is typed, and above dialogs
   std::string menu = {};          // one of kMenus; empty: in no menu

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice.hpp"
 
 namespace alphascope {

@@ -1,4 +1,4 @@
-// Texts on the dimension of the centres.
+// Makes the texts on complexes whose centres are in a plane, on a line or at one point.
 #include "core/document/explain/dimension_words.hpp"
 
 #include <algorithm>

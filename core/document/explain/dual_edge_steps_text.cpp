@@ -1,6 +1,7 @@
 // Sentences on the steps of the dual-edge engine. Steps that every engine has are in
 // steps_text.cpp.
 #include "core/document/explain/step_words.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/short_number.hpp"
 
 namespace alphascope {

@@ -2,6 +2,7 @@
 #include "core/document/explain/explanation_json.hpp"
 
 #include "core/document/session/alpha_json.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 namespace {

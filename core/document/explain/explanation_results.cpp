@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/document/explain/explanation_text.hpp"
+#include "core/document/reference/ref_set.hpp"
 #include "core/document/store/derived.hpp"
 
 namespace alphascope {

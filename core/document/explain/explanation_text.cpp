@@ -1,4 +1,5 @@
-// Sentences on an Explanation, under headings.
+// Makes the sentences of an explanation: whether the simplex is there, why, and which arithmetic
+// decided.
 #include "core/document/explain/explanation_text.hpp"
 
 #include <algorithm>
@@ -9,6 +10,9 @@
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/point_text.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/text/short_number.hpp"
 
 namespace alphascope {

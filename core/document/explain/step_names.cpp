@@ -1,8 +1,10 @@
-// Tables of the names.
+// The tables of names for counts, boxes and marks of steps.
 #include "core/document/explain/step_names.hpp"
 
 #include <algorithm>
 #include <utility>
+
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 namespace {

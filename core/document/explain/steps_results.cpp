@@ -6,6 +6,10 @@
 #include <limits>
 
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/text/as_sentence.hpp"
 #include "core/text/grouped_number.hpp"

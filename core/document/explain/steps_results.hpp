@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/document/explain/steps_text.hpp"
+#include "core/document/reference/ref_set.hpp"
 #include "core/document/store/derived.hpp"
 
 namespace alphascope {

@@ -1,4 +1,4 @@
-// One Exporter that writes all formats, and their list.
+// The list of export formats, and the class Exporter with a function for each.
 #include "core/document/export/complex_export.hpp"
 
 #include <algorithm>
@@ -15,7 +15,12 @@
 #include "core/chart/flat_svg.hpp"
 #include "core/complex/own_dimension.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/measure/union_measures.hpp"
 #include "core/molecule/atom_colours.hpp"
+#include "core/molecule/rgb8.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/run/work_threads.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/triangulation/boundary.hpp"
 #include "core/write/complex_script.hpp"

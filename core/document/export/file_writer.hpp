@@ -6,10 +6,10 @@
 #include <functional>
 #include <vector>
 
-#include "core/files/atomic_file.hpp"
-#include "core/run/cancel_token.hpp"
-
 namespace alphascope {
+
+class AtomicFile;
+struct RunContext;
 
 struct FileWriter {
   // Writes to `files`, which must be open; the first is the one at `path`. Uses the caller's task

@@ -2,6 +2,9 @@
 #include "core/document/export/record_json.hpp"
 
 #include "core/document/session/json_fields.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/radii/radii_set.hpp"
 
 namespace alphascope {
 

@@ -7,10 +7,13 @@
 
 #include "core/document/export/program_name.hpp"
 #include "core/geometry/lattice.hpp"
-#include "core/selection/prepare_balls.hpp"
+#include "core/selection/ball_options.hpp"
 #include "core/selection/provenance.hpp"
 
 namespace alphascope {
+
+struct Molecule;
+struct PreparedBalls;
 
 struct RecordSource {
   std::shared_ptr<const Molecule> molecule;       // with an assembly's copies
@@ -22,19 +25,9 @@ struct RecordSource {
   // Lattice of the balls of the results. A solvent radius may have moved them to a finer one.
   std::optional<Lattice> refined = {};
 
-  Lattice lattice() const { return refined.value_or(prepared->balls->lattice); }
-  RecordSource on(const Lattice& lattice) const {
-    RecordSource source = *this;
-    source.refined = lattice;
-    return source;
-  }
-  Provenance provenance() const {
-    Provenance entries = alphascope::provenance(*molecule, options, prepared->report);
-    for (auto& [key, value] : entries) {
-      if (key == "lattice_unit_angstrom") value = lattice_unit_text(lattice());
-    }
-    return entries;
-  }
+  Lattice lattice() const;
+  RecordSource on(const Lattice& lattice) const;
+  Provenance provenance() const;
 };
 
 }  // namespace alphascope

@@ -1,5 +1,7 @@
-// Names of files, and the check for scripts.
+// Names the files of an export of shapes, and checks whether a script could open the molecule.
 #include "core/document/export/shape_export.hpp"
+
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope {
 

@@ -7,11 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/molecule/molecule.hpp"
-
 namespace alphascope {
 
 enum class ShapeExport : std::uint8_t { ply, glb, spheres, chimerax, pymol };
+struct Molecule;
 
 struct ShapeExportInfo {
   ShapeExport format;

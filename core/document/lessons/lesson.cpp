@@ -7,6 +7,7 @@
 #include "core/files/line_reader.hpp"
 #include "core/files/read_error.hpp"
 #include "core/files/text_file.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 namespace {

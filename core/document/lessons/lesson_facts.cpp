@@ -8,8 +8,14 @@
 #include <optional>
 #include <vector>
 
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/key.hpp"
 #include "core/files/line_reader.hpp"
 #include "core/geometry/grown_radius.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/radii_set.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/selection/selection_expression.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/short_number.hpp"
 

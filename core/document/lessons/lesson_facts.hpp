@@ -1,4 +1,4 @@
-// Facts that a lesson may state about the complex on screen without numbers of its own:
+// Facts about the complex on screen that a lesson's text names instead of giving numbers:
 // {tetrahedra}, {n edges}, {alpha}. The program computes them, so the text is always right about
 // them.
 #pragma once

@@ -5,6 +5,11 @@
 #include <map>
 #include <utility>
 
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/key.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/selection/prepare_balls.hpp"
+
 namespace alphascope {
 namespace {
 

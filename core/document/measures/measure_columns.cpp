@@ -1,4 +1,4 @@
-// The list of columns, and their values.
+// The list of columns of the table of areas and volumes, and how a row gives their values.
 #include "core/document/measures/measure_columns.hpp"
 
 #include <cmath>
@@ -8,6 +8,8 @@
 
 #include "core/document/measures/measure_names.hpp"
 #include "core/document/measures/measure_records.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
 #include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {

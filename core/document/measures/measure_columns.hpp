@@ -3,12 +3,13 @@
 
 #include <span>
 
-#include "core/document/measures/measure_rows.hpp"
-#include "core/document/tables/column.hpp"
-
 namespace alphascope {
 
+template <class Row>
+struct Column;
 struct MeasureFacts;  // measure_records.hpp
+struct MeasureRow;
+struct MeasureRows;
 
 // A row of the table. The window has no `facts`: it shows no column of the request.
 struct MeasuredRow {

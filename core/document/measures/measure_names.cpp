@@ -1,6 +1,7 @@
-// Names of surfaces.
+// Makes the name of a surface from alpha and solvent radius, and has the names of groups.
 #include "core/document/measures/measure_names.hpp"
 
+#include "core/document/settings/request.hpp"
 #include "core/text/short_number.hpp"
 
 namespace alphascope {

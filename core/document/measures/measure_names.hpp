@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string>
 
-#include "core/document/settings/request.hpp"
-
 namespace alphascope {
+
+struct Request;
 
 // Groups for which areas and volumes are listed. The order is that of the command line's --per.
 enum class MeasureGrouping : std::uint8_t { all, atom, residue, chain, component };

@@ -6,8 +6,15 @@
 #include <utility>
 
 #include "core/document/measures/measure_columns.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/key.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 namespace {

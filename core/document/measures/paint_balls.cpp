@@ -8,7 +8,11 @@
 #include <numeric>
 
 #include "core/document/measures/measure_results.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_class.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/text/grouped_number.hpp"
 
@@ -156,8 +160,8 @@ BallValues by_component(const PaintedMolecule& of) {
   for (const std::uint32_t c : found.of_ball) {
     if (c != kNoGroup) ++size[c];
   }
-  // The largest component first; among equal ones the one with the lowest ball, which is their
-  // order.
+  // The largest component comes first. Equal ones keep their order, which is that of their lowest
+  // balls.
   std::vector<std::uint32_t> order(found.count);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),

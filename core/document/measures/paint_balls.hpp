@@ -12,6 +12,7 @@
 #include "core/geometry/ball_set.hpp"
 #include "core/measure/union_measures.hpp"
 #include "core/molecule/molecule.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 

@@ -48,10 +48,10 @@ std::string fault_of(const Recording& recording);
 // fault. Frames count from 0.
 int frame_count(const Recording& recording);
 // Alpha of a frame, Å². It is rounded to a multiple of a power of ten below a tenth of a step. So
-// few digits are needed. The ends are exact.
+// alpha has few digits. The ends are exact.
 double alpha_of_frame(const Recording& recording, int frame);
-// Angle of a frame about the axis. If a turntable makes whole turns in one direction, no frame
-// repeats the first at its end. So the movie can run in a loop.
+// Angle of a frame about the axis. If a turntable makes whole turns in one direction, the last
+// frame is not a copy of the first. So the movie can run in a loop.
 double degrees_of_frame(const Recording& recording, int frame);
 double seconds_of(const Recording& recording);
 

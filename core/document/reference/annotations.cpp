@@ -7,6 +7,9 @@
 #include "core/document/reference/atom_labels.hpp"
 #include "core/document/reference/atom_words.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,7 +6,14 @@
 #include <cstdio>
 
 #include "core/document/reference/reference.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/element.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,6 +5,10 @@
 #include <utility>
 
 #include "core/document/reference/reference.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/atom_address.hpp"
 
 namespace alphascope {

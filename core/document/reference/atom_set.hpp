@@ -10,11 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/reference/ref_set.hpp"
-
 namespace alphascope {
 
 class BallReferences;
+struct AtomRef;
 struct Molecule;
 struct PictureAtoms;
 

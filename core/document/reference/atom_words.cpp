@@ -1,4 +1,4 @@
-// Splits such lists and reports errors in them.
+// Splits lists such as "resn HEM=#ff8800; chain A=#888", and reports errors in them.
 #include "core/document/reference/atom_words.hpp"
 
 #include <algorithm>
@@ -6,6 +6,10 @@
 
 #include "core/document/reference/reference.hpp"
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 

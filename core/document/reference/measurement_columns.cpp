@@ -1,9 +1,13 @@
-// The list of columns, and their values.
+// The list of columns of measured distances and angles, and how a row gives their values.
 #include "core/document/reference/measurement_columns.hpp"
 
 #include <cstdint>
 
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/write/csv.hpp"
 
 namespace alphascope {
 namespace {

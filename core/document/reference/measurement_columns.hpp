@@ -7,9 +7,11 @@
 #include <string>
 
 #include "core/document/reference/atom_measurements.hpp"
-#include "core/document/tables/column.hpp"
 
 namespace alphascope {
+
+template <class Row>
+struct Column;
 
 struct MeasurementRow {
   const Molecule& molecule;

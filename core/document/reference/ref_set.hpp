@@ -52,8 +52,8 @@ struct Selection {
   bool empty() const { return items.empty() && cavities.empty(); }
   void clear() { items = cavities = {}; }
 
-  // Notes which atoms were added since the last call, because `items` is sorted. To be called after
-  // each change of the selection, and once a frame.
+  // Notes which atoms were added since the last call. `items` is sorted and does not tell. Call it
+  // after each change of the selection, and once a frame.
   void note_order();
   // The selected atoms in the order of their selection. Atoms that were added together, or to more
   // than kMostOrdered, have the order of the file. The order is not in the history.

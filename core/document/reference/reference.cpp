@@ -5,7 +5,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 

@@ -14,11 +14,13 @@
 #include <vector>
 
 #include "core/document/reference/ref_set.hpp"
-#include "core/geometry/ball_set.hpp"
-#include "core/selection/prepare_balls.hpp"
-#include "core/selection/selection_expression.hpp"
+#include "core/geometry/ball_index.hpp"
+#include "core/selection/picture_atoms.hpp"
 
 namespace alphascope {
+
+struct Molecule;
+struct PreparedBalls;
 
 // Converts between balls of one molecule under one set of options and references.
 class BallReferences {

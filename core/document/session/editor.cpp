@@ -1,4 +1,4 @@
-// Changes of settings, undo and redo.
+// Keeps the history of settings: notes changes, and carries out undo and redo.
 #include "core/document/session/editor.hpp"
 
 #include <utility>

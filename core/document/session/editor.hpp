@@ -22,10 +22,11 @@ class Editor {
 
   const Settings& now() const { return now_; }
 
-  // A change by the user. A gesture that ends with the settings from before it leaves no entry.
+  // A change by the user. If a gesture ends with the settings with which it began, it leaves no
+  // entry.
   void set(const Settings& settings, Gesture gesture);
-  // A change without an entry: by playback, or by the program if it cannot carry out a request. In
-  // the latter case the entry of the request is removed too.
+  // A change without an entry: by playback, or by the program when it takes back a request that it
+  // cannot carry out. If the settings are then those before the last entry, that entry is removed.
   void set_without_entry(const Settings& settings);
   // A consequence of an earlier change that takes time to compute, such as the lining atoms of a
   // selected cavity. It makes no entry and does not end the gesture.

@@ -8,11 +8,14 @@
 
 #include "core/files/read_error.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/radii/radii_set.hpp"
 
 namespace alphascope {
 namespace {
 
-// Limits that no program would exceed. Selections have Selection::kMostItems instead.
+// Limits that no session file of this program exceeds. The limit of a selection is
+// Selection::kMostItems.
 constexpr std::size_t kLongestText = std::size_t{1} << 20;  // bytes
 constexpr std::size_t kMostRuns = 10000000;
 constexpr std::size_t kShownOfAValue = 40;  // characters

@@ -1,6 +1,6 @@
 // Settings as JSON. FieldWriter and FieldReader visit the fields of settings_fields.hpp. The reader
-// checks all bounds, because files come from anywhere. Only sources that read or write such files
-// include this header, since it compiles slowly.
+// checks all bounds, because files come from anywhere. This header compiles slowly, so only sources
+// that read or write such files should include it.
 #pragma once
 
 #include <array>

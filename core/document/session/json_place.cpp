@@ -48,8 +48,8 @@ class Scanner {
       }
     }
   }
-  // Moves to the value of the last member with this name. Of two members that one is reported as
-  // wrong. Returns false if there is none.
+  // Moves to the value of the last member with this name, because messages about a name that occurs
+  // twice are about the second one. Returns false if there is none.
   bool enter_member(const std::string& name) {
     std::size_t found = std::string_view::npos;
     if (!take('{')) return false;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/document/session/json_fields.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 namespace {

@@ -2,6 +2,9 @@
 #include <charconv>
 
 #include "core/document/session/json_fields.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope {

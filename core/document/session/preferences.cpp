@@ -8,6 +8,10 @@
 #include "core/files/atomic_file.hpp"
 #include "core/files/read_error.hpp"
 #include "core/files/text_file.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/radii/radii_set.hpp"
+#include "core/selection/selection_expression.hpp"
 
 namespace alphascope {
 
@@ -76,8 +80,8 @@ bool contains(const std::vector<fs::path>& list, const fs::path& path) {
   return std::find(list.begin(), list.end(), path) != list.end();
 }
 
-// Files that this window has opened since `before`, followed by those in the file now. Files that
-// this window has removed are left out.
+// The recent files to write: those that this window has opened since it read `before`, then those
+// that are in the file now. Left out are files that this window has removed from the list.
 std::vector<fs::path> merged_recent(const std::vector<fs::path>& before,
                                     const std::vector<fs::path>& now,
                                     const std::vector<fs::path>& file) {

@@ -14,8 +14,8 @@
 
 namespace alphascope {
 
-// Position of the camera. It is relative to an origin in the coordinates of the molecule's file. So
-// it stays the same bit for bit with the same balls, and is correct with other balls.
+// Position of the camera, relative to an origin in the coordinates of the molecule's file. With the
+// same balls the camera is the same in every bit, and with other balls it looks at the same place.
 struct CameraPlace {
   std::array<double, 3> origin{};              // Å
   std::array<double, 3> position{}, target{};  // Å, relative to `origin`
@@ -67,8 +67,8 @@ ReadSession read_session(const std::filesystem::path& path, const RunContext& co
 // The same for text in memory; `path` is used in messages.
 ReadSession parse_session(const std::filesystem::path& path, std::string_view text);
 
-// Whether the name ends in .json. Molecules never do, so any such file gets the error messages of
-// sessions.
+// Whether the name ends in .json. Names of molecules never do, so a faulty file with this ending
+// gets the error messages of sessions.
 bool looks_like_session(const std::filesystem::path& path);
 
 }  // namespace alphascope

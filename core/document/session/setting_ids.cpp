@@ -1,4 +1,4 @@
-// The tables of words.
+// The tables of words for the values of choices in session files and preferences.
 #include "core/document/session/setting_ids.hpp"
 
 #include "core/radii/radii_set.hpp"

@@ -1,7 +1,14 @@
-// The options of that body, and the list of differences.
+// Sets the options of the body that compare with CASTp's, and lists the differences of other
+// options.
 #include "core/document/settings/cavity_preset.hpp"
 
+#include "core/document/settings/open_options.hpp"
+#include "core/document/settings/request.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/provenance.hpp"
 
 namespace alphascope {

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "core/document/settings/open_options.hpp"
-#include "core/document/settings/request.hpp"
-#include "core/selection/prepare_balls.hpp"
-
 namespace alphascope {
+
+struct BallOptions;
+struct OpenOptions;
+struct Request;
+struct SelectionReport;
 
 // Radius of a water molecule, Å.
 inline constexpr double kCavitySolventAngstrom = 1.4;

@@ -1,4 +1,4 @@
-// Half-spaces of a clip, and its text.
+// Computes the half-spaces that a clip keeps, and reads and writes clips as text.
 #include "core/document/settings/clip.hpp"
 
 #include <cmath>

@@ -66,8 +66,7 @@ ClipWords read_clip(const std::string& text);
 inline constexpr const char* kClipForms =
     "x, y=12.5, -z=3, view, 1,1,0=5, or with a thickness x=12.5:8; or off";
 
-// The text from which read_clip() makes the same clip. For a clip that is no slab, the thickness is
-// lost.
+// The text from which read_clip() makes the same clip. It has the thickness of a slab only.
 std::string clip_text(const Clip& clip);
 
 // "x", "-y": the axis of the normal; empty: no axis.

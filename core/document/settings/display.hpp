@@ -20,9 +20,10 @@ bool shows(const AtomsBesideBody& shown, DropReason reason, Element element);
 // Each member has a row in display_fields.cpp.
 struct DisplaySettings {
   bool balls = true, tetrahedra = true, boundary = false, triangles = false, edges = false;
-  bool singular_only = true;  // of triangles and edges, those that are faces of nothing larger
-  bool grown_balls = false;   // sqrt((radius + solvent)² + alpha) instead of the radius
-  float ball_scale = 0.3f;    // factor on the radius
+  // Draw only those triangles and edges that are faces of no larger simplex.
+  bool singular_only = true;
+  bool grown_balls = false;  // sqrt((radius + solvent)² + alpha) instead of the radius
+  float ball_scale = 0.3f;   // factor on the radius
   float ball_opacity = 1, complex_opacity = 1;
   float cavity_opacity = 0.45f;     // below 1, so that the contents of a cavity are visible
   float shrink = 0;                 // of tetrahedra, 0 to 0.9

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/document/settings/display_fields.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,4 +1,4 @@
-// The presets' texts and values.
+// The titles, help and settings of each preset of the display.
 #include "core/document/settings/display_preset.hpp"
 
 #include <variant>

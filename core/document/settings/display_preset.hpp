@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/document/settings/display.hpp"
-
 namespace alphascope {
+
+struct DisplaySettings;
 
 // figure: the surface of the complex, for print.
 // cavity: a translucent surface that shows cavities.

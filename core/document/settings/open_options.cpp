@@ -1,4 +1,4 @@
-// Removes the options that belong to one file.
+// Resets the options that belong to one file, for the next file.
 #include "core/document/settings/open_options.hpp"
 
 namespace alphascope {

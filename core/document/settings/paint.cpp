@@ -1,4 +1,4 @@
-// The table of schemes, and reading and writing of paints.
+// The table of colour schemes; reads and writes paints as text.
 #include "core/document/settings/paint.hpp"
 
 #include <algorithm>
@@ -6,6 +6,9 @@
 #include "core/chart/colour_text.hpp"
 #include "core/files/line_reader.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 namespace {

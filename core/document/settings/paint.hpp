@@ -10,6 +10,7 @@
 
 #include "core/chart/colour_scale.hpp"
 #include "core/document/commands/number_input.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 

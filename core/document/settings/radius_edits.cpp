@@ -1,4 +1,4 @@
-// Sets, removes and finds such radii.
+// Sets, removes and finds radii that the user types for groups of atoms.
 #include "core/document/settings/radius_edits.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Removes options that the engine does not use.
+// Sets options that the request's engine does not use to their defaults.
 #include "core/document/settings/request.hpp"
 
 namespace alphascope {

@@ -1,4 +1,4 @@
-// Names the differences between settings.
+// Names the settings that differ, for "Undo" and "Redo".
 #include "core/document/settings/settings.hpp"
 
 #include <vector>

@@ -6,12 +6,14 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/settings/request.hpp"
-#include "core/engine/engine.hpp"
-#include "core/geometry/ball_set.hpp"
-#include "core/measure/engine_measures.hpp"
-#include "core/selection/prepare_balls.hpp"
+#include "core/engine/known_results.hpp"
 
 namespace alphascope {
+
+struct BallSet;
+struct MeasuredUnion;
+struct Molecule;
+struct PreparedBalls;
 
 struct EngineAnswer {
   Request request;

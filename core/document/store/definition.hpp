@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/document/store/inputs.hpp"
+#include "core/document/store/key.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/memory_need.hpp"
 
@@ -29,8 +30,8 @@ struct AnyDefinition {
   std::function<Key(const Inputs&)> key;
   std::function<MemoryNeed(const Inputs&)> memory;  // bytes, for the budget
   Lane lane = Lane::background;
-  // The last result stays until the next one is there, and is drawn greyed meanwhile. Some older
-  // ones stay as well while there is room, for an alpha that comes back.
+  // true: the last value stays until the next one is made, and is drawn in grey meanwhile. Some
+  // older values stay too while there is room, since a slider often comes back to an alpha.
   bool keep_stale = true;
   // Set by Definition.
   std::function<std::shared_ptr<const void>(const Inputs&, const RunContext&)> make = {};
@@ -66,7 +67,7 @@ struct Derived {
   DerivedState state = DerivedState::none;
   Key wanted, have;  // have: the key of `value`
   std::shared_ptr<const T> value;
-  double share = 0;  // of the work, 0 to 1, while running
+  double share = 0;  // share of the work that is done, 0 to 1, while running
   // failed, no_room: the reason, a sentence. waiting: the title of the result it waits for, if any.
   std::string why;
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/document/store/key.hpp"
 #include "core/run/internal_error.hpp"
 
 namespace alphascope {

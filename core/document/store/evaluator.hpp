@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/document/store/definition.hpp"
+#include "core/document/store/key.hpp"
 
 namespace alphascope {
 

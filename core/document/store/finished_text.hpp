@@ -1,4 +1,4 @@
-// A finished text as a derived result, for code that takes any derived result.
+// Wraps a text that exists already as a derived result, for code that writes any derived result.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/document/store/definition.hpp"
+#include "core/document/store/key.hpp"
 
 namespace alphascope {
 

@@ -4,6 +4,11 @@
 #include <bit>
 #include <string>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/key.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/run/internal_error.hpp"
 
 namespace alphascope {
@@ -37,7 +42,8 @@ Key key_of_balls(const Inputs& inputs) {
 }
 
 Key key_of_balls_and_alpha(const Inputs& inputs) {
-  // Only -0 would give 0 here, and the sum -0 + 0 is +0.
+  // Bits of 0 would mean that the key has no alpha. Only -0 would give them here, and adding 0
+  // turns it into +0.
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
   const Alpha& alpha = inputs.alpha_angstrom2;
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(alpha.nearest() + 0.0) ^ kSign;

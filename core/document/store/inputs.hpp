@@ -7,18 +7,19 @@
 #include <utility>
 #include <vector>
 
-#include "core/complex/alpha_complex.hpp"
-#include "core/document/reference/reference.hpp"
-#include "core/document/store/key.hpp"
-#include "core/geometry/ball_set.hpp"
+#include "core/geometry/alpha.hpp"
 
 namespace alphascope {
 
 template <class T>
 struct Definition;
-struct MeasuredUnion;
+class BallReferences;
 enum class FlowTies;
 enum class OutsideRule;
+struct AlphaComplex;
+struct BallSet;
+struct Key;
+struct MeasuredUnion;
 
 struct Inputs {
   std::shared_ptr<const BallSet> balls;  // with the solvent radius; null: no molecule

@@ -1,4 +1,4 @@
-// Identity of the inputs of a derived result.
+// The key of a derived result: numbers that identify the inputs from which it is made.
 #pragma once
 
 #include <cstdint>

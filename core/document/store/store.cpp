@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/document/store/key.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -93,7 +95,8 @@ bool Store::take_held(Entry& e) {
   return true;
 }
 
-// Asks for the sources of a result until it is made, so that the store keeps them.
+// Asks for the sources of a result in each frame until the result is made. Otherwise the store
+// could drop them before.
 void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inputs, bool awaited) {
   Inputs all = inputs;
   all.made.clear();
@@ -138,7 +141,7 @@ void Store::prepare(Entry& e, const AnyDefinition& definition, const Inputs& inp
       e.why = error.what();
       return;
     }
-    // If memory ran out before, the estimate was too low.
+    // A result for which memory ran out needs more than was estimated.
     e.need.peak = std::max({e.need.peak, e.need.held, e.refused / 4 * 5});
     e.make = [make = definition.make, all = std::move(all)](const RunContext& context) {
       return make(all, context);
@@ -232,7 +235,8 @@ bool Store::poll() {
   return std::exchange(arrived_, false) || retried;
 }
 
-// Resets results that had no room and would find some now. The next request has them made.
+// Resets the state of results that had no room and would have it now, so that the next request
+// begins them.
 bool Store::retry_where_room_is() {
   bool any = false;
   std::uint64_t budget = 0;

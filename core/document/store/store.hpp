@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/document/store/definition.hpp"
+#include "core/document/store/key.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/run/worker.hpp"
 
@@ -31,16 +32,16 @@ struct JobInfo {
 // Only the main thread may use it. No function waits.
 class Store {
  public:
-  // The slider's threads, for the interactive lane. Called when a result begins. Null: threads of
-  // its own.
+  // Returns the slider's threads, for the interactive lane; called when a result begins. Without it
+  // the store has threads of its own.
   using Threads = std::function<std::shared_ptr<WorkThreads>()>;
   // `wake` as in Worker. `budget` returns the limit of held_bytes().
   Store(std::function<void()> wake, std::function<std::uint64_t()> budget, Threads threads = {});
 
   // The present state of a result. If it is missing, the store makes it, after its sources. Call
   // this in each frame in which the result is wanted. A result that was not asked for in this frame
-  // or the last is not begun. It is dropped first when memory is needed. Asking with two inputs in
-  // turn replaces the wish each time.
+  // or the last is not begun. It is dropped first when memory is needed. There is one request at a
+  // time for each definition: asking for it with other inputs replaces the request.
   template <class T>
   Derived<T> want(const Definition<T>& definition, const Inputs& inputs,
                   Priority priority = Priority::visible) {
@@ -70,15 +71,15 @@ class Store {
   // Undoes cancel(): the result begins again with the next request.
   void retry(std::string_view id);
 
-  // While `held`, nothing begins in the background lane. Inputs that change many times a second
-  // would waste work on results that nobody sees.
+  // While `held`, nothing begins in the background lane. For use while inputs change many times a
+  // second, when results would be outdated before anybody sees them.
   void hold_background(bool held) { background_held_ = held; }
 
   // Counts large objects of other owners, in bytes, against the budget. 0: there are none any more.
   void set_held_bytes(const std::string& what, std::uint64_t bytes) { others_[what] = bytes; }
 
-  // Takes finished results and begins waiting ones. True: a result has arrived, or one that had no
-  // room may find some. Its panel should then be drawn.
+  // Takes finished results and begins waiting ones. Returns whether a result has arrived, or a
+  // result that had no room may have it now; the window should then draw a frame.
   bool poll();
   void next_frame() { ++frame_; }  // to be called before the frame's requests
 
@@ -114,8 +115,9 @@ class Store {
     std::uint64_t asked_at = 0;                // a frame
     std::uint64_t begun_at = 0;                // value of begun_ when it last began
     MemoryNeed need;                           // of the wanted result
-    std::uint64_t refused = 0;                 // bytes that were free but not enough
-    std::list<Value> values;                   // the first is handed out; the others are older
+    // Bytes that were free when there was too little room for it; 0: there was enough.
+    std::uint64_t refused = 0;
+    std::list<Value> values;  // the first is handed out; the others are older
     std::function<std::shared_ptr<const void>(const RunContext&)> make;
     bool lacks = false;  // a source is missing; state and why describe the source
     std::string why;
@@ -140,7 +142,7 @@ class Store {
     return ask(definition, inputs, priority,
                priority == Priority::visible && definition.lane == Lane::interactive);
   }
-  // awaited: a visible interactive result waits for it.
+  // awaited: a visible result of the interactive lane waits for this one.
   Entry& ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority,
              bool awaited);
   void take_gift(const AnyDefinition& definition, const Inputs& inputs,

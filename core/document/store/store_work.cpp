@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/run/internal_error.hpp"

@@ -6,6 +6,7 @@
 
 #include "core/files/line_reader.hpp"
 #include "core/files/read_error.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/residues/atom_names.hpp"
 
 namespace alphascope {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/mmcif/cif_grammar.hpp"
 #include "core/read/mmcif/cif_value.hpp"

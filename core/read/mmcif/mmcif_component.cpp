@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/residues/stated_element.hpp"
 
 namespace alphascope {

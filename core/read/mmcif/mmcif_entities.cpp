@@ -1,6 +1,7 @@
 // Collects rows of the entity tables and derives the type of each entity.
 #include "core/read/mmcif/mmcif_entities.hpp"
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/letter_case.hpp"
 
 namespace alphascope {

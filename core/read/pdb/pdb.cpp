@@ -10,6 +10,8 @@
 #include <unordered_set>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/frame_marks.hpp"
 #include "core/read/molecule_builder.hpp"
 #include "core/read/pdb/pdb_assembly.hpp"
@@ -251,8 +253,8 @@ class PdbReader {
   // Also tests the occupancy. In a shifted line x, y and z can look like numbers, but the occupancy
   // is then cut apart.
   bool try_position(std::string_view line, std::array<Decimal, 3>& position) const {
-    // At the very end of a cut file digits of z may be missing. Elsewhere the writer made the line
-    // short.
+    // In the last line of a file that was cut off, digits of z may be missing. In other lines, the
+    // program that wrote the file left the end out.
     if (line.size() < 54 && lines_.cut()) return false;
     DecimalStatus status{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -302,7 +304,7 @@ class PdbReader {
     take_residue_and_chain(line, atom);
     const std::string_view number = columns(line, 23, 26 + shift);
     atom.residue_number = residue_numbers_.next(number, lines_.number());
-    // A fifth digit without a shift: it took the place of a blank before x.
+    // A fifth digit of the residue number without a shift: it takes the place of a blank before x.
     if (shift == 0 && is_digit(column(line, 27)) && is_digit(column(line, 26))) {
       atom.residue_number = parse_pdb_number(columns(line, 23, 27), 5);
     } else {

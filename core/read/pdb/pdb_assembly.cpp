@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/decimal.hpp"
 
 namespace alphascope {

@@ -22,9 +22,10 @@ class PdbChainColumns {
   bool found_chains() const { return !chains_.empty(); }
 
  private:
-  // True when both letters in columns 21 and 22 of the line belong to the chain. They do for a pair
-  // of letters with standard residues. In a file with such pairs they also do for other residues.
-  // No residue of the file may then show a name of four letters.
+  // True when both letters in columns 21 and 22 of the line belong to the chain. They do if
+  // standard residues of the file have this pair of letters. In a file with any such pair, the two
+  // letters of other residues belong to the chain as well, unless some residue of the file has a
+  // name of four letters.
   bool is_chain(std::string_view line);
   void look_at_file();
 

@@ -3,6 +3,9 @@
 #include <iterator>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/read/decimal.hpp"
 #include "core/read/pdb/pdb_reader.hpp"
 #include "core/read/pdb/pdb_records.hpp"

@@ -4,7 +4,10 @@
 #include <algorithm>
 
 #include "core/files/line_reader.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/element.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/read/decimal.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/letter_case.hpp"

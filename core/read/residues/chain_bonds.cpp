@@ -1,6 +1,9 @@
 // Finds bonds of chains by the distances of atoms.
 #include "core/read/residues/chain_bonds.hpp"
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -102,7 +102,8 @@ class ModelJudge {
     return in(records_.entities_of_chains, first(r).label_chain);
   }
 
-  // Finds an ion or a water. They take precedence over tables and records.
+  // Finds an ion or a water by the residue's own atoms and name. decide() weighs this against the
+  // entity table and other records.
   Decision special(std::uint32_t r) const {
     const ResidueFacts& f = facts(r);
     const std::uint32_t matter = f.atoms - f.sites;
@@ -200,7 +201,8 @@ class ModelJudge {
     }
     const ChainPlace* place = place_of(r);
     const bool not_after = place != nullptr && r < place->last;
-    const bool listed = f.family == ResidueFamily::biopolymer;  // it may be free beside the chain
+    // An amino acid or nucleotide may also be free beside the chain.
+    const bool listed = f.family == ResidueFamily::biopolymer;
     if (in_sequence_record(r) && !after_ter && (!listed || place == nullptr || not_after)) {
       return {ResidueKind::polymer, ResidueReason::sequence_record};
     }
@@ -267,7 +269,7 @@ class ModelJudge {
   std::set<ChainKey> ended_;
 };
 
-// Atoms without residue names count as the body of the molecule.
+// Sets the reasons for the kinds of atoms in a model without residue names.
 void judge_unnamed(Molecule& molecule) {
   for (Atom& atom : molecule.atoms) {
     if (atom.why != ResidueReason::none) continue;

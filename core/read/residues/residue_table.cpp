@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_groups.hpp"
 
 namespace alphascope {
@@ -109,8 +110,8 @@ class TableMaker {
     table_.pieces.push_back({i, i + 1, residue});
   }
 
-  // True when the residue has this atom already. The atom then belongs to another residue of the
-  // same number.
+  // True when the residue has this atom already; the atom then belongs to another residue of the
+  // same number. Also true when more than kLongestSearched atoms would have to be searched.
   bool has(std::uint32_t residue, const Atom& atom) const {
     std::size_t searched = 0;
     for (std::size_t k = table_.pieces.size(); k-- > 0 && searched < kLongestSearched;) {

@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "app/bench/thesis_contest.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/radii_set.hpp"
 #include "tests/app/session/fake_engine.hpp"
 
 namespace alphascope {
@@ -16,8 +18,8 @@ namespace {
 
 using Kind = ThesisRow::Kind;
 
-// An engine that sleeps for the given time while it watches its token. Its stages and hash are
-// known. Adds each request to `started`, if there is one.
+// An engine that sleeps for a given time, unless its token is cancelled. The test knows its stages
+// and its hash. It counts its requests in `started`, if that is given.
 class SleepingEngine : public Engine {
  public:
   SleepingEngine(double milliseconds, std::uint64_t hash, std::size_t tetrahedra,
@@ -225,7 +227,7 @@ TEST(ThesisSuite, CancellingEndsItSoonAndProgressIsTold) {
   EXPECT_THROW(run_thesis_suite(one_molecule(), options, sleeping_factory(speeds), context),
                Cancelled);
   EXPECT_GT(started.exchange(1), 0);
-  started.notify_all();  // the killer always waits for it
+  started.notify_all();  // so the waiting thread always ends
   killer.join();
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   ASSERT_FALSE(told.empty());

@@ -1,5 +1,5 @@
-// Tests alphascope-cli cavities: files give the numbers, and the output states the choices.
-// tests/core/cavity compares the numbers of each cavity with tables.
+// Tests alphascope-cli cavities from files to numbers, and that the output names the choices. The
+// numbers of each cavity are compared with tables in tests/core/cavity.
 #include <algorithm>
 #include <cmath>
 
@@ -114,8 +114,9 @@ TEST_F(CliCavities, TheRuleSaysWhatIsOutside) {
   EXPECT_EQ(pocket["cavities"][0]["tetrahedra"], 10);
 }
 
-// A grid of balls covers every edge of the cubes but no square. So each square of the boundary is a
-// mouth. Two cubes each way have 6 · 4 of them. One by two by two cubes have 2 · 4 + 4 · 2.
+// The balls of a grid cover all edges of its cubes, but no square. So each square of the boundary
+// is a mouth. A grid of 2 x 2 x 2 cubes has 6 · 4 of them, and one of 1 x 2 x 2 cubes has 2 · 4 + 4
+// · 2.
 TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
   const auto grid = [&](int layers) {
     return "'" + write("grid.xyzr", grid_of_balls(layers)).string() + "' --solvent 1";
@@ -238,7 +239,7 @@ TEST_F(CliCavities, AChannelIsAsWideAsItsNarrowestRing) {
   EXPECT_TRUE(contains(second.err, "There is no way 2")) << second.err;
 }
 
-// A channel that ends inside is only a part, so there is no verdict on the whole.
+// A channel that ends inside is only a part of a way, so there is no verdict on the whole way.
 TEST_F(CliCavities, OfAPartThereIsNoVerdict) {
   std::string cup;
   for (int ring = -8; ring <= 8; ++ring) {
@@ -321,7 +322,8 @@ TEST_F(CliCavities, TheWaysThroughKnownPoresAreFound) {
   EXPECT_EQ(through, (std::vector<std::string>{"chain A", "chain B", "chain C"}));
 }
 
-// The way leads out through a gap of a cube and back through it, so the line ends where it began.
+// The way leads out of the cube through a gap and back through the same gap. The whole way is known
+// all the same.
 TEST_F(CliCavities, OfAChannelThatComesBackTheWholeIsKnown) {
   const Outcome found =
       run("channel '" + cube_.string() + "' --point 1,1,1 --along 0,0,1 -q --json -");
@@ -331,7 +333,8 @@ TEST_F(CliCavities, OfAChannelThatComesBackTheWholeIsKnown) {
   EXPECT_LE(channel["covered_angstrom"], channel["whole_angstrom"]);
 }
 
-// Other programs do not open lists of balls. This is known before anything is computed.
+// Other programs do not open lists of balls. So a script for them is refused before anything is
+// computed.
 TEST_F(CliCavities, AScriptOfWhatOthersDoNotOpenIsRefusedAtOnce) {
   for (const char* command : {"channel --point 1,1,1", "cavities"}) {
     const Outcome refused = run(std::string(command) + " '" + cube_.string() + "' --script '" +
@@ -372,7 +375,7 @@ TEST_F(CliCavities, AChannelBeginsInACavity) {
   const json mouth = channel("--cavity 4 --mouth 1");
   EXPECT_TRUE(mouth["request"].contains("to_angstrom"));
   EXPECT_EQ(mouth["request"]["mouths"], json::array({1.0}));
-  // The opening of the mouth has no middle. The line must not go to and fro there.
+  // The opening of the mouth has no single middle. The line must not run to and fro in it.
   EXPECT_LT(mouth["length_angstrom"].get<double>(), 18);
 
   std::size_t a_void = 0;
@@ -471,7 +474,8 @@ TEST_F(CliCavities, ComponentsShareAreaAndVolume) {
   EXPECT_TRUE(contains(run("measure '" + file + "'").out, "the largest has 82.58 %"));
 }
 
-// The overlap shrinks when the balls move apart. Both change the total by the disc between them.
+// If one of two balls moves away, their overlap shrinks. The derivative of the volume is the area
+// of the disc between them, for each ball.
 TEST_F(CliCavities, DerivativesAreOfEachAtom) {
   const std::string file = write("two.xyzr", "0 0 0 1\n1 0 0 1\n").string();
   const auto rows = csv_rows(run("measure '" + file + "' --per atom --derivatives -q --csv -").out);

@@ -1,5 +1,5 @@
-// Tests files of alphascope-cli cavities for other programs, read back as those would. Also tests
-// cavities with several radii side by side.
+// Tests the files that alphascope-cli cavities writes for other programs. Reads them back as those
+// programs would. Also tests cavities with several radii side by side.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/write/csv.hpp"
 #include "tests/app/cli/cli_fixture.hpp"
@@ -60,7 +62,8 @@ TEST_F(CliCavityExports, SpheresAreReadBackAndTouchNoAtom) {
   EXPECT_TRUE(contains(text, "REMARK   3 choices not comparable with CASTp"));
 }
 
-// Each cavity at any alpha has a line, even if none exists at the requested alpha.
+// The file of lives has a line for each cavity of every alpha, even if none exists at the requested
+// alpha.
 TEST_F(CliCavityExports, LivesAreOfAllAlphasAndThoseOfTheTable) {
   const auto lines_of = [&](const std::string& alpha) {
     const Outcome found = run("cavities -q '" + std::string(kCrambin) + "' --solvent 0.6 --alpha " +
@@ -377,7 +380,8 @@ TEST_F(CliCavityExports, SideBySideCavitiesAreMatched) {
     same += in[2]["same"] == true;
     other_volume +=
         in[3]["same"] == true && in[3]["volume_sa_angstrom3"] != in[0]["volume_sa_angstrom3"];
-    // How far the least volume of the largest common cavity is below the greatest.
+    // Checks the spread: the difference of the largest and least volumes, as a share of the
+    // largest.
     double least = in[0]["volume_sa_angstrom3"], most = least;
     for (const json& one : in) {
       if (one["same"] != true) continue;

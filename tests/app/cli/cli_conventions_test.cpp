@@ -18,7 +18,8 @@ constexpr const char* kCommands[] = {"info", "compute", "verify", "bench", "scre
 
 class CliConventions : public Cli {
  protected:
-  // Options in the help, such as "--alpha" and "-o". Those of the program itself for "".
+  // Returns the options in the help of a command, such as "--alpha" and "-o". For "" these are the
+  // program's own.
   std::set<std::string> options(const std::string& command) const {
     std::set<std::string> names;
     const std::string help = run(command + " --help").out;
@@ -150,8 +151,8 @@ TEST_F(CliConventions, QuietIsResultsOnlyAndVerboseSaysMore) {
   EXPECT_TRUE(contains(failed.err, "there is no such file")) << "errors stay";
 }
 
-// The lines on a terminal of unlimited width after the program has ended. Standard output and
-// standard error are both on it.
+// Runs a command with standard output and standard error on a terminal. Returns the lines that are
+// left on it; the terminal has unlimited width.
 std::vector<std::string> lines_on_a_terminal(const std::string& command, bool& progress) {
   int terminal = -1;
   const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
@@ -189,7 +190,8 @@ std::vector<std::string> lines_on_a_terminal(const std::string& command, bool& p
 TEST_F(CliConventions, ResultsStandOnAClearLine) {
   if (::access("/dev/ptmx", R_OK | W_OK) != 0) GTEST_SKIP() << "there are no terminals here";
   const std::string file = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz'";
-  std::string many;  // takes longer than the delay of the first line of progress, on any machine
+  std::string many;  // so many files that the work outlasts the delay of the progress line, on any
+                     // machine
   for (int n = 0; n < 30; ++n) many += file + " ";
   for (const std::string command :
        {"cavities " + many, "compute " + many + "--alpha 1 --engine cpu", "measure " + many}) {

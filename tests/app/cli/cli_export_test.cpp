@@ -10,6 +10,7 @@
 #include <cstring>
 #include <set>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/read/read_molecule.hpp"
 #include "tests/app/cli/cli_fixture.hpp"
@@ -106,7 +107,8 @@ TEST_F(CliExport, PqrHoldsLargeNumbersAndLongNames) {
   EXPECT_EQ(pqr.lattice.angstrom(pqr.atoms[1].file_radius), 2.0625);
 }
 
-// Numbers that fill their eight columns would touch those before: -100.000 and 1000.000.
+// Numbers that fill their eight columns, such as -100.000 and 1000.000, would touch the number
+// before.
 TEST_F(CliExport, PqrNumbersNeverTouch) {
   const struct {
     const char* ball;
@@ -210,7 +212,7 @@ TEST_F(CliExport, ParallelAcsLayoutHasAllSimplices) {
       << "a line for each";
 }
 
-// Another test reads the files with VTK. These are the numbers at their beginning.
+// Checks the counts at the head of VTK files. Another test reads the files with VTK itself.
 TEST_F(CliExport, VtkFilesSayHowManyCellsTheyHave) {
   const json counts = compute_json(std::string(kCrambin) + " --alpha 1.4")["counts"];
   const auto said = [&](const char* name, std::size_t number) {
@@ -358,7 +360,8 @@ TEST_F(CliExport, ColoursAreThoseOfElementsChainsOrSolids) {
   EXPECT_EQ(colours("solid").size(), 3u);
 }
 
-// There are more objects than viewers can draw.
+// The complex has more solids than other programs draw well. So small solids beyond the first 999
+// become one object.
 TEST_F(CliExport, SmallSolidsBeyondTheFirstAreOneObject) {
   const std::string text = exported("h.obj", "--alpha 0", kHaemoglobin);
   std::size_t objects = 0, triangles = 0;

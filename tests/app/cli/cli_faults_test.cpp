@@ -1,7 +1,6 @@
-// Tests files of alphascope-cli when the system fails at one of its calls, or a signal arrives.
-// Every output is whole or unchanged, and all outputs of one command alike. The input is unchanged,
-// and no temporary file is left. ALPHASCOPE_ALL_FAULTS=1 tries every call and command, otherwise a
-// sample.
+// Tests the files of alphascope-cli when a system call fails or a signal arrives. All outputs of a
+// command must be complete, or all unchanged. The input must be unchanged, and no temporary file
+// may be left. ALPHASCOPE_ALL_FAULTS=1 tries every call of every command, instead of a sample.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -203,8 +202,8 @@ TEST_F(CliFaults, ASignalAtACall) {
   }
 }
 
-// Memory fails once, or from a call on. Most of a program's start is not our code, and the same for
-// all commands.
+// One allocation fails, or all from one call on. Calls are sampled, since most of them belong to
+// the start of a program, which is not our code.
 TEST_F(CliFaults, NoMemory) {
   const double stride = all_faults() ? 1.01 : 1.9;
   for (const int action : {ENOMEM, 0}) sweep_all("malloc", action, stride);

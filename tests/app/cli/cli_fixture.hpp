@@ -68,7 +68,7 @@ inline std::vector<std::map<std::string, std::string>> csv_rows(const std::strin
   return rows;
 }
 
-// True when the program was built with its renderer. Drawing needs neither display nor GPU.
+// Whether the program was built with its renderer, which needs neither display nor GPU.
 inline constexpr bool kDrawsPictures = ALPHASCOPE_DRAWS_PICTURES != 0;
 
 class Cli : public ::testing::Test {

@@ -85,7 +85,7 @@ class CliOutputs : public Cli {
   }
 };
 
-// Work that still runs whenever the signal arrives.
+// Returns the arguments of a run that takes so long that a signal always arrives before its end.
 std::vector<std::string> endless_bench() {
   const char* const haemoglobin = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
   return {"bench", haemoglobin, "--alpha", "10", "--runs", "1000", "--csv", "times.csv"};
@@ -382,7 +382,8 @@ TEST_F(CliOutputs, APictureIsAnOutputLikeAnyOther) {
 
 TEST_F(CliOutputs, AFullDiskLeavesTheOldFile) {
   write("old", "the old one");
-  // The shell's limit imitates a full disk. Writing beyond it fails, with a signal.
+  // The shell's limit on file sizes stands for a full disk. A write beyond it fails, and a signal
+  // comes with it.
   const std::string big = "'" ALPHASCOPE_SOURCE_DIR "/resources/molecules/1crn.pdb'";
   EXPECT_EQ(shell("ulimit -f 8; cli compute " + big +
                   " --alpha 1 --out old 2>&1 >/dev/null | cat "

@@ -51,14 +51,15 @@ TEST_F(CliPictures, SayHowTheyAreMadeAgain) {
   EXPECT_EQ(contents(folder_ / "it's one.png"), first);
 }
 
-// Balls that have grown by 0 are drawn whole, not at the display's share of their radius.
+// Grown balls are drawn with their whole radius, even at alpha 0. Other balls have the display's
+// share of it.
 TEST_F(CliPictures, GrownBallsAreWhole) {
   EXPECT_NE(pixels(picture("--no-shadows --grown", "0")), pixels(picture("--no-shadows", "0")));
   EXPECT_NE(pixels(picture("--no-shadows --grown", "0.5")),
             pixels(picture("--no-shadows --grown", "0")));
 }
 
-// The boundary replaces the tetrahedra, which alone are drawn with gaps.
+// With the boundary, tetrahedra are left out, since gaps between them would show.
 TEST_F(CliPictures, OfTheBoundaryHaveNoTetrahedra) {
   EXPECT_NE(pixels(picture("--no-balls --shrink 0.5")), pixels(picture("--no-balls")));
   EXPECT_EQ(pixels(picture("--no-balls --clip z --boundary --shrink 0.5")),

@@ -102,7 +102,8 @@ TEST_F(CliResidues, AreWhatAUserSays) {
   EXPECT_TRUE(contains(cavities.out, "what residues are is set by hand"));
 }
 
-// An address and a name that only some of many files may have.
+// The file lacks these residues. A note says so and it is no error, since the same treatments may
+// be given for many files.
 TEST_F(CliResidues, WhatIsNotInTheFileIsSaidAndDoesNoHarm) {
   for (const std::string residues : {"B:XYZ 7", "PU8", "005", "resi 77"}) {
     const json report = info("--treat '" + residues + "=ion'");

@@ -1,5 +1,7 @@
-// Tests that one question always gives the same bytes, at any speed and with any threads. Also
-// tests files of results with unusual names.
+// Tests that a command always writes the same bytes, at any speed and with any number of threads.
+// Also tests results of files with unusual names.
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/write/csv.hpp"
 #include "tests/app/cli/cli_fixture.hpp"

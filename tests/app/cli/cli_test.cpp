@@ -1,4 +1,5 @@
 // Tests the real alphascope-cli on small files: results, exit codes, and messages for bad input.
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/app/cli/cli_fixture.hpp"
 #include "tests/support/molecules.hpp"
 
@@ -87,7 +88,8 @@ TEST_F(Cli, ASelectionOfNothingIsAnError) {
   EXPECT_TRUE(contains(run("info '" + two.string() + "'").err, "dropped 1 water. Add --waters."));
 }
 
-// No text moves the cursor, rings, or reverses the direction of writing.
+// Expects that the text does not move the cursor, ring the bell, or reverse the direction of
+// writing.
 void expect_shown_safely(const std::string& text, const std::string& what) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -204,7 +206,7 @@ TEST_F(Cli, TheThreadsThatAreSaidAreThoseThatAreUsed) {
   for (const char* engine : {"cpu", "cgal", "tuples-cpu"}) {
     const std::string chosen = file + "--engine " + engine + " --threads ";
     EXPECT_EQ(compute_json(chosen + "1")["engine"]["device"], "CPU, 1 thread");
-    // More threads than there are mean all.
+    // A number of threads above the machine's means all of them.
     const json all = compute_json(chosen + "0"), more = compute_json(chosen + "1024");
     EXPECT_EQ(more["engine"]["device"], all["engine"]["device"]);
     EXPECT_EQ(more["request"]["threads"], 1024);
@@ -232,7 +234,8 @@ TEST_F(Cli, TheTupleEngineHasSwitchesAndCountsItsTuples) {
   EXPECT_FALSE(bare["request"]["tuples"]["edge_optimisation"]);
 }
 
-// Without a device it says so, and which engine to choose. The CPU does not replace it.
+// Without a device, the message says so and names the engine to choose. The CPU does not compute
+// instead.
 TEST_F(Cli, TheTupleEngineOnTheGpuWorksOrSaysWhyNot) {
   const std::string request = "compute '" + cube_.string() + "' --alpha 1 --engine tuples-gpu";
   const Outcome outcome = run(request + " --pageable --streams 1 --no-texture");
@@ -342,7 +345,7 @@ TEST_F(Cli, VerifyProvesTheDefinitionOfTetrahedraAlone) {
   EXPECT_TRUE(contains(outcome.out, ", 0 false"));
 }
 
-// Alpha is beyond the range of the engine's own route.
+// At this alpha the engine uses CGAL's triangulation itself, since its own route has a limit.
 TEST_F(Cli, VerifyDoesNotCompareCgalWithItself) {
   const std::string large = "verify '" + cube_.string() + "' --alpha 1e12";
   for (const std::string& only : {std::string(), std::string(" --tetrahedra-only")}) {

@@ -149,7 +149,7 @@ TEST_F(CliUsage, SentencesAreWholeAndRemediesExist) {
   EXPECT_TRUE(contains(run("info --no-ligands " + file).err, "Leave out --no-ligands."));
 }
 
-// Progress is erased with blanks, and not shown on a terminal that cannot.
+// Progress is erased with blanks. A terminal that cannot rewrite a line gets none.
 TEST_F(CliUsage, NoTerminalGetsEscapeSequences) {
   if (std::system("script --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs script";
   const auto shown = [&](const std::string& environment) {

@@ -99,7 +99,8 @@ TEST_F(ExportVtk, ObjIsTheClosedBoundary) {
   EXPECT_NEAR(volume(*mesh), whole.volume(), 1e-5 * whole.volume());
 }
 
-// VTK merges vertices at one place, so sides where solids touch have more triangles.
+// VTK merges vertices at the same position. So a side at which solids touch has more than two
+// triangles.
 TEST_F(ExportVtk, StlHasASolidForEachComponent) {
   const TextComplex whole = complex("3");
   vtkNew<vtkSTLReader> reader;

@@ -1,10 +1,10 @@
-// A library loaded in front of the C library (LD_PRELOAD). It lets the N-th call of one kind fail,
-// or sends a signal at it. ALPHASCOPE_FAULT is "KIND N ACTION". KIND is open (for writing), write,
-// rename, fsync or malloc. ACTION is an errno below 1000, or 1000 + a signal, which is sent after
-// the call. "0" makes this and all later calls fail (malloc). Memory is counted once the program
-// handles signals, since calls before main() are not its own. ALPHASCOPE_FAULT_MARK is a file that
-// is made when the fault happens. With ALPHASCOPE_NO_EXCHANGE, names cannot be exchanged, as on
-// NFS.
+// A library that tests load before the C library (LD_PRELOAD). It makes the N-th call of one kind
+// fail, or sends a signal at that call. ALPHASCOPE_FAULT is "KIND N ACTION". KIND is open (for
+// writing), write, rename, fsync or malloc. ACTION is an errno below 1000, or 1000 + a signal,
+// which is sent after the call. "0" makes this and all later calls fail (malloc). Memory is counted
+// once the program handles signals, since calls before main() are not its own.
+// ALPHASCOPE_FAULT_MARK is a file that is made when the fault happens. With ALPHASCOPE_NO_EXCHANGE,
+// names cannot be exchanged, as on NFS.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/syscall.h>
@@ -144,8 +144,8 @@ int rename(const char* from, const char* to) noexcept {
   return static_cast<int>(result);
 }
 
-// The failure concerns the name. It does not mean a system without exchange, for which rename()
-// would follow.
+// An injected failure is one of this name. EINVAL means a system without exchange, on which the
+// program uses rename() instead.
 int renameat2(int a, const char* from, int b, const char* to, unsigned flags) noexcept {
   if (std::getenv("ALPHASCOPE_NO_EXCHANGE") != nullptr) {
     errno = EINVAL;

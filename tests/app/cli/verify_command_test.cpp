@@ -14,7 +14,7 @@ namespace {
 
 using Damage = std::function<void(AlphaComplex&)>;
 
-// Computes like CGAL's engine, and damages the answer.
+// An engine that damages the answer of CGAL's engine.
 class DamagedEngine : public Engine {
  public:
   DamagedEngine(std::shared_ptr<const BallSet> balls, Damage damage)

@@ -6,6 +6,9 @@
 #include "app/session/rounding_note.hpp"
 #include "core/engines/answers_from_known.hpp"
 #include "core/engines/engine_of_executors.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
+#include "core/measure/engine_measures.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/app/session/fake_engine.hpp"
 

@@ -19,7 +19,8 @@ Request request_of(std::vector<const char*> words) {
   return request;
 }
 
-// From outside only speed and memory show the settings of a GPU engine.
+// Tests the settings themselves. From outside, only speed and memory would show those of a GPU
+// engine.
 TEST(EngineOptions, EachSetsItsOwn) {
   const TupleOptions as_built = request_of({}).tuples;
   EXPECT_TRUE(as_built.pinned);

@@ -1,5 +1,5 @@
-// A test double for engines. It answers with one vertex a ball, waits on demand, and counts
-// requests. It imitates time and failure, never geometry.
+// An engine for tests of the session. Its complex is one vertex for each ball. It waits and fails
+// on demand, and counts requests. It computes no geometry.
 #pragma once
 
 #include <atomic>

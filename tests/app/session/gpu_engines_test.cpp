@@ -98,7 +98,7 @@ TEST(GpuEngines, LoadNothingFromTheCurrentFolder) {
   fs::current_path(before);
 }
 
-// An executor's limits and its exceptions are known on this side of the boundary.
+// Limits and exceptions of an executor cross the library's boundary, and the CPU then answers.
 TEST(GpuEngines, LetTheCpuAnswerWhereTheLibraryDoesNot) {
   const GpuEngines engines({"/nonexistent/gpu.so", ALPHASCOPE_GOOD_GPU_LIBRARY});
   ASSERT_TRUE(engines.device().usable) << engines.device().why_not;
@@ -146,7 +146,7 @@ TEST(GpuLibraryPlaces, AreReplacedByTheVariable) {
 }
 
 #ifdef ALPHASCOPE_REAL_GPU_LIBRARY
-// Without a device the library itself gives the reason, as before it was one.
+// Loads the real library. Without a device, the reason comes from the library itself.
 TEST(GpuEngines, LoadTheRealLibrary) {
   const GpuEngines engines({ALPHASCOPE_REAL_GPU_LIBRARY});
   const GpuDevice& device = engines.device();

@@ -1,5 +1,5 @@
-// Tests the session as a window uses it: nothing waits, the latest request wins, failure keeps the
-// old.
+// Tests the session as a window uses it. Calls never wait, the latest request wins, and a failure
+// keeps the previous molecule and results.
 #include "app/session/session.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,9 @@
 #include <fstream>
 #include <thread>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/app/session/fake_engine.hpp"
 #include "tests/support/dimer.hpp"
@@ -60,7 +63,7 @@ class SessionTest : public ::testing::Test {
     return all;
   }
 
-  // The same without polling, so arrivals wait.
+  // Waits without polling, so results that arrive stay undelivered.
   template <class Condition>
   static bool wait_for(const Condition& condition) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -133,8 +136,8 @@ TEST_F(SessionTest, AnAnswerThatComesWithAnotherFileIsNotShownOnIt) {
   EXPECT_EQ(session->state().ours->complex.vertices.size(), 2u);
 }
 
-// This also holds while a slider is dragged and computations finish. The running one is of the
-// earlier molecule.
+// A running computation of the earlier molecule is cancelled, even during a drag, in which
+// computations are otherwise finished.
 TEST_F(SessionTest, AnotherFileCancelsWhatIsComputedForTheOldOne) {
   const auto session = make();
   session->open(good_);

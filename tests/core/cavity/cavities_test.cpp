@@ -1,5 +1,5 @@
-// Tests cavities of small sets against their definitions in rationals, and changes that must not
-// affect them.
+// Tests cavities of small sets against their definition, computed in rational numbers. Also tests
+// changes that must not affect cavities.
 #include "core/cavity/cavities.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,12 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/lattice_point.hpp"
+#include "core/predicates/flow_predicate.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/hash_steps.hpp"
+#include "core/triangulation/membership.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/reference/rational_cavities.hpp"
@@ -138,7 +143,7 @@ TEST(Cavities, AreThoseOfTheDefinitionInRationals) {
     rules_differ += found_of[0] != found_of[2];
     ties_matter += found_of[0] != found_of[1];
   }
-  // At least so many of each kind for 300 rounds, and a share of it for fewer.
+  // Each case must occur this often in 300 rounds, and proportionally less in fewer.
   const auto share = [&](std::size_t of_all) {
     return of_all * static_cast<std::size_t>(rounds) / 300;
   };
@@ -150,7 +155,8 @@ TEST(Cavities, AreThoseOfTheDefinitionInRationals) {
   EXPECT_GT(ties_matter, share(10));
 }
 
-// Compares at every alpha at which K changes, and between, with ranks of matrices modulo 2.
+// Compares the number of voids with Betti number 2, from ranks of boundary matrices modulo 2.
+// Alphas are those at which the complex changes, and others between them.
 TEST(Cavities, VoidsAreBetti2AtEveryAlpha) {
   Random random(104);
   std::size_t steps = 0, with_voids = 0;

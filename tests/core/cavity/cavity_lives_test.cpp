@@ -1,4 +1,5 @@
-// Tests lives of cavities against the cavities at one alpha after the other.
+// Tests lives of cavities: at each of many alphas, the living cavities are those of the complex
+// there.
 #include "core/cavity/cavity_lives.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,10 @@
 #include <tuple>
 #include <vector>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/membership.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 

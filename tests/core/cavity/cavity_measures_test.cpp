@@ -15,8 +15,11 @@
 
 #include "core/cavity/cavity_depth.hpp"
 #include "core/cavity/cavity_table.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/membership.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -228,8 +231,8 @@ struct VoidInACube {
     const double turn = std::acos(-half * half / (radius * radius - half * half));
     return radius * radius * (2 * pi - 3 * turn + 3 * arc_angle * half / radius);
   }
-  // The cube's eighth less cones from the ball's centre over the patch and over the parts of the
-  // discs.
+  // An eighth of the cube, less the cones from the ball's centre over its patch and over its parts
+  // of the discs.
   double volume() const {
     const double disc = arc_radius * arc_radius * arc_angle / 2 + half * z;
     return 8 * (half * half * half - (radius * patch() + 3 * half * disc) / 3);
@@ -307,7 +310,7 @@ BallSet box_of_balls() {
   return box;
 }
 
-// Small balls within a void do not exclude the probe of radius 4 from any place.
+// The probe has radius 4. Balls in a void that are smaller than it do not keep it out of any place.
 TEST(CavityMeasures, BallsSmallerThanTheProbeDoNotKeepItOut) {
   const Measured empty = measure(box_of_balls(), 0, 4);
   ASSERT_EQ(empty.measures.size(), 1u);
@@ -351,8 +354,8 @@ TEST(CavityMeasures, ASmallBallOnALargeOneIsFilledUpToItsCentre) {
     const double x0 = (apart * apart + large * large - small * small) / (2.0 * apart);
     const double r = std::sqrt(large * large - x0 * x0);
     const auto from_outside = [&](double x, double y) {
-      // The point is in the cone of the large ball's patch, in that of the small one, or between.
-      // Between them the arc is nearest.
+      // If the point lies in the cone over a sphere's patch, the nearest outside point is on that
+      // sphere. Otherwise it is on the arc.
       const bool of_large = y * x0 > x * r || (x < 0 && y >= 0);
       const bool of_small = y * (apart - x0) > (apart - x) * r || x > apart;
       const double to_arc = std::hypot(x - x0, y - r);

@@ -34,8 +34,9 @@ class FloodedGrid {
     }
   }
 
-  // Bound of the error in Å. Any walk is within half a cell's diagonal of a walk on the grid. Each
-  // step on the grid is within as much of its ends. Rounding adds 0.001 Å.
+  // Bound of the error, Å. Every walk has a walk on the grid within half a cell's diagonal. Every
+  // point of a step on the grid is within that distance of an end of the step. Rounding adds 0.001
+  // Å.
   double error() const { return spacing_ * std::sqrt(3.0) / 2 + 0.001; }
 
   // Both places are rounded to the grid.

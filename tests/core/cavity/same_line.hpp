@@ -1,4 +1,4 @@
-// Expects two channels to be the same to the last bit.
+// Expects two channels to have the same widths and samples, to the last bit.
 #pragma once
 
 #include <gtest/gtest.h>

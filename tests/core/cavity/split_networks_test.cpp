@@ -1,5 +1,5 @@
-// Tests networks and their parts: chambers with known openings, slower ways to the definitions, and
-// changes that must not matter.
+// Tests networks and their parts. Compares chambers with known openings, and slower algorithms that
+// follow the definitions. Also tests changes that must not matter.
 #include "core/cavity/split_networks.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,13 @@
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/cavity_identity/network_radius.hpp"
 #include "core/cavity_shape/cavity_mesh.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/predicates/exact_rho.hpp"
+#include "core/predicates/wide_int.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/flow.hpp"
+#include "core/triangulation/incidence.hpp"
+#include "core/triangulation/membership.hpp"
 #include "tests/core/cavity/chambers.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/sanitizer.hpp"
@@ -132,7 +138,8 @@ TEST(NetworkRadius, IsThatAtWhichTheOpeningsAreClosed) {
   EXPECT_THROW(find_network_end(with_solvent(balls, 0.9), there, 0), std::invalid_argument);
 }
 
-// Starts from other radii. There is none where a network stays whole for 20 Å.
+// The search begins above the network's own solvent radius. There is no answer if the network stays
+// whole up to 20 Å more.
 TEST(NetworkRadius, IsAboveThatOfTheNetwork) {
   const BallSet balls = chambers_in_a_row({32, 31});
   for (const double solvent : {0.3, 0.85}) {
@@ -401,7 +408,8 @@ Places places_of(const BallSet& balls, double alpha) {
   return places;
 }
 
-// On lattices many faces open at once. Where they lie between parts, places decide.
+// On a cubic lattice many faces open at the same alpha. Ties between parts are then decided by
+// positions, not by the order of the balls.
 TEST(SplitNetworks, DoNotFollowTheOrderOfTheBalls) {
   Random random(911);
   std::size_t split = 0;

@@ -9,7 +9,10 @@
 #include <numeric>
 
 #include "core/cavity_identity/cavity_numbers.hpp"
+#include "core/complex/face_class.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
 #include "tests/core/cavity/rational_location.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
@@ -35,7 +38,8 @@ BallSet grown(BallSet balls, int by) {
   return balls;
 }
 
-// shares[{earlier, later}]: six times the shared volume.
+// Returns six times the volume that two cavities share, by the pair of their numbers {earlier,
+// later}.
 std::map<std::pair<std::uint32_t, std::uint32_t>, mpq_class> rational_shares(
     const CavityTable& earlier, const CavityTable& later) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, mpq_class> shares;
@@ -226,8 +230,8 @@ TEST(CavityIdentity, RegionsOfTheSameTrianglesGiveTheSameMatch) {
   const CavityMatch regions = match_regions(regions_of(*a), regions_of(*b), *b->ground->balls);
   EXPECT_EQ(whole, regions);
   for (std::uint32_t n = 0; n < whole.came_from.size(); ++n) EXPECT_EQ(whole.came_from[n], n);
-  // Even with another radius most cavities share tetrahedra, but the largest share may be with
-  // another cavity.
+  // At another radius, most cavities still share tetrahedra with their former selves. Their largest
+  // share may be with another cavity, though.
   const CavityMatch grow = match_cavities(*a, *c);
   const CavityMatch by_atoms = match_regions(regions_of(*a), regions_of(*c), *c->ground->balls);
   std::size_t equal = 0;

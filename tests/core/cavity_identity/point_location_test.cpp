@@ -7,6 +7,8 @@
 #include <numeric>
 #include <vector>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/core/cavity/rational_location.hpp"
 #include "tests/support/molecules.hpp"

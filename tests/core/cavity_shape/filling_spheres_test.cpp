@@ -8,7 +8,10 @@
 #include <memory>
 
 #include "core/cavity/cavity_table.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/predicates/lifted.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "core/channel/clearance.hpp"
+#include "core/geometry/alpha.hpp"
 #include "tests/core/cavity/flooded_grid.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"
@@ -89,8 +90,8 @@ TEST(Channel, OfATubeIsItsNarrowRing) {
   EXPECT_LE(channel.triangulations, 10);
 }
 
-// Where the end radius is at most 1.5 times the bottleneck, the line would end beside the
-// bottleneck.
+// With an end radius of less than 1.5 times the bottleneck, the line would end close to the
+// bottleneck. So the end radius is then raised.
 TEST(Channel, GoesOnUntilItIsWiderThanItsBottleneck) {
   BallSet balls = no_balls();
   add_tube(balls, -10, 10);
@@ -205,7 +206,7 @@ BallSet balls_to_flood(Random& random, bool closed) {
   return balls;
 }
 
-// Every walk on the grid is a valid walk, and near every walk is one on the grid.
+// A walk on the grid is a valid walk, and every walk has one on the grid near it.
 TEST(Channel, IsWhatFloodingAGridFinds) {
   Random random(7);
   constexpr double kSpacing = 0.5;
@@ -284,7 +285,7 @@ TEST(Channel, OfAFineLatticeIsRounded) {
   EXPECT_DOUBLE_EQ(fine.step_angstrom, 0.001);
 }
 
-// For any balls there is either a sound answer or a reason.
+// Any set of balls gives a sound answer, or is refused with a reason.
 TEST(Channel, OfHardSetsIsSoundOrRefused) {
   Random random(23);
   std::vector<testing::NamedBalls> sets = testing::small_hard_sets(random, 40);

@@ -8,6 +8,8 @@
 
 #include "core/channel/equal_clearance.hpp"
 #include "core/channel/plane_ascent.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
@@ -35,7 +37,8 @@ BallSet unequal_balls(Random& random, int count) {
   return balls;
 }
 
-// Otherwise a million balls would be visited for every point.
+// Balls with one centre are a single entry with their largest radius. Otherwise a point near a
+// million of them would visit each.
 TEST(Clearance, OfBallsWithOneCentreTheLargestCounts) {
   BallSet balls;
   balls.lattice.digits = 3;

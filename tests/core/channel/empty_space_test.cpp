@@ -1,4 +1,4 @@
-// Tests that single queries of a search agree with the whole complex.
+// Tests that queries which search locally give the same answers as the whole complex.
 #include "core/channel/empty_space.hpp"
 
 #include <gtest/gtest.h>
@@ -96,8 +96,9 @@ TEST(EmptySpace, CornersOfAWayAreOutsideTheBalls) {
   EXPECT_GT(ways, 5);
 }
 
-// Integrates ds / clearance² along the segment between two corners by many midpoints. Clearance is
-// to the largest ball of the face, by power distance, plus the growth of the balls.
+// Integrates ds / clearance² along the segment between two corners, by the midpoint rule. The
+// clearance is the distance to a ball with the face's largest radius and the point's power, plus
+// the growth of the balls.
 double integrated(const BallSet& balls, const std::array<BallIndex, 3>& face, const RealPoint& from,
                   const RealPoint& to, const WayCost& cost) {
   constexpr int kSteps = 5000;

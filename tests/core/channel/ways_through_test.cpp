@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/channel/clearance.hpp"
+#include "core/geometry/alpha.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/core/cavity/same_line.hpp"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/chart/colour_map.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope::testing {
 namespace {

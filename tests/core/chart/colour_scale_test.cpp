@@ -1,5 +1,6 @@
 // Tests colour maps, scales, and their round numbers.
 #include "core/chart/colour_scale.hpp"
+#include "core/molecule/rgb8.hpp"
 
 #include <gtest/gtest.h>
 

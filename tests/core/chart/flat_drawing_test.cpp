@@ -11,6 +11,9 @@
 
 #include "core/chart/flat_svg.hpp"
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/well_formed_xml.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/complex/simplex_hash.hpp"
+#include "core/geometry/alpha.hpp"
 
 namespace alphascope {
 namespace {

@@ -48,8 +48,8 @@ TEST(FaceClass, TheValueIsTheOwnUnlessAttached) {
   EXPECT_EQ(face_value(coface_flags(kInterior), 2, own), 2);
 }
 
-// Cofaces are (alpha value, interior from). At each alpha the class is compared with that from the
-// cofaces one by one.
+// A coface is the pair of its alpha value and of the alpha from which it is interior. At each
+// alpha, the class from levels must be the class from the cofaces themselves.
 TEST(FaceClass, LevelsSayAtEachAlphaWhatTheCofacesThereSay) {
   const std::vector<std::vector<FaceLevels>> faces = {
       {{1, 1}}, {{1, 3}, {2, 2}}, {{2, kNever}, {1, 1}}, {{1, 1}, {2, kNever}, {3, 4}}, {{2, 4}}};

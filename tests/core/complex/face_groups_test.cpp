@@ -95,7 +95,7 @@ TEST(FaceGroups, HaveAllCofacesOfEveryFaceHoweverManyAtATime) {
   }
 }
 
-// A checker may have a list in no order.
+// The verifier may have lists that are not sorted.
 TEST(FaceGroups, NeedNoOrderOfTheSimplices) {
   std::mt19937 engine(72);
   Simplices<4> list = random_simplices<4>(engine, 200, 30);

@@ -11,6 +11,8 @@
 
 #include "core/document/explain/dimension_words.hpp"
 #include "core/engine/engine.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/spanning_balls.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/reference/rational_oracle.hpp"

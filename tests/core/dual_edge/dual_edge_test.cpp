@@ -62,7 +62,8 @@ TriangleFace filtered(const Neighbours& n, Real radius_square, Real scale) {
   return filtered_face<Real>(kTriangle, 1, radius_square, lifted);
 }
 
-// The face by its definition: every candidate for an end is tested against every other ball.
+// Finds a face by its definition. It tests every ball that may end the dual edge against every
+// other ball.
 class Definition {
  public:
   Definition(const Neighbourhood<Neighbours>& in, const Neighbours& n) : in_(in), n_(n) {
@@ -134,7 +135,7 @@ class DualEdges : public ::testing::TestWithParam<int> {
   static double whole_below(double most, std::mt19937& random) {
     return std::floor(most * random() / 4294967296.0);
   }
-  // The scale of vectors between balls that meet.
+  // Returns the power of two that scales vectors between balls that meet to lengths below 1.
   float scale() const {
     return std::ldexp(1.0f, -std::ilogb(2.0f * static_cast<float>(GetParam())) - 1);
   }
@@ -190,7 +191,8 @@ TEST_P(DualEdges, DoublePrecisionIsNeverWrong) {
   EXPECT_GT(count.attached, 20u);
 }
 
-// A triangle that the probe drops is no simplex. The probe drops about as many as clip().
+// A triangle that the probe drops must not be a simplex. The probe drops nearly as many triangles
+// as clip() does.
 TEST_P(DualEdges, ProbedAwayTrianglesAreNone) {
   std::mt19937 random(3);
   const float scale = 2 * this->scale();
@@ -255,8 +257,8 @@ TEST_P(DualEdges, CutCentresOfDiscsAreCut) {
   EXPECT_GT(out, 1000u);
 }
 
-// A point of the disc that ball m does not cut off refutes "covered". Points around the disc's
-// centre are sampled.
+// If any point of the disc is not cut off, the disc is not covered. The test tries points of the
+// disc around its centre.
 TEST_P(DualEdges, CoveredDiscsAreCovered) {
   std::mt19937 random(11);
   const float scale = this->scale();

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/alpha.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/sanitizer.hpp"

@@ -9,6 +9,7 @@
 #include "core/complex/compare.hpp"
 #include "core/engine/engine.hpp"
 #include "core/engines/answers_from_known.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/support/random_balls.hpp"
@@ -81,7 +82,7 @@ TEST_F(EngineThatKnows, SmallerAlphasAreThresholdsOfItsLastWholeComplex) {
   EXPECT_EQ(route(*engine, 105, known), "filtration of cached complex, then threshold");
 }
 
-// The caller need not share an answer.
+// The caller may keep an answer to itself. Later answers then compute again.
 TEST_F(EngineThatKnows, AComplexIsNotCopied) {
   const auto engine = make_cpu_engine(balls_, {1});
   KnownResults known;

@@ -6,6 +6,7 @@
 
 #include "core/engine/engine.hpp"
 #include "core/engines/route.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/neighbours/uniform_grid.hpp"
 #include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"
@@ -73,7 +74,8 @@ TEST(CpuEngine, NamesItsStages) {
   EXPECT_EQ(labels(again.timings, false), (Labels{kThreshold}));
 }
 
-// The time of integers is subtracted from the measured time of both.
+// The time of a stage is a difference of two measured times, and must not be negative. Floating
+// point and integers are measured together.
 TEST(CpuEngine, NoStageTakesLessThanNoTime) {
   Random random(52);
   const auto balls =
@@ -87,7 +89,7 @@ TEST(CpuEngine, NoStageTakesLessThanNoTime) {
   }
 }
 
-// A triangulation that its owner has dropped is no reason to triangulate.
+// If the owner of a triangulation has dropped it, the engine clips again instead of triangulating.
 TEST(CpuEngine, ClipsAgainWhenItsTriangulationIsGone) {
   const auto engine = make_cpu_engine(some_balls(), {1});
   KnownResults known;

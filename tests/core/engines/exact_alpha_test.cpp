@@ -9,6 +9,9 @@
 #include <random>
 #include <string>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/verify/verify.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/random_balls.hpp"
@@ -25,7 +28,7 @@ Alpha alpha_of(const std::string& text) {
   return alpha;
 }
 
-// numerator / 10^digits, and the same less 10^-18.
+// The decimal numerator / 10^digits, and the decimal 10^-18 below it.
 struct Decimals {
   Alpha at, below;
 };
@@ -158,7 +161,7 @@ TEST_P(ExactAlpha, IsAQuarterOfAUnit) {
   expect_in_and_out(GetParam(), coarse, 2, decimals(-74949975, 8));
 }
 
-// w + alpha nearly cancels. A ball is in the complex exactly from alpha = -w on.
+// A ball of radius² w is in the complex exactly from alpha = -w on, where w + alpha nearly cancels.
 TEST_P(ExactAlpha, ABallIsEmptyBelowMinusItsWeight) {
   for (const int digits : {3, 6}) {
     for (const std::int32_t radius : {1, 1880, 1234567, kMaxLatticeRadius}) {

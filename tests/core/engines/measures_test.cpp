@@ -6,8 +6,13 @@
 #include <cmath>
 
 #include "core/cavity/cavity_table.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/engine_measures.hpp"
+#include "core/predicates/flow_predicate.hpp"
+#include "core/predicates/wide_int.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/incidence.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/random_balls.hpp"
 

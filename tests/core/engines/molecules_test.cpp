@@ -60,7 +60,7 @@ void expect_equals_cgal(const EngineFactory& factory, const std::string& name,
                         std::shared_ptr<const BallSet> balls) {
   const auto reference = testing::keeping(make_cgal_engine(balls, {1}));
   const auto engine = factory.make(balls);
-  // Dual edges are not meant for clipping every ball by every other.
+  // The dual-edge engine is not meant for alphas at which every ball meets every other.
   const bool dual_edges = factory.name.starts_with("dual_edges");
   for (const double alpha : {10.0, -1.0, 0.0, 0.5, 1.4, 3.0, 100.0}) {
     if ((dual_edges && alpha > 10 && balls->size() > 500) || !factory.affords(*balls, alpha))

@@ -11,6 +11,7 @@
 
 #include "core/complex/compare.hpp"
 #include "core/dual_edge/cpu_dual_edges.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/neighbours/uniform_grid.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
@@ -189,8 +190,8 @@ TEST_P(Properties, StaysUsableWhenCancelled) {
   EXPECT_GT(complex.timings.stages.size(), 0u);
 }
 
-// Balls have long lists, from which most neighbours are dropped. A ball whose centre lies in the
-// cell of a larger one has an empty list. Centres are dense, so many tie.
+// Balls have many neighbours, and most of these are dropped. A ball whose centre lies in the cell
+// of a larger one has none left. Centres are dense, so many cases are ties.
 TEST_P(Properties, LongListsEqualCgal) {
   Random random(2024);
   int compared = 0;

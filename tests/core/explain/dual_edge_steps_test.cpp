@@ -12,6 +12,7 @@
 #include "core/engine/engine.hpp"
 #include "core/engines/route.hpp"
 #include "core/explain/ball_steps.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "tests/core/explain/star_of.hpp"
 #include "tests/support/keeping_engine.hpp"
@@ -27,7 +28,8 @@ using testing::NamedBalls;
 using testing::Random;
 namespace id = step_count;
 
-// Every simplex has one fate, and each step gets what the last one left.
+// Every simplex is kept or dropped by exactly one step, and each step begins with those that the
+// last one kept.
 void expect_consistent(const BallSteps& steps) {
   if (steps.left_out != LeftOutReason::no) {
     EXPECT_EQ(steps.steps.size(), 1u);
@@ -193,8 +195,8 @@ double power(const BallSet& balls, BallIndex b, const RealPoint& x) {
   return dot(d, d) - balls.lattice.square_angstrom(static_cast<double>(balls.weight(b)));
 }
 
-// On the rest of a dual edge, three balls have equal power and no other has less. It lies within
-// the grown ball or just beyond.
+// On the part of a dual edge that clipping leaves, three balls have equal power and no ball has
+// less. That part lies within the grown ball, or slightly beyond.
 TEST(DualEdgeSteps, SegmentsAreDualEdges) {
   const auto balls = testing::sample_balls("1crn.pdb");
   const double alpha = 4;

@@ -13,7 +13,13 @@
 #include <stdexcept>
 
 #include "core/document/explain/simplex_details.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/explain/local_star.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/support/random_balls.hpp"
@@ -130,7 +136,7 @@ class Checked {
       if (step.by == Arithmetic::perturbation) continue;
       ASSERT_TRUE(step.sign == 0 || step.sign == sgn(excess)) << name(s) << " and " << one.ball;
       if (!step.has_number || std::isnan(step.value_angstrom2)) continue;
-      // Within the filter's error bound, or exact.
+      // The number is within the filter's error bound or, without a bound, exact.
       const Rational off = abs(Rational(step.value_angstrom2) - excess * per_square_);
       const Rational allowed = std::isfinite(step.error_angstrom2)
                                    ? Rational(step.error_angstrom2) * Rational(1.0001)
@@ -272,7 +278,8 @@ class Checked {
         FAIL();
     }
   }
-  // With only the culprits of a triangle or tetrahedron, it is absent as well.
+  // Checks the culprits of a triangle or tetrahedron: if they are the only other balls, the simplex
+  // is absent as well.
   void guilty(const Explanation& e, const Balls& s) {
     if (s.size() < 3) return;
     Balls few = s;
@@ -328,7 +335,8 @@ TEST(Explanation, RefusesWhatIsNoSimplex) {
   EXPECT_THROW(explain(balls, Balls{0}, std::nan("")), std::invalid_argument);
 }
 
-// Larger sets than the first choice of balls, against the filtration of the whole triangulation.
+// Explanations in sets that are larger than the first choice of balls. The reference is the
+// filtration of the whole triangulation.
 class Sampled {
  public:
   Sampled(const testing::NamedBalls& set, Random& random)

@@ -1,4 +1,4 @@
-// Tests which arithmetic decides, and what it is asked to decide.
+// Tests the record of how a decision was made: by a filter, by integers, or by the perturbation.
 #include "core/explain/recorded_steps.hpp"
 
 #include <gtest/gtest.h>

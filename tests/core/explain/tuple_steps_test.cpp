@@ -11,6 +11,7 @@
 
 #include "core/engine/engine.hpp"
 #include "core/explain/ball_steps.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/tuples/tuple_engine.hpp"
 #include "tests/core/explain/star_of.hpp"
 #include "tests/support/expect_same.hpp"
@@ -37,7 +38,8 @@ std::vector<TupleOptions> all_optimisations() {
   }
   return all;
 }
-// A million cells for each ball take long.
+// Returns all combinations of switches. Those with the thesis' grid, of a million cells, take long
+// for each ball.
 std::vector<TupleOptions> all_switches() {
   std::vector<TupleOptions> all = all_optimisations();
   for (TupleOptions options : all_optimisations()) {
@@ -47,7 +49,8 @@ std::vector<TupleOptions> all_switches() {
   return all;
 }
 
-// Each step gets what the last one left, and every simplex has one fate.
+// Each step begins with the simplices that the last one kept, and every simplex is kept or dropped
+// once.
 void expect_consistent(const BallSteps& steps) {
   const auto all = [&](StepKind kind, std::string_view what) {
     return steps.find(kind)->count(what).all;
@@ -84,7 +87,7 @@ void expect_consistent(const BallSteps& steps) {
   }
 }
 
-// Tells which sums were not zero, so that no comparison is empty.
+// Adds up counts, and tells which of them were not zero. A comparison of zeros would show nothing.
 class Sums {
  public:
   void add(const BallSteps& steps) {

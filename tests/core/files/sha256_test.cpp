@@ -1,6 +1,7 @@
 // Tests SHA-256 against vectors of the standard.
 #include "core/files/sha256.hpp"
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

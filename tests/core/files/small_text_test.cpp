@@ -11,6 +11,7 @@
 
 #include "core/files/files_read.hpp"
 #include "core/files/text_limits.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {
@@ -96,7 +97,7 @@ TEST(TextLimits, AreSaidInTheirUnit) {
   EXPECT_EQ(fault_beyond(std::uint64_t{8} << 30), limit + "8192 MiB" + kLarge);
 }
 
-// Lines are checked while a text grows. The long one is the third.
+// The lengths of lines are checked while a text is being read. Here the third line is too long.
 TEST(TextLimits, ALineIsTooLongWhereverItIsCut) {
   const std::filesystem::path path = "a.pdb";
   LineLengths lengths(path);

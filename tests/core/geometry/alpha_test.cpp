@@ -10,6 +10,8 @@
 #include <string>
 
 #include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

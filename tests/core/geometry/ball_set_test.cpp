@@ -1,5 +1,7 @@
 // Tests solvent radii on the lattice: exact where the bounds leave room.
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/geometry/alpha.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/support/random_balls.hpp"
 

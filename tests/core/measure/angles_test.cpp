@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
 
 namespace alphascope {

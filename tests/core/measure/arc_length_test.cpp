@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "tests/core/measure/measured_sets.hpp"
 
@@ -180,8 +183,8 @@ std::vector<Sphere> spheres_of(const BallSet& balls, double alpha) {
   return spheres;
 }
 
-// A circle with few arcs is off by less than a step of its points, and an arc shorter than a step
-// may be missed. So six times the root of the sum of squares is never reached by chance.
+// Sampling errs by less than one step for each arc, and may miss an arc shorter than a step. So the
+// error is practically never above six times the root of the sum of squared steps.
 void expect_sampled(const BallSet& balls, double alpha, int points, Random& random) {
   const UnionMeasures of = measured(balls, alpha);
   const std::vector<Sphere> spheres = spheres_of(balls, alpha);

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <random>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/convex_piece.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

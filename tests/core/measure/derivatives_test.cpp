@@ -1,6 +1,7 @@
 // Tests derivatives of area and volume.
 #include <gtest/gtest.h>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "tests/core/measure/measured_sets.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "tests/core/measure/measured_sets.hpp"
 #include "tests/support/engines.hpp"

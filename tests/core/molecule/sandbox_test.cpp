@@ -11,6 +11,8 @@
 
 #include "core/complex/compare.hpp"
 #include "core/engine/engine.hpp"
+#include "core/geometry/lattice_point.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/sanitizer.hpp"

@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/geometry/lattice_point.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

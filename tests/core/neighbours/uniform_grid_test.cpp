@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/grown_balls.hpp"
 #include "tests/support/random_balls.hpp"
 

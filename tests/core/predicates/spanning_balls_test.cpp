@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/lattice_point.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

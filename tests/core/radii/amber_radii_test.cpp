@@ -8,6 +8,8 @@
 #include <map>
 #include <sstream>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/radii/radii_set.hpp"
 
 namespace alphascope {

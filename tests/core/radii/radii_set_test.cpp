@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/read/user_radii.hpp"
 #include "core/selection/prepare_balls.hpp"

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/core/read/data_table.hpp"

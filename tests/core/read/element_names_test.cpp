@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"
 

@@ -10,13 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/lattice_point.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/core/read/data_table.hpp"
 
 namespace alphascope {
 namespace {
 
-// Files that gemmi 0.5.7 reads differently, and why we do not follow.
+// Files that gemmi 0.5.7 reads differently, and why this program does not read them so.
 const std::set<std::string> kGemmiDiffers = {
     "pbc_resid_overflow.pdb.gz",  // takes cut digits where columns are shifted right
     "end-endmdl.pdb",             // stops at the first END; another model follows

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
@@ -133,7 +135,8 @@ TEST(HostileInput, GzipTruncatedDamagedAndEndless) {
   EXPECT_NE(refusal("a.pdb.gz", bomb, small).reason().find("limit of 1 MiB"), std::string::npos);
 }
 
-// Lessons, sessions and tables have such small limits, so a remedy about atoms would mislead.
+// Small limits are those of lessons, sessions and tables, for which the remedy of a molecule would
+// mislead.
 TEST(HostileInput, ASmallLimitIsSaidInItsUnit) {
   ReadOptions small;
   for (const auto& [bytes, said] :
@@ -322,7 +325,8 @@ TEST(HostileInput, EveryFormatRefusesNumbersThatAreNone) {
       EXPECT_EQ(error.line(), lines) << error.what();
       EXPECT_FALSE(error.remedy().empty());
     }
-    // Radius 0 is what a file may say: counted, never a ball without a word.
+    // A file may give the radius 0. Such an atom is counted in the report, and is never silently a
+    // ball.
     const Molecule zero = read_text(sample.name, filled(sample, "2.5", "0"));
     EXPECT_FALSE(zero.has_file_radii);
     const auto says_zero = [](const std::string& note) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"

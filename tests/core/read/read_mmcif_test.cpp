@@ -1,6 +1,7 @@
 // Tests mmCIF files.
 #include <string>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"
 

@@ -1,6 +1,7 @@
 // Tests MOL2 of Tripos.
 #include <string>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"
 

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_reason.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/core/read/residue_dialects.hpp"
@@ -186,7 +187,7 @@ TEST(RecordedBonds, TheEntityTableGoesBeforeThem) {
   EXPECT_EQ(unknown_of(m).why, Why::entity_non_polymer);
 }
 
-// A chain name that no atom has is not the empty name.
+// A bond that names a chain without atoms must not be taken for a bond of the chain without a name.
 TEST(RecordedBonds, OfAChainThatIsNotThereTellNothing) {
   auto sample = torn_chain();
   auto elsewhere = sample;

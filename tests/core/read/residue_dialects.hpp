@@ -81,7 +81,7 @@ inline std::string quoted(const std::string& name) {
   return name.find('\'') == std::string::npos ? name : '"' + name + '"';
 }
 
-// True when a polymer of a sample ends before this atom.
+// Whether a TER record belongs before this atom, because a polymer ends there.
 inline bool ends_chain(const SampleAtom* before, const SampleAtom& atom) {
   return before && before->kind == ResidueKind::polymer &&
          std::string_view(before->entity) != atom.entity;

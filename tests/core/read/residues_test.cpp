@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_reason.hpp"
 #include "core/selection/residue_list.hpp"
 #include "tests/core/files/temporary_file.hpp"

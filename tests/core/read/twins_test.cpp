@@ -9,8 +9,11 @@
 
 #include "core/cavity/cavity_table.hpp"
 #include "core/molecule/residue_reason.hpp"
+#include "core/predicates/wide_int.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/core/read/twin_dialects.hpp"
 

@@ -3,7 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/molecule/altlocs.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/read/residues/virtual_sites.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"

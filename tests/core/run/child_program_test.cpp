@@ -1,6 +1,7 @@
 // Tests programs that are fed: their input, output and exit status, and that none outlives its
 // owner.
 #include "core/run/child_program.hpp"
+#include "core/run/cancel_token.hpp"
 
 #include <gtest/gtest.h>
 

@@ -32,7 +32,7 @@ TEST(WorkThreads, SaysHowManyWork) {
   EXPECT_EQ(WorkThreads(1000).used(), WorkThreads().used()) << "as many as the machine has";
 }
 
-// Threads for one caller have room for a second one, which brings its own thread.
+// Even a single thread has room for a second caller, which works on its own thread.
 TEST(WorkThreads, HaveRoomForAsManyAsAreAsked) {
   for (const auto& [asked, room] : {std::pair{1, 2}, {2, 2}, {3, 3}, {7, 7}}) {
     int found = 0;
@@ -74,7 +74,8 @@ TEST(WorkThreads, SeveralWorkAtOnce) {
   EXPECT_TRUE(together);
 }
 
-// Otherwise a slider would wait for a table.
+// Two callers share one thread, and the second runs at once. Otherwise a slider would wait for a
+// table.
 TEST(WorkThreads, OfOneThreadNobodyWaitsForTheOther) {
   WorkThreads threads(1);
   std::atomic<bool> second_ran{false};

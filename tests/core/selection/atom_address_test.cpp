@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/selection/selection_error.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

@@ -6,6 +6,7 @@
 
 #include <numeric>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/selection/contents.hpp"
 #include "tests/core/files/temporary_file.hpp"
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/molecule/assembly.hpp"
+#include "core/radii/radii_set.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 
 namespace alphascope {

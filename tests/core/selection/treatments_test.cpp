@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/molecule/residue_reason.hpp"
 #include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {

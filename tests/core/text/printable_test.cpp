@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/selection/provenance.hpp"
 #include "core/selection/selection_expression.hpp"

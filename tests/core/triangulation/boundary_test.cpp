@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 

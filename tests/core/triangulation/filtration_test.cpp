@@ -14,6 +14,9 @@
 #include "core/complex/compare.hpp"
 #include "core/complex/face_groups.hpp"
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"
@@ -59,7 +62,8 @@ TEST(Filtration, SeparatesValuesOfOneFloat) {
   EXPECT_GT(separated, 100u);
 }
 
-// Most of the hash is known beforehand. Small and large sets, at, between and beyond alpha values.
+// A threshold updates a hash that is mostly known beforehand. It must be the sum over the
+// simplices, for small and large sets, at alpha values, between them and beyond.
 TEST(Filtration, TheHashIsThatOfTheSimplices) {
   Random random(29);
   std::vector<NamedBalls> sets = testing::large_hard_sets(random);

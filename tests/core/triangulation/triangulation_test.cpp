@@ -11,6 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
@@ -98,7 +101,7 @@ TEST(Triangulation, OfLargeHardSetsEqualsThatOfCgalUsedDirectly) {
   EXPECT_GT(compared, 3000u);
 }
 
-// Includes hidden and coincident balls.
+// The sets have hidden and coincident balls, too.
 TEST(Triangulation, DoesNotDependOnThreads) {
   Random random(23);
   for (const int high_radius : {30, 900}) {
@@ -149,7 +152,7 @@ TEST(Triangulation, ItsMakingCanBeCancelled) {
   }
 }
 
-// The store decides by these numbers what it makes.
+// The store decides by these numbers whether a result fits into the budget.
 TEST(MemoryNeed, BytesAreThoseOfAllArrays) {
   Triangulation t;
   t.tetrahedra.resize(2);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/tuples/tuple_compute.hpp"
 #include "core/tuples/tuple_input.hpp"
 #include "tests/support/dual_edge_only_engine.hpp"
@@ -195,8 +196,8 @@ TEST(TupleEngine, NamesItsStagesInOrder) {
   EXPECT_EQ(labels, expected);
 }
 
-// All balls meet. Without checking the token between batches this would take minutes.
-// A CPU does not list stages that only a device has as left out.
+// Streams, textures and pinned memory exist on a device only. A route on the CPU does not list them
+// as left out.
 TEST(TupleEngine, ItsRouteSaysWhatIsLeftOut) {
   const auto balls = testing::sample_balls("1crn.pdb");
   const auto route = [&](const TupleOptions& options) {
@@ -217,6 +218,7 @@ TEST(TupleEngine, ItsRouteSaysWhatIsLeftOut) {
             "optimisation and pinned memory and streams and textures");
 }
 
+// All balls meet. Without checking the token between batches this would take minutes.
 TEST(TupleEngine, StopsBetweenBatches) {
   Random random(34);
   const auto balls = shared(testing::random_balls(random, 800, 1000, 100, 300));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory_resource>
 
+#include "core/geometry/lattice_point.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

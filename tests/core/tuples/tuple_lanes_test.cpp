@@ -147,7 +147,8 @@ TEST(TupleLanes, NeedNoOtherOrderThanTheirOwn) {
   }
 }
 
-// Several streams are useless if each batch is awaited before the next starts.
+// Counts lanes that have work at the same time. If each batch were awaited before the next starts,
+// several streams would be useless.
 TEST(TupleLanes, WorkSideBySide) {
   testing::Random random(52);
   const auto balls =

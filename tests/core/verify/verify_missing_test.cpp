@@ -8,6 +8,8 @@
 #include <tuple>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/verify/verify.hpp"
 #include "core/verify/verify_missing.hpp"
@@ -51,7 +53,8 @@ bool has_all(const auto& simplex, const std::vector<BallIndex>& vertices) {
   return std::includes(simplex.begin(), simplex.end(), vertices.begin(), vertices.end());
 }
 
-// The complex without a simplex and its cofaces: closed again, with classes.
+// Removes a simplex and its cofaces. The rest contains all faces of its simplices, with their right
+// classes.
 AlphaComplex without(const AlphaComplex& complex, const std::vector<BallIndex>& vertices) {
   AlphaComplex rest = complex;
   const auto stays = [&](const auto& s) { return !has_all(s, vertices); };
@@ -92,7 +95,8 @@ void expect_each_is_missed(const NamedBalls& set, const AlphaComplex& complex,
   }
 }
 
-// In at least so many complexes of each dimension, only missing simplices are reported.
+// The verifier must notice each removal. In at least `at_least` complexes of each dimension, it
+// must report nothing but missing simplices.
 void expect_removals_are_noticed(const std::vector<NamedBalls>& sets, Random& random,
                                  int at_least = 20) {
   Counts found{};

@@ -11,6 +11,7 @@
 
 #include "core/complex/compare.hpp"
 #include "core/engine/engine.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/order_tetrahedra.hpp"
 #include "tests/support/random_balls.hpp"

@@ -1,4 +1,4 @@
-// Tests that pandas, R and spreadsheets read tables back unchanged.
+// Tests that cells are quoted so that pandas, R and spreadsheets read tables back unchanged.
 #include "core/write/csv.hpp"
 
 #include <gtest/gtest.h>

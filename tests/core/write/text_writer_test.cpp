@@ -1,5 +1,6 @@
 // Tests text written in pieces: content, limited memory, and cancelling.
 #include "core/write/text_writer.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 #include <gtest/gtest.h>
 

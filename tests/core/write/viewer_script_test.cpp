@@ -6,6 +6,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "core/complex/compare.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/verify/verify.hpp"
 
 namespace alphascope::testing {
@@ -75,7 +77,8 @@ std::string difference(const AlphaComplex& found, const AlphaComplex& expected) 
 
 namespace {
 
-// The difference, or else an error that the verifier finds.
+// Returns the difference between both complexes or, if there is none, an error that the verifier
+// finds.
 std::string difference_or_doubt(const BallSet& balls, const AlphaComplex& found,
                                 const AlphaComplex& expected) {
   const std::string what = difference(found, expected);

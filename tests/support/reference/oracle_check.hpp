@@ -18,8 +18,8 @@ struct OracleCounts {
 };
 
 // Alphas (Å²) at which the complex changes, in ascending order. They are the critical values, where
-// these are doubles on alpha's lattice, and the nearest alphas on both sides. Above 16 all three
-// round to the same float. Some alphas without relation to the balls are added.
+// these are doubles on alpha's lattice, and the nearest alphas on both sides. Above 16 Å² all three
+// round to the same float. Some alphas that have nothing to do with the balls are added.
 std::vector<double> interesting_alphas(const RationalOracle& oracle, const Lattice& lattice);
 
 // At most `most` of the alphas, with the first and last ones. They are in random order, as an

@@ -5,6 +5,7 @@
 
 #include "core/dual_edge/facet_disc.hpp"
 #include "core/dual_edge/triangle_faces.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/predicates/grown_balls.hpp"
 #include "core/tuples/tuple_exact.hpp"

@@ -1,5 +1,5 @@
 // Compares every predicate and its filters with GMP's integers and rationals, on five balls at a
-// time. For suites, and for a program that does so a hundred million times.
+// time. Suites use it, and a program that checks a hundred million sets.
 #pragma once
 
 #include <cstdint>

@@ -6,6 +6,9 @@
 #include <map>
 #include <optional>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
+
 namespace alphascope::testing {
 namespace {
 

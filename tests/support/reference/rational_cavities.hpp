@@ -1,5 +1,6 @@
 // Cavities straight from their definitions, in rational arithmetic, for a handful of balls. It
-// shares only the triangulation's definition in rational_oracle.hpp.
+// shares no code with the program. From rational_oracle.hpp it takes only the definition of the
+// triangulation.
 #pragma once
 
 #include <set>

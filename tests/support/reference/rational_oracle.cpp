@@ -6,6 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/lattice_point.hpp"
+
 namespace alphascope::testing {
 namespace {
 

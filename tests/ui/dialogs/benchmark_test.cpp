@@ -38,7 +38,7 @@ TEST(BenchmarkPage, OpensFromTheMenuAndAsksToRunCancelAndExport) {
   panels.frame(2);
   EXPECT_FALSE(panels.rects.contains("benchmark.run"));
   panels.click("benchmark.close");
-  EXPECT_TRUE(panels.state.memory.show_benchmark) << "cancel first";
+  EXPECT_TRUE(panels.state.dialogs.show_benchmark) << "cancel first";
   panels.click("benchmark.cancel");
   EXPECT_TRUE(panels.asked.cancel_benchmark);
   panels.state.benchmark.running = false;
@@ -47,7 +47,7 @@ TEST(BenchmarkPage, OpensFromTheMenuAndAsksToRunCancelAndExport) {
   panels.click("benchmark.export");
   EXPECT_TRUE(panels.asked.export_benchmark);
   panels.click("benchmark.close");
-  EXPECT_FALSE(panels.state.memory.show_benchmark);
+  EXPECT_FALSE(panels.state.dialogs.show_benchmark);
 }
 
 TEST(BenchmarkPage, NotesFitBesideTheNumbersAtEverySize) {
@@ -63,7 +63,7 @@ TEST(BenchmarkPage, NotesFitBesideTheNumbersAtEverySize) {
     row.back() = "NVIDIA GeForce RTX 4090; kernel I is I + II in one launch";
     b.rows = {row, row};
     b.differs = {false, false};
-    panels.state.memory.show_benchmark = true;
+    panels.state.dialogs.show_benchmark = true;
     panels.frame(5);  // columns take their widths from the previous frame
     ASSERT_TRUE(panels.rects.contains("benchmark.note.1"));
     const WidgetRect note = panels.rects["benchmark.note.1"], all = panels.rects["benchmark.table"];

@@ -6,6 +6,7 @@
 #include <new>
 #include <string>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
@@ -23,7 +24,7 @@ class DialogsTest : public ::testing::Test {
     p.state = loaded_state();
     p.frame(2);
   }
-  // Several dialogs must not replace one another from frame to frame.
+  // Expects these widgets in every frame. Dialogs must not replace one another from frame to frame.
   void expect_steady(std::initializer_list<const char*> widgets) {
     for (int i = 0; i < 6; ++i) {
       p.frame();
@@ -34,39 +35,39 @@ class DialogsTest : public ::testing::Test {
 };
 
 TEST_F(DialogsTest, TheCheatSheetOpensAboveTheBenchmarkPage) {
-  p.state.memory.show_benchmark = true;
+  p.state.dialogs.show_benchmark = true;
   p.frame(3);
   p.tap(key::kF1);
   p.frame(3);
   expect_steady({"benchmark.run", "cheat_sheet.close"});
   p.tap(key::kEscape);
   p.frame(2);
-  EXPECT_FALSE(p.state.memory.show_cheat_sheet);
-  EXPECT_TRUE(p.state.memory.show_benchmark) << "Escape is for the dialog on top";
+  EXPECT_FALSE(p.state.dialogs.show_cheat_sheet);
+  EXPECT_TRUE(p.state.dialogs.show_benchmark) << "Escape is for the dialog on top";
   p.tap(key::kF1);
   p.frame(3);
   p.click("cheat_sheet.close");
   p.click("benchmark.close");
-  EXPECT_FALSE(p.state.memory.show_benchmark);
+  EXPECT_FALSE(p.state.dialogs.show_benchmark);
   p.click("alpha.preset.3");
   EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3)
       << "the mouse is the window's again";
 }
 
 TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
-  p.state.memory.show_browser = true;
-  p.state.memory.browser_folder = "/";
+  p.state.browser.show = true;
+  p.state.browser.folder = "/";
   p.frame(3);
-  p.state.memory.browser_typed = "/tmp/what I typed";
+  p.state.browser.typed = "/tmp/what I typed";
   p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.");
   p.frame(3);
   expect_steady({"browser.cancel", "error.ok"});
   p.click("error.ok");
   p.frame(2);
   EXPECT_TRUE(p.state.error.empty());
-  EXPECT_EQ(p.state.memory.browser_typed, "/tmp/what I typed");
+  EXPECT_EQ(p.state.browser.typed, "/tmp/what I typed");
   p.click("browser.cancel");
-  EXPECT_FALSE(p.state.memory.show_browser);
+  EXPECT_FALSE(p.state.browser.show);
   p.click("alpha.preset.3");
   EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3);
 }
@@ -101,36 +102,36 @@ TEST_F(DialogsTest, CancelIsAtTheLeftOfWhatIsDone) {
     EXPECT_LT(c.x1, ok.x0) << cancel;
     EXPECT_FLOAT_EQ(c.y0, ok.y0) << cancel;
   };
-  p.state.memory.show_save = true;
+  p.state.dialogs.show_save = true;
   at_left("save.cancel", "save.ok");
-  p.state.memory.show_browser = true;
+  p.state.browser.show = true;
   at_left("browser.cancel", "browser.open");
-  p.state.memory.confirm_assembly = "1";
+  p.state.dialogs.confirm_assembly = "1";
   at_left("assembly.cancel", "assembly.expand");
-  p.state.memory.show_benchmark = true;
+  p.state.dialogs.show_benchmark = true;
   at_left("benchmark.cancel", "benchmark.run");
 }
 
 TEST_F(DialogsTest, APictureIsSavedOnlyWhereThereIsAFolder) {
-  p.state.memory.show_save = true;
-  p.state.memory.save_path = "/no/such/folder/picture.png";
+  p.state.dialogs.show_save = true;
+  p.state.dialogs.save_path = "/no/such/folder/picture.png";
   p.frame(3);
   ASSERT_TRUE(p.rects.contains("save.no_folder"));
   p.click("save.ok");
   EXPECT_FALSE(p.asked.screenshot);
-  EXPECT_TRUE(p.state.memory.show_save);
-  p.state.memory.save_path = "/tmp/picture.png";
+  EXPECT_TRUE(p.state.dialogs.show_save);
+  p.state.dialogs.save_path = "/tmp/picture.png";
   p.frame(3);
   p.click("save.ok");
-  EXPECT_FALSE(p.state.memory.show_save);
+  EXPECT_FALSE(p.state.dialogs.show_save);
 }
 
 TEST_F(DialogsTest, APlaceWithoutANameIsNoFile) {
-  p.state.memory.show_save = true;
+  p.state.dialogs.show_save = true;
   p.frame(3);
   const std::string folder = std::filesystem::temp_directory_path().string();
   for (const std::string& typed : {std::string(), std::string("  "), folder, folder + "/"}) {
-    p.state.memory.save_path = typed;
+    p.state.dialogs.save_path = typed;
     p.frame(3);
     EXPECT_TRUE(p.rects.contains("save.no_name")) << typed;
     p.click("save.ok");
@@ -157,18 +158,19 @@ TEST(TypedPaths, AreWholeWhateverIsTyped) {
 }
 
 TEST_F(DialogsTest, WhatCannotBeWrittenIsSaidBeforeItIsTried) {
-  p.state.memory.show_export = true;
-  p.state.memory.export_path = "/tmp/alphascope no such file.stl";
+  p.state.dialogs.show_export = true;
+  p.state.dialogs.export_path = "/tmp/alphascope no such file.stl";
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("export.unwritable"));
-  // A folder of this name. The user who runs the tests may be allowed to write everywhere else.
+  // A folder with the file's name stops the export. An unwritable path would not, if the user who
+  // runs the tests may write everywhere.
   const std::string folder = std::filesystem::temp_directory_path() / "alphascope_folder.stl";
   std::filesystem::create_directory(folder);
-  p.state.memory.export_path = folder;
+  p.state.dialogs.export_path = folder;
   p.frame(3);
   EXPECT_TRUE(p.rects.contains("export.no_name"));
   p.click("export.ok");
-  EXPECT_TRUE(p.state.memory.show_export);
+  EXPECT_TRUE(p.state.dialogs.show_export);
   std::filesystem::remove(folder);
 }
 
@@ -205,7 +207,7 @@ class ErrorsTest : public testing::ViewerTest {
     viewer_ = std::make_unique<Viewer>(*host_, options, services);
     open_crambin();
   }
-  ~ErrorsTest() override { viewer_.reset(); }  // before objects that its services use
+  ~ErrorsTest() override { viewer_.reset(); }  // before what its services use
   bool no_memory_ = false;
   std::string fault_;
 };
@@ -223,7 +225,8 @@ TEST_F(ErrorsTest, AStepThatFailsIsALineAndNotADialog) {
   EXPECT_TRUE(s.result);
 }
 
-// The error at one alpha says nothing about the next, which may be cancelled or take long.
+// The message about one alpha must disappear when alpha changes, even if the next answer takes long
+// or is cancelled.
 TEST_F(ErrorsTest, TheErrorGoesWithItsAlpha) {
   no_memory_ = true;
   run("click alpha.water\nwait-idle\nframes 3\n");  // other balls need another engine

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 class ExportFromTheWindow : public testing::ViewerTest {
  protected:
-  // The file without lines on its program and engine.
+  // Returns the lines of the file, except those that name program and engine.
   std::string lines_of(const std::string& name) {
     std::istringstream lines(bytes(name));
     std::string kept;
@@ -44,23 +44,23 @@ TEST_F(ExportFromTheWindow, ACommandWritesWhatTheCommandLineDoes) {
 
 TEST_F(ExportFromTheWindow, TheDialogsFormatIsTheEnding) {
   open_crambin();
-  viewer_->state().memory.export_path = path("figure.glb");
+  viewer_->state().dialogs.export_path = path("figure.glb");
   run("key ctrl+e\nframes 3\nclick export.format\nframes 3\nclick export.pml\nframes 3\n");
-  EXPECT_EQ(viewer_->state().memory.export_path, path("figure.pml"));
+  EXPECT_EQ(viewer_->state().dialogs.export_path, path("figure.pml"));
   run("click export.ok\nwait-idle\n");
-  EXPECT_FALSE(viewer_->state().memory.show_export);
+  EXPECT_FALSE(viewer_->state().dialogs.show_export);
   for (const char* name : {"figure.pml", "figure-balls.pqr", "figure-boundary.obj"}) {
     EXPECT_GT(bytes(name).size(), 1000u) << name;
   }
   run("key ctrl+e\nframes 3\n");
   EXPECT_TRUE(viewer_->widgets().contains("export.replaces"));
-  viewer_->state().memory.export_path = path("figure.docx");
+  viewer_->state().dialogs.export_path = path("figure.docx");
   run("frames 3\n");
   EXPECT_TRUE(viewer_->widgets().contains("export.no_format"));
   run("click export.ok\nframes 3\n");
-  EXPECT_TRUE(viewer_->state().memory.show_export);
+  EXPECT_TRUE(viewer_->state().dialogs.show_export);
   run("click export.cancel\nframes 3\n");
-  EXPECT_FALSE(viewer_->state().memory.show_export);
+  EXPECT_FALSE(viewer_->state().dialogs.show_export);
 }
 
 TEST_F(ExportFromTheWindow, WhatCannotBeWrittenIsTold) {

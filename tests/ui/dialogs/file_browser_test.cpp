@@ -1,11 +1,15 @@
 // Tests the file dialog: keys, typed paths, and its messages. There is no renderer and no worker.
-// The listing is made here; the program makes it on another thread.
+// The test lists folders itself; in the program another thread does so.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
+#include "ui/panels/panel.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -22,14 +26,14 @@ class FileBrowser : public ::testing::Test {
       std::ofstream(folder_ / ("m" + std::to_string(100 + i) + ".pdb")) << "x";
     }
     std::ofstream(folder_ / "zebra.pdb") << std::string(1'200'000, 'x');
-    memory().browser_folder = folder_;
-    memory().show_browser = true;
+    state().browser.folder = folder_;
+    state().browser.show = true;
     list();
   }
   ~FileBrowser() override { fs::remove_all(folder_); }
 
-  SharedPanelState& memory() { return p.state.memory; }
-  std::string selected() { return memory().browser_selected.filename().string(); }
+  ViewState& state() { return p.state; }
+  std::string selected() { return state().browser.selected.filename().string(); }
   void list() {
     p.frame(2);
     if (const auto wanted = wanted_listing(memory())) {
@@ -63,7 +67,7 @@ TEST_F(FileBrowser, ArrowKeysChooseAndEnterOpens) {
   EXPECT_EQ(selected(), "m100.pdb");
   p.tap(key::kEnter);
   EXPECT_EQ(*p.asked.open, folder_ / "m100.pdb");
-  EXPECT_FALSE(memory().show_browser);
+  EXPECT_FALSE(state().browser.show);
 }
 
 TEST_F(FileBrowser, KeysAreNotForItWhileADialogIsAbove) {
@@ -74,10 +78,10 @@ TEST_F(FileBrowser, KeysAreNotForItWhileADialogIsAbove) {
   p.tap(key::kDown);
   p.tap(key::kEnter);
   p.frame(2);
-  EXPECT_FALSE(memory().show_cheat_sheet);
+  EXPECT_FALSE(state().dialogs.show_cheat_sheet);
   EXPECT_EQ(selected(), "m100.pdb");
   EXPECT_FALSE(p.asked.open);
-  EXPECT_TRUE(memory().show_browser);
+  EXPECT_TRUE(state().browser.show);
 }
 
 TEST_F(FileBrowser, HomeEndAndPagesScrollWhatTheyChooseIntoSight) {
@@ -101,7 +105,7 @@ TEST_F(FileBrowser, HomeEndAndPagesScrollWhatTheyChooseIntoSight) {
 TEST_F(FileBrowser, LettersJumpToAName) {
   letters("z");
   EXPECT_EQ(selected(), "zebra.pdb");
-  memory().browser_jump_seconds -= 10;  // a pause
+  state().browser.jump_seconds -= 10;  // a pause
   letters("m15");
   EXPECT_EQ(selected(), "m150.pdb");
   letters("7");
@@ -111,26 +115,26 @@ TEST_F(FileBrowser, LettersJumpToAName) {
 TEST_F(FileBrowser, FoldersAreEnteredAndLeftWithTheKeyboard) {
   p.tap(key::kHome);
   p.tap(key::kEnter);
-  EXPECT_EQ(memory().browser_folder, folder_ / "inside");
+  EXPECT_EQ(state().browser.folder, folder_ / "inside");
   p.frame(2);
   EXPECT_TRUE(p.rects.contains("browser.reading")) << "the old folder's rows are gone at once";
   list();
   EXPECT_TRUE(p.rects.contains("browser.entry.deep.pdb"));
   p.tap(key::kBackspace);
-  EXPECT_EQ(memory().browser_folder, folder_);
+  EXPECT_EQ(state().browser.folder, folder_);
   EXPECT_EQ(selected(), "inside") << "where one comes from";
 }
 
 TEST_F(FileBrowser, AWrongPathStaysAndSaysWhy) {
   const float y = p.rects["browser.open"].y0;
   p.type("browser.path", (folder_ / "no.pdb").string());
-  EXPECT_TRUE(memory().show_browser);
+  EXPECT_TRUE(state().browser.show);
   EXPECT_FALSE(p.asked.open);
-  EXPECT_NE(memory().browser_error.find("no.pdb"), std::string::npos);
+  EXPECT_NE(state().browser.error.find("no.pdb"), std::string::npos);
   EXPECT_TRUE(p.rects.contains("browser.error"));
   EXPECT_EQ(p.rects["browser.open"].y0, y) << "nothing moves";
   p.type("browser.path", "zebra.pdb");  // in the folder that is shown
-  EXPECT_FALSE(memory().show_browser);
+  EXPECT_FALSE(state().browser.show);
   EXPECT_EQ(*p.asked.open, folder_ / "zebra.pdb");
 }
 

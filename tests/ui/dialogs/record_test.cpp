@@ -85,7 +85,7 @@ TEST_F(RecordTest, ATurntableBeginsWithWhatIsOnScreen) {
 }
 
 TEST_F(RecordTest, TheDialogAsksForAllOfItAndRecords) {
-  SharedPanelState& m = viewer_->state().memory;
+  ViewState& m = viewer_->state();
   m.record.path = (folder_ / "f-%d.png").string();
   m.record.options.width = m.record.options.height = 64;
   m.record.recording.frames = 2;
@@ -101,7 +101,7 @@ TEST_F(RecordTest, TheDialogAsksForAllOfItAndRecords) {
 
 TEST_F(RecordTest, TheDialogSaysThatMoviesNeedFfmpeg) {
   const FakeFfmpeg none(folder_, "");
-  SharedPanelState& m = viewer_->state().memory;
+  ViewState& m = viewer_->state();
   m.record.path = (folder_ / "m.mp4").string();
   run("file.record\nframes 3\n");
   EXPECT_TRUE(viewer_->widgets().contains("record.no_ffmpeg"));

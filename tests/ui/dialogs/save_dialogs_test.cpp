@@ -8,6 +8,7 @@
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
+#include "ui/panels/panel.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -24,7 +25,7 @@ class SaveDialogs : public ::testing::Test {
     p.frame(3);
   }
   ~SaveDialogs() override { fs::remove_all(folder_); }
-  SharedPanelState& memory() { return p.state.memory; }
+  ViewState& state() { return p.state; }
   std::string path(const std::string& name) { return (folder_ / name).string(); }
   void list() {
     p.frame(2);
@@ -40,25 +41,26 @@ class SaveDialogs : public ::testing::Test {
       const char* dialog;
       std::function<void()> open;
       std::function<std::string()> path;
-    } all[] = {
-        {"save", [&] { memory().show_save = true; }, [&] { return memory().save_path; }},
-        {"export", [&] { memory().show_export = true; }, [&] { return memory().export_path; }},
-        {"record", [&] { memory().record.show = true; }, [&] { return memory().record.path; }},
-        {"save_session", [&] { memory().show_save_session = true; },
-         [&] { return memory().session_path; }},
-        {"save_table",
-         [&] {
-           TableToSave table{
-               .what = "Cavities",
-               .file_name = "4hhb-cavities",
-               .csv = Definition<std::string>({.id = "test.table", .title = "A table"},
-                                              [](const Inputs&, const RunContext&) {
-                                                return std::make_shared<const std::string>("x");
-                                              })};
-           memory().save_table.path.clear();
-           memory().save_table.table = std::make_shared<const TableToSave>(table);
-         },
-         [&] { return memory().save_table.path; }}};
+    } all[] = {{"save", [&] { state().dialogs.show_save = true; },
+                [&] { return state().dialogs.save_path; }},
+               {"export", [&] { state().dialogs.show_export = true; },
+                [&] { return state().dialogs.export_path; }},
+               {"record", [&] { state().record.show = true; }, [&] { return state().record.path; }},
+               {"save_session", [&] { state().dialogs.show_save_session = true; },
+                [&] { return state().dialogs.session_path; }},
+               {"save_table",
+                [&] {
+                  TableToSave table{.what = "Cavities",
+                                    .file_name = "4hhb-cavities",
+                                    .csv = Definition<std::string>(
+                                        {.id = "test.table", .title = "A table"},
+                                        [](const Inputs&, const RunContext&) {
+                                          return std::make_shared<const std::string>("x");
+                                        })};
+                  state().save_table.path.clear();
+                  state().save_table.table = std::make_shared<const TableToSave>(table);
+                },
+                [&] { return state().save_table.path; }}};
     for (const auto& one : all) {
       one.open();
       p.frame(4);
@@ -83,8 +85,8 @@ TEST_F(SaveDialogs, OfferTheMoleculesFolderAndName) {
 }
 
 TEST_F(SaveDialogs, OfferTheFolderOfTheFileThatWasSavedLastAndTheNameTypedLast) {
-  memory().show_save = true;
-  memory().save_path = path("inside/mine.png");
+  state().dialogs.show_save = true;
+  state().dialogs.save_path = path("inside/mine.png");
   p.frame(4);
   p.click("save.ok");
   p.frame(3);
@@ -103,7 +105,7 @@ TEST_F(SaveDialogs, OfferNoFolderOfSamples) {
   });
 }
 
-// No file is named for another format, and none gets a second ending.
+// A name with another format's ending is refused. It gets no second ending.
 TEST_F(SaveDialogs, AnotherEndingIsRefused) {
   const struct {
     std::string dialog, wrong, right, written;
@@ -112,14 +114,15 @@ TEST_F(SaveDialogs, AnotherEndingIsRefused) {
                {"save_session", "a.txt", "a", "a.json"}};
   for (const auto& c : cases) {
     const bool picture = c.dialog == "save";
-    (picture ? memory().show_save : memory().show_save_session) = true;
-    std::string& typed = picture ? memory().save_path : memory().session_path;
+    (picture ? state().dialogs.show_save : state().dialogs.show_save_session) = true;
+    std::string& typed = picture ? state().dialogs.save_path : state().dialogs.session_path;
     typed = path(c.wrong);
     p.frame(4);
     EXPECT_TRUE(p.rects.contains(c.dialog + ".ending")) << c.wrong;
     p.click(c.dialog + ".ok");
     p.frame(3);
-    EXPECT_TRUE(picture ? memory().show_save : memory().show_save_session) << "it cannot be saved";
+    EXPECT_TRUE(picture ? state().dialogs.show_save : state().dialogs.show_save_session)
+        << "it cannot be saved";
     typed = path(c.right);
     p.frame(3);
     EXPECT_FALSE(p.rects.contains(c.dialog + ".ending")) << c.right;
@@ -133,60 +136,60 @@ TEST_F(SaveDialogs, AnotherEndingIsRefused) {
 }
 
 TEST_F(SaveDialogs, AnEmptyFieldStaysEmpty) {
-  memory().show_export = true;
+  state().dialogs.show_export = true;
   p.frame(4);
   p.type("export.path", " ");
-  memory().export_path.clear();
+  state().dialogs.export_path.clear();
   p.frame(3);
-  EXPECT_EQ(memory().export_path, "");
-  EXPECT_TRUE(memory().show_export);
+  EXPECT_EQ(state().dialogs.export_path, "");
+  EXPECT_TRUE(state().dialogs.show_export);
 }
 
 TEST_F(SaveDialogs, BrowseChoosesAFolderAndKeepsTheName) {
   in_each([&](const std::string& dialog, const std::string& offered) {
     const std::string name = fs::path(offered).filename().string();
-    const fs::path before = memory().browser_folder;
+    const fs::path before = state().browser.folder;
     p.click(dialog + ".browse");
     list();
     ASSERT_TRUE(p.rects.contains("browser.entry.inside")) << dialog;
     p.tap(key::kDown);
     p.tap(key::kEnter);
     list();
-    EXPECT_EQ(memory().browser_folder, folder_ / "inside") << dialog;
+    EXPECT_EQ(state().browser.folder, folder_ / "inside") << dialog;
     p.tap(key::kEnter);  // the file to be saved
     p.frame(4);
-    EXPECT_FALSE(memory().show_browser) << dialog;
-    EXPECT_EQ(memory().browser_folder, before) << "Open stays where it was";
-    const std::string now = dialog == "save"           ? memory().save_path
-                            : dialog == "export"       ? memory().export_path
-                            : dialog == "record"       ? memory().record.path
-                            : dialog == "save_session" ? memory().session_path
-                                                       : memory().save_table.path;
+    EXPECT_FALSE(state().browser.show) << dialog;
+    EXPECT_EQ(state().browser.folder, before) << "Open stays where it was";
+    const std::string now = dialog == "save"           ? state().dialogs.save_path
+                            : dialog == "export"       ? state().dialogs.export_path
+                            : dialog == "record"       ? state().record.path
+                            : dialog == "save_session" ? state().dialogs.session_path
+                                                       : state().save_table.path;
     EXPECT_EQ(now, path("inside/" + name)) << dialog;
   });
 }
 
 TEST_F(SaveDialogs, BrowseTakesTheNameOfAFileAndCancelLeavesAll) {
   std::ofstream(folder_ / "old.stl") << "x";
-  memory().show_export = true;
+  state().dialogs.show_export = true;
   p.frame(4);
   p.click("export.browse");
   list();
   p.click("browser.entry.old.stl");
   p.click("browser.open");
   p.frame(4);
-  EXPECT_EQ(memory().export_path, path("old.stl"));
+  EXPECT_EQ(state().dialogs.export_path, path("old.stl"));
   EXPECT_TRUE(p.rects.contains("export.replaces"));
   p.click("export.browse");
   list();
   p.click("browser.cancel");
   p.frame(4);
-  EXPECT_EQ(memory().export_path, path("old.stl"));
+  EXPECT_EQ(state().dialogs.export_path, path("old.stl"));
 }
 
-// For every choice in the dialog, and whether or not the path can be written.
+// Tries every choice in the dialog, with paths that can be written and others.
 TEST_F(SaveDialogs, NothingJumps) {
-  memory().record.show = true;
+  state().record.show = true;
   p.frame(4);
   const float y = p.rects["record.ok"].y0, x = p.rects["record.ok"].x0;
   const auto same = [&](const char* when) {
@@ -199,11 +202,11 @@ TEST_F(SaveDialogs, NothingJumps) {
     p.click(widget);
     same(widget);
   }
-  memory().record.path = "/no/such/folder/x.docx";
+  state().record.path = "/no/such/folder/x.docx";
   same("a path that cannot be");
   p.click("record.cancel");
   p.frame(3);
-  memory().show_save = true;
+  state().dialogs.show_save = true;
   p.frame(4);
   const float save_y = p.rects["save.ok"].y0;
   p.click("save.caption");

@@ -1,6 +1,7 @@
 // Tests the player of lessons on a stage that only records requests.
 #include "app/viewer/lessons/lesson_player.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/run/work_threads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,8 @@ class FakeStage : public LessonStage {
   void restore_kept() override { said_ += "bring back; "; }
   void forget() override { said_ += "forget; "; }
 
-  // The last request, by the player or the user, arrives or fails.
+  // Ends the last request to open a file, which the player or the user made: with the file, or in
+  // failure.
   void arrives() {
     path_ = std::exchange(coming_, fs::path());
     file_ = std::make_shared<int>();
@@ -86,7 +88,7 @@ class LessonPlayerTest : public ::testing::Test {
   void steps(int count = 8) {
     for (int k = 0; k < count; ++k) player_.step();
   }
-  // Begins at the first step, with everything done.
+  // Opens a lesson, and carries out everything that its first step asks for.
   void begin_and_arrive() {
     begin();
     steps();

@@ -93,7 +93,8 @@ TEST_F(LessonRecordTest, PicturesAreOneAStepWithItsTextBesideTheView) {
 TEST_F(LessonRecordTest, FactsAreInTheTextWhenItsPictureIsTaken) {
   open_lesson();
   record("f-%d.png", "lesson:1 480 270 none");
-  // The volume is computed for a moment. With “…” in its place the text would differ.
+  // Computing the volume takes a moment, in which the text has “…” in its place. The recorded page
+  // must have the number.
   const LessonState& m = viewer_->state().lessons;
   run("lesson.back\nwait-idle\nframes 3\n");
   ASSERT_EQ(m.step, 1u);
@@ -147,7 +148,7 @@ TEST_F(LessonRecordTest, WhatCannotBeIsRefused) {
 }
 
 TEST_F(LessonRecordTest, TheDialogRecordsTheOpenLesson) {
-  RecordState& m = viewer_->state().memory.record;
+  RecordState& m = viewer_->state().record;
   m.options.width = m.options.height = 64;
   open_crambin();
   run("file.record\nframes 2\nclick record.kind.2\nframes 2\n");

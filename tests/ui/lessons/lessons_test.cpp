@@ -6,6 +6,7 @@
 
 #include "app/viewer/lessons/lesson_files.hpp"
 #include "app/viewer/resources.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/baseline.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -239,7 +240,7 @@ TEST_F(LessonsTest, EachStepBeginsWithItsOwnCamera) {
   EXPECT_NEAR(zoomed[3], usual[3], kOneRow * usual[3]);
 }
 
-// A text that does not fit says so, and can be read to its end.
+// If a text does not fit, a button says so and scrolls to its end.
 TEST(LessonText, ThatGoesOnBelowSaysSo) {
   Panels p({640, 400, 2});
   auto lesson = std::make_shared<Lesson>();
@@ -281,7 +282,8 @@ TEST_F(LessonsTest, HaveRoomAtPresenterSize) {
   }
 }
 
-// A list that is read after a lesson and arrives with it does not replace the lesson.
+// The list of lessons is read after the lesson, and both arrive in one poll. The lesson must not be
+// lost.
 TEST(LessonFiles, WhatIsOpenedIsNotLostForTheList) {
   LessonFiles files([] {}, {lessons_folder()});
   const auto finish = [&] {
@@ -369,7 +371,7 @@ TEST_P(Chapter, PlaysFromTheFirstToTheLastStep) {
   for (const Size size : {Size{1280, 800, 1}, {640, 400, 2}}) expect_room(title, all, size);
 }
 
-// The pictures must not all be alike. A step at another alpha has another picture.
+// Steps at different alphas must have different pictures.
 TEST_F(LessonsTest, ThePictureOfAStepTellsItsAlpha) {
   run("size 760 400\n");
   open_lesson("growing_balls");

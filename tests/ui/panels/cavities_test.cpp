@@ -9,6 +9,9 @@
 #include <set>
 
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/radii_set.hpp"
 #include "tests/support/grid_of_balls.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_columns.hpp"
@@ -47,7 +50,7 @@ class CavitiesTest : public ViewerTest {
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
   void save(const fs::path& path) {
     run("click cavities.save\nframes 3\n");
-    viewer_->state().memory.save_table.path = path.string();
+    viewer_->state().save_table.path = path.string();
     run("frames 2\nclick save_table.ok\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   }
 };
@@ -166,7 +169,7 @@ TEST_F(CavitiesTest, WhatIsTypedAsLeastVolumeIsChecked) {
   run("click cavities.least\nkey ctrl+a\ntype 1.4 A2\nkey enter\nframes 3\n");
   EXPECT_TRUE(has("cavities.least.error"));
   EXPECT_EQ(
-      viewer_->state().memory.number.refused["cavities.least"].error,
+      viewer_->state().number.refused["cavities.least"].error,
       "“1.4 A2” has another unit. The least volume is a volume, in Å³. Write a number such as "
       "1.4 Å³.");
   EXPECT_EQ(page().filter.least_volume_angstrom3, 30);
@@ -286,7 +289,7 @@ TEST_F(CavitiesTest, SavedTablesAreThoseOfTheCommandLine) {
   EXPECT_EQ(csv, expected);
   run("click cavities.save\nframes 3\nclick save_table.format\nframes 2\n"
       "click save_table.json\nframes 2\n");
-  EXPECT_EQ(viewer_->state().memory.save_table.path, (folder_ / "4hhb-cavities.json").string());
+  EXPECT_EQ(viewer_->state().save_table.path, (folder_ / "4hhb-cavities.json").string());
   run("click save_table.ok\nwait-idle\nframes 3\n");
   const std::string json = bytes("4hhb-cavities.json");
   EXPECT_NE(json.find("\"volume_sa_clipped_angstrom3\""), json.npos);
@@ -319,7 +322,8 @@ TEST_F(CavitiesTest, FilesForOtherProgramsAreThoseOfTheCommandLine) {
     }
     return text;
   };
-  // The lengths at the file's beginning include that of the program's name.
+  // Returns a GLB file from its geometry on. The lengths at its beginning depend on the length of
+  // the program's name.
   const auto geometry = [](const std::string& glb) {
     return glb.substr(glb.find(std::string("BIN\0", 4)));
   };
@@ -342,20 +346,20 @@ TEST_F(CavitiesTest, FilesForOtherProgramsAreThoseOfTheCommandLine) {
 
 TEST_F(CavitiesTest, TheEndingOfTheNameSaysTheFormat) {
   open_cavities();
-  const TableState& dialog = viewer_->state().memory.save_table;
+  const TableState& dialog = viewer_->state().save_table;
   run("click cavities.save\nframes 3\n");
-  viewer_->state().memory.save_table.path = (folder_ / "cav.txt").string();
+  viewer_->state().save_table.path = (folder_ / "cav.txt").string();
   run("frames 2\n");
   EXPECT_TRUE(has("save_table.ending"));
   run("click save_table.ok\nwait-idle\nframes 3\n");
   EXPECT_NE(dialog.table, nullptr) << "it is still open";
-  viewer_->state().memory.save_table.path = (folder_ / "cav.GLB").string();
+  viewer_->state().save_table.path = (folder_ / "cav.GLB").string();
   run("frames 2\n");
   EXPECT_FALSE(has("save_table.ending"));
   EXPECT_EQ(dialog.format, kFirstOfMore + 1);
   run("click save_table.format\nframes 2\nclick save_table.cxc\nframes 2\n");
   EXPECT_EQ(dialog.path, (folder_ / "cav.cxc").string());
-  viewer_->state().memory.save_table.path = (folder_ / "cav").string();
+  viewer_->state().save_table.path = (folder_ / "cav").string();
   run("frames 2\nclick save_table.ok\nwait-idle\nframes 3\nwait-idle\nframes 3\n");
   EXPECT_TRUE(fs::exists(folder_ / "cav.cxc")) << "the format's ending, where there is none";
   EXPECT_FALSE(fs::exists(folder_ / "cav"));
@@ -384,7 +388,7 @@ TEST_F(CavitiesTest, WhatIsChosenFollowsIntoWhatItMergesWithAndComesBack) {
   use_preset();
   run("click cavities.all\nframes 3\n");
   settle();
-  // With a smaller probe cavities merge. One of those is chosen.
+  // With a smaller probe, some cavities merge. The test chooses one of them.
   const auto at_first = page().rows.lines;
   const auto numbers = at_first->numbers;
   run("solvent.set 1.2\n");

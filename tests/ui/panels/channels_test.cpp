@@ -6,7 +6,12 @@
 #include <cmath>
 #include <string>
 
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
+#include "core/channel/clearance.hpp"
+#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/channels/channel_text.hpp"
+#include "core/triangulation/filtration.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -119,7 +124,7 @@ TEST_F(ChannelsTest, ACupHasNoWayThrough) {
   EXPECT_FALSE(memory().shown);
   EXPECT_TRUE(has("channels.problem"));
   EXPECT_FALSE(has("channels.way.1"));
-  // A channel that ends inside says nothing about the whole.
+  // A channel that ends inside the molecule gives no verdict on the whole way.
   run("click channels.from\nclick channels.from.3\nclick channels.to\nclick channels.to.0\n");
   settle();
   ASSERT_TRUE(memory().shown && memory().shown->channel);
@@ -148,7 +153,7 @@ TEST_F(ChannelsTest, ShowingTheBottleneckSelectsTheAtomsThatTouchIt) {
   EXPECT_GE(channel().touching.size(), 3u);
 }
 
-// Seen from an end, its wide part would hide it.
+// The view turns to the channel's side. From an end, the wide part would hide the narrow one.
 TEST_F(ChannelsTest, IsSeenFromTheSide) {
   open_tube(false);
   for (const char* name : {"channels.show", "channels.across"}) {
@@ -285,13 +290,13 @@ TEST_F(ChannelsTest, SavesWhatItCopiesAndAllOfTheChannelAsJson) {
   EXPECT_EQ(std::count(copied.begin(), copied.end(), '\n'),
             static_cast<long>(channel().samples.size()) + 1);
   run("click channels.save\nframes 3\n");
-  viewer_->state().memory.save_table.path = (folder_ / "c.csv").string();
+  viewer_->state().save_table.path = (folder_ / "c.csv").string();
   run("click save_table.ok\n");
   settle();
   EXPECT_EQ(bytes("c.csv"), copied);
   run("click channels.save\nframes 3\nclick save_table.format\nframes 2\n"
       "click save_table.json\nframes 2\n");
-  viewer_->state().memory.save_table.path = (folder_ / "c.json").string();
+  viewer_->state().save_table.path = (folder_ / "c.json").string();
   run("click save_table.ok\n");
   settle();
   const std::string json = bytes("c.json");
@@ -302,12 +307,12 @@ TEST_F(ChannelsTest, SavesWhatItCopiesAndAllOfTheChannelAsJson) {
   }
 }
 
-// The formats are those of cavities. A script comes with the files that it opens.
+// A channel is saved in the formats of cavities. A script is saved with the files that it opens.
 TEST_F(ChannelsTest, IsSavedForOtherPrograms) {
   open_tube(false);
   const auto save = [&](const std::string& name) {
     run("click channels.save\nframes 3\n");
-    viewer_->state().memory.save_table.path = (folder_ / name).string();
+    viewer_->state().save_table.path = (folder_ / name).string();
     run("frames 2\nclick save_table.ok\n");
     settle();
     run("wait-idle\nframes 3\n");

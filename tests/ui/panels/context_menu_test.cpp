@@ -19,7 +19,8 @@ class ContextMenuTest : public ViewerTest {
   static std::string at(double x, double y) {
     return "view " + std::to_string(x) + " " + std::to_string(y) + "\n";
   }
-  // Places with something of this kind, each on another atom or simplex.
+  // Returns `wanted` places in the view at which the item's name begins with `start`. Each is on
+  // another atom or simplex.
   std::vector<std::string> places(const std::string& start, std::size_t wanted) {
     std::vector<std::string> found;
     std::string last;
@@ -139,7 +140,7 @@ TEST_F(ContextMenuTest, IsAboutASimplexAndAboutNothing) {
   EXPECT_TRUE(items().empty());
   run("right-click " + at(0.01, 0.02));
   choose("context.save");
-  EXPECT_TRUE(state().memory.show_save);
+  EXPECT_TRUE(state().dialogs.show_save);
 }
 
 TEST_F(ContextMenuTest, TheKeyboardOpensItAndADragDoesNot) {

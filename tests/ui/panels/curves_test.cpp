@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/radii/radii_set.hpp"
 #include "tests/support/well_formed_xml.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -94,12 +95,12 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntr
   EXPECT_NE(csv.find("# values: SA area (Å²)\n"), std::string::npos);
   const fs::path path = folder_ / "curve.csv";
   run("click curves.save\nframes 3\n");
-  viewer_->state().memory.save_table.path = path.string();
+  viewer_->state().save_table.path = path.string();
   run("click save_table.ok\n");
   settle();
   EXPECT_EQ(bytes("curve.csv"), csv);
   run("click curves.save\nframes 3\n");
-  viewer_->state().memory.save_table.path = (folder_ / "curve.svg").string();
+  viewer_->state().save_table.path = (folder_ / "curve.svg").string();
   run("click save_table.ok\n");
   settle();
   const std::string svg = bytes("curve.svg");
@@ -231,7 +232,7 @@ TEST_F(CurvesTest, ADragOverLivesSetsAlphaAsOneEntryAndTheirTableIsSaved) {
             std::string::npos)
       << csv.substr(0, 2000);
   run("click curves.save\nframes 3\n");
-  viewer_->state().memory.save_table.path = (folder_ / "lives.csv").string();
+  viewer_->state().save_table.path = (folder_ / "lives.csv").string();
   run("click save_table.ok\n");
   settle();
   EXPECT_EQ(bytes("lives.csv"), csv);

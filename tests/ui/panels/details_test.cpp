@@ -2,6 +2,7 @@
 // lead to its neighbours.
 #include <algorithm>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/explain/details_state.hpp"

@@ -3,6 +3,7 @@
 
 #include "app/viewer/session_text.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
+#include "ui/panels/panel_list.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/fixed_digits.hpp"
 #include "core/text/short_number.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/explain/ball_text.hpp"
 
 namespace alphascope {
@@ -51,7 +52,6 @@ TEST(Format, NumbersAreAsShortAsTheirValue) {
   EXPECT_EQ(short_number_text(100, 0), "100");
 }
 
-// √(1.7² + 1.4) = 2.0712. Both numbers have as many digits as they need, up to three.
 TEST(Format, ZeroHasNoMinusSign) {
   EXPECT_EQ(shortest_number(-0.0), "0");
   EXPECT_EQ(short_number(-0.0), "0");
@@ -63,6 +63,7 @@ TEST(Format, ZeroHasNoMinusSign) {
   EXPECT_EQ(point_text({-0.0001, 2.5, -3}), "0.000, 2.500, -3.000");
 }
 
+// √(1.7² + 1.4) = 2.0712. Both numbers have two digits, or three if the radius has more than two.
 TEST(Format, ARadiusAndTheGrownOneHaveTheSameDigits) {
   BallSet balls;
   balls.lattice.digits = 3;

@@ -6,7 +6,11 @@
 #include <fstream>
 #include <set>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
+#include "ui/panels/panel.hpp"
 #include "ui/window/input_queue.hpp"
 
 namespace alphascope::testing {
@@ -20,9 +24,9 @@ class Keyboard : public ::testing::Test {
     p.state = loaded_state();
     p.frame(3);
   }
-  SharedPanelState& memory() { return p.state.memory; }
-  std::string at() { return memory().keys.at.back().name; }
-  bool marked() { return memory().keys.at.back().shown; }
+  ViewState& state() { return p.state; }
+  std::string at() { return state().keys.at.back().name; }
+  bool marked() { return state().keys.at.back().shown; }
   void tab(int count = 1) {
     for (int i = 0; i < count; ++i) p.tap(key::kTab);
   }
@@ -143,8 +147,8 @@ TEST_F(Keyboard, GreyButtonsAreLeftOut) {
     EXPECT_NE(at(), "badge.cancel");
     tab();
   } while (at() != first);
-  memory().show_save = true;
-  memory().save_path = "/no/such/folder/a.png";
+  state().dialogs.show_save = true;
+  state().dialogs.save_path = "/no/such/folder/a.png";
   p.frame(4);
   for (int i = 0; i < 40; ++i) {
     tab();
@@ -160,11 +164,11 @@ TEST_F(Keyboard, AListIsOpenedChosenFromAndClosed) {
     ASSERT_TRUE(tab_to("engine.choice"));
     p.tap(key::kEnter);
     p.frame(3);
-    EXPECT_TRUE(memory().keys.list_open);
+    EXPECT_TRUE(state().keys.list_open);
     for (int i = 0; i < down; ++i) p.tap(key::kDown);
     p.tap(key::kEnter);
     p.frame(3);
-    EXPECT_FALSE(memory().keys.list_open);
+    EXPECT_FALSE(state().keys.list_open);
     chosen.insert(p.state.settings.request.engine);
   }
   EXPECT_GT(chosen.size(), 2u);
@@ -172,19 +176,19 @@ TEST_F(Keyboard, AListIsOpenedChosenFromAndClosed) {
 }
 
 TEST_F(Keyboard, EscapeClosesTheListAndNotItsDialog) {
-  memory().show_export = true;
+  state().dialogs.show_export = true;
   p.frame(4);
   ASSERT_TRUE(tab_to("export.format"));
   p.tap(key::kSpace);
   p.frame(2);
-  ASSERT_TRUE(memory().keys.list_open);
+  ASSERT_TRUE(state().keys.list_open);
   p.tap(key::kEscape);
   p.frame(2);
-  EXPECT_FALSE(memory().keys.list_open);
-  EXPECT_TRUE(memory().show_export);
+  EXPECT_FALSE(state().keys.list_open);
+  EXPECT_TRUE(state().dialogs.show_export);
   p.tap(key::kEscape);
   p.frame(2);
-  EXPECT_FALSE(memory().show_export);
+  EXPECT_FALSE(state().dialogs.show_export);
 }
 
 TEST_F(Keyboard, F10AndAltOpenTheMenus) {
@@ -209,7 +213,7 @@ TEST_F(Keyboard, MenusAreWalkedWithTheArrows) {
   p.frame(3);
   p.tap(key::kEnter);  // the first entry
   p.frame(4);
-  EXPECT_TRUE(memory().show_browser);
+  EXPECT_TRUE(state().browser.show);
   p.tap(key::kEscape);
   p.frame(2);
   p.tap(key::kF1 + 9);
@@ -251,42 +255,42 @@ TEST_F(Keyboard, AltWithSomethingElseOpensNothing) {
 // --- dialogs
 
 TEST_F(Keyboard, ASaveDialogBeginsWithTheNameAndEnterSaves) {
-  memory().show_save = true;
-  memory().save_path = "/tmp/alphascope first.png";
+  state().dialogs.show_save = true;
+  state().dialogs.save_path = "/tmp/alphascope first.png";
   p.frame(4);
   EXPECT_EQ(at(), "save.path");
   letters("other");  // only the name is replaced
-  EXPECT_EQ(memory().save_path, "/tmp/other.png");
+  EXPECT_EQ(state().dialogs.save_path, "/tmp/other.png");
   p.tap(key::kEnter);
   ASSERT_TRUE(p.asked.screenshot);
   EXPECT_EQ(p.asked.screenshot->path, "/tmp/other.png");
-  EXPECT_FALSE(memory().show_save);
+  EXPECT_FALSE(state().dialogs.show_save);
 }
 
 TEST_F(Keyboard, WhatTheProgramSetsInAFieldThatIsTypedIntoStays) {
-  memory().show_save = true;
+  state().dialogs.show_save = true;
   p.frame(4);
   letters("typed");
-  memory().save_path = "/tmp/set.png";
+  state().dialogs.save_path = "/tmp/set.png";
   p.frame(3);
-  EXPECT_EQ(memory().save_path, "/tmp/set.png");
+  EXPECT_EQ(state().dialogs.save_path, "/tmp/set.png");
 }
 
 TEST_F(Keyboard, EscapeClosesADialogAtOnceUnlessSomethingWasTyped) {
-  memory().show_save = true;
+  state().dialogs.show_save = true;
   p.frame(4);
   p.tap(key::kEscape);
   p.frame(2);
-  EXPECT_FALSE(memory().show_save);
-  memory().show_save = true;
+  EXPECT_FALSE(state().dialogs.show_save);
+  state().dialogs.show_save = true;
   p.frame(4);
   letters("other");
   p.tap(key::kEscape);
   p.frame(2);
-  EXPECT_TRUE(memory().show_save) << "it takes back what was typed";
+  EXPECT_TRUE(state().dialogs.show_save) << "it takes back what was typed";
   p.tap(key::kEscape);
   p.frame(2);
-  EXPECT_FALSE(memory().show_save);
+  EXPECT_FALSE(state().dialogs.show_save);
 }
 
 TEST_F(Keyboard, EveryDialogConfirmsWithEnterAndTakesTheFocusBack) {
@@ -299,7 +303,7 @@ TEST_F(Keyboard, EveryDialogConfirmsWithEnterAndTakesTheFocusBack) {
   EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 0) << "not the button below";
   EXPECT_EQ(at(), "alpha.preset.3");
   p.state.molecule.assemblies = {{"1", "", 60, 1000000, 1}};
-  memory().confirm_assembly = "1";
+  state().dialogs.confirm_assembly = "1";
   p.frame(4);
   p.tap(key::kEnter);
   EXPECT_EQ(p.state.settings.open.assembly, "1");
@@ -307,28 +311,28 @@ TEST_F(Keyboard, EveryDialogConfirmsWithEnterAndTakesTheFocusBack) {
   p.frame(4);
   p.tap(key::kEnter);
   p.frame(2);
-  EXPECT_TRUE(memory().show_browser);
+  EXPECT_TRUE(state().browser.show);
 }
 
 TEST_F(Keyboard, EnterPressesTheButtonThatTabCameToInADialog) {
-  memory().show_export = true;
-  memory().export_path = "/tmp/a.stl";
+  state().dialogs.show_export = true;
+  state().dialogs.export_path = "/tmp/a.stl";
   p.frame(4);
   ASSERT_TRUE(tab_to("export.cancel"));
   p.tap(key::kEnter);
   p.frame(2);
-  EXPECT_FALSE(memory().show_export);
+  EXPECT_FALSE(state().dialogs.show_export);
   EXPECT_FALSE(p.asked.export_complex);
 }
 
 TEST_F(Keyboard, EnterDoesNotConfirmWhatCannotBe) {
-  memory().show_export = true;
-  memory().export_path = "/no/such/folder/a.stl";
+  state().dialogs.show_export = true;
+  state().dialogs.export_path = "/no/such/folder/a.stl";
   p.frame(4);
   p.tap(key::kEnter);
   p.tap(key::kEnter);
   p.frame(2);
-  EXPECT_TRUE(memory().show_export);
+  EXPECT_TRUE(state().dialogs.show_export);
   EXPECT_FALSE(p.asked.export_complex);
 }
 
@@ -342,8 +346,8 @@ class TypedPath : public Keyboard {
     for (const char* name : {"a.pdb", "b.pdb", "inside/deep.pdb", "inside/other.pdb"}) {
       std::ofstream(folder_ / name) << "x";
     }
-    memory().browser_folder = "/";
-    memory().show_browser = true;
+    state().browser.folder = "/";
+    state().browser.show = true;
     list();
   }
   ~TypedPath() override { fs::remove_all(folder_); }
@@ -360,10 +364,10 @@ class TypedPath : public Keyboard {
 
 TEST_F(TypedPath, IsBegunWithASlashAndListed) {
   letters((folder_ / "inside" / "o").string());
-  EXPECT_EQ(memory().browser_typed, (folder_ / "inside" / "o").string());
+  EXPECT_EQ(state().browser.typed, (folder_ / "inside" / "o").string());
   list();
   EXPECT_TRUE(p.rects.contains("browser.entry.deep.pdb"));
-  EXPECT_EQ(memory().browser_selected, folder_ / "inside" / "other.pdb");
+  EXPECT_EQ(state().browser.selected, folder_ / "inside" / "other.pdb");
   letters("ther.pdb");
   p.tap(key::kEnter);
   ASSERT_TRUE(p.asked.open);
@@ -373,13 +377,13 @@ TEST_F(TypedPath, IsBegunWithASlashAndListed) {
 TEST_F(TypedPath, OfAFolderGoesIntoItAndArrowsLeadIntoTheList) {
   letters(folder_.string());
   p.tap(key::kEnter);
-  EXPECT_EQ(memory().browser_folder, folder_);
-  EXPECT_TRUE(memory().show_browser);
+  EXPECT_EQ(state().browser.folder, folder_);
+  EXPECT_TRUE(state().browser.show);
   list();
   letters((folder_ / "a").string());
   list();
   p.tap(key::kDown);
-  EXPECT_EQ(memory().browser_typed, (folder_ / "b.pdb").string());
+  EXPECT_EQ(state().browser.typed, (folder_ / "b.pdb").string());
   p.frame();
   EXPECT_FALSE(typing());
   p.tap(key::kEnter);
@@ -394,7 +398,7 @@ TEST_F(TypedPath, IsPasted) {
   p.tap(key::kV);
   io.KeyCtrl = false;
   p.frame(2);
-  EXPECT_EQ(memory().browser_typed, (folder_ / "a.pdb").string());
+  EXPECT_EQ(state().browser.typed, (folder_ / "a.pdb").string());
   p.tap(key::kEnter);
   ASSERT_TRUE(p.asked.open);
   EXPECT_EQ(*p.asked.open, folder_ / "a.pdb");
@@ -402,10 +406,10 @@ TEST_F(TypedPath, IsPasted) {
 
 TEST_F(TypedPath, ThatIsWrongIsSaid) {
   letters("/no such folder/x");
-  EXPECT_EQ(memory().browser_error, "There is no folder /no such folder.");
+  EXPECT_EQ(state().browser.error, "There is no folder /no such folder.");
   p.tap(key::kEnter);
   p.frame(2);
-  EXPECT_TRUE(memory().show_browser);
+  EXPECT_TRUE(state().browser.show);
   EXPECT_TRUE(p.rects.contains("browser.error"));
 }
 
@@ -419,7 +423,7 @@ TEST_F(TypedPath, RelativeToTheFolderThatWasOpen) {
   p.frame();
   letters("inside/d");  // Tab has selected all of it
   list();
-  EXPECT_EQ(memory().browser_selected, folder_ / "inside" / "deep.pdb");
+  EXPECT_EQ(state().browser.selected, folder_ / "inside" / "deep.pdb");
   letters("eep.pdb");
   p.tap(key::kEnter);
   ASSERT_TRUE(p.asked.open);

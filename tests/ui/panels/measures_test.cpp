@@ -89,7 +89,7 @@ TEST_F(MeasuresTest, TitlesSortAndRowsAreCopied) {
   EXPECT_FALSE(memory().copying);
   const std::string copied = ImGui::GetClipboardText();
   run("click measures.save\nframes 3\n");
-  state().memory.save_table.path = (folder_ / "m.csv").string();
+  state().save_table.path = (folder_ / "m.csv").string();
   run("click save_table.ok\n");
   settle();
   EXPECT_EQ(state().notice, "Saved " + (folder_ / "m.csv").string());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/open_molecule.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "ui/panels/molecule/radius_row.hpp"

@@ -1,6 +1,12 @@
-// Tests the molecule panel: every rule for opening a file is a control with its effect.
+// Tests the molecule panel: every option for opening a file has a control, and each control has its
+// effect.
 #include <algorithm>
 
+#include "core/document/reference/reference.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/radii_set.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
@@ -103,11 +109,11 @@ TEST_F(MoleculePanel, AnExpressionIsAppliedOnEnterOnly) {
 }
 
 TEST_F(MoleculePanel, AnErrorIsShownBesideTheFieldUntilItIsEdited) {
-  p.state.memory.expression_typed = "chain A)";
+  p.state.expression.typed = "chain A)";
   p.state.expression_error.emplace(8, "this ) has no opening (");
   p.frame(2);
   ASSERT_TRUE(p.rects.contains("molecule.expression.error"));
-  EXPECT_EQ(p.state.memory.expression_typed, "chain A)") << "to be mended, not typed again";
+  EXPECT_EQ(p.state.expression.typed, "chain A)") << "to be mended, not typed again";
   const float below = p.rects["molecule.expression.error"].y0 - p.rects["molecule.expression"].y1;
   EXPECT_LT(below, 20);
   p.click("molecule.expression");

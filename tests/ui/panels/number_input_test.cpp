@@ -5,6 +5,9 @@
 
 #include "app/viewer/options.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/selection/selection_expression.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/number_text.hpp"
 
@@ -147,7 +150,7 @@ TEST_F(NumberFields, WhatIsNoNumberChangesNothingAndIsExplained) {
   p.type("alpha.typed", "2.5x");
   p.click("alpha.typed");
   ImGui::GetIO().KeyCtrl = false;
-  EXPECT_EQ(p.state.memory.number.text, "2.5x");
+  EXPECT_EQ(p.state.number.text, "2.5x");
   p.tap(key::kEscape);
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("alpha.typed.error"));
@@ -164,7 +167,7 @@ TEST_F(NumberFields, WhatIsNoNumberChangesNothingAndIsExplained) {
   p.type("alpha.typed", "2.5x");
   p.state.settings.request.alpha_angstrom2 = 4;
   p.frame(2);
-  EXPECT_TRUE(p.state.memory.number.refused.empty()) << "it has a value again";
+  EXPECT_TRUE(p.state.number.refused.empty()) << "it has a value again";
   p.state.settings.request.alpha_angstrom2 = 3;
   EXPECT_DOUBLE_EQ(p.state.settings.request.alpha_angstrom2, 3);
 }
@@ -195,11 +198,11 @@ TEST_F(NumberFields, SlidersAreTypedIntoWithTheSameBounds) {
 TEST_F(NumberFields, SliderClicksWithoutControlStillSlide) {
   p.click("alpha.slider", 0.9f);
   EXPECT_GT(p.state.settings.request.alpha_angstrom2, 7);
-  EXPECT_TRUE(p.state.memory.number.name.empty());
+  EXPECT_TRUE(p.state.number.name.empty());
 }
 
 TEST_F(NumberFields, PictureSizesAreWholeAndBounded) {
-  p.state.memory.show_save = true;
+  p.state.dialogs.show_save = true;
   p.frame(3);
   p.type("save.width", "800");
   EXPECT_EQ(p.state.window.picture.width, 800);
@@ -209,11 +212,12 @@ TEST_F(NumberFields, PictureSizesAreWholeAndBounded) {
   }
 }
 
-// A wrong number is kept whatever is clicked next, and nothing is made with the old one.
+// A dialog keeps a wrong number, whatever the user clicks next. It must not do its work with the
+// old number.
 TEST_F(NumberFields, AWrongNumberKeepsADialogFromItsWork) {
-  p.state.memory.show_save = true;
+  p.state.dialogs.show_save = true;
   p.frame(3);
-  const auto refused = [&] { return p.state.memory.number.refused.contains("save.width"); };
+  const auto refused = [&] { return p.state.number.refused.contains("save.width"); };
   const auto type_only = [&](const char* text) {
     p.click("save.width");
     ImGui::GetIO().AddInputCharactersUTF8(text);
@@ -223,7 +227,7 @@ TEST_F(NumberFields, AWrongNumberKeepsADialogFromItsWork) {
   p.click("save.ok");
   p.frame(2);
   EXPECT_FALSE(p.asked.screenshot) << "not of another size";
-  EXPECT_TRUE(p.state.memory.show_save);
+  EXPECT_TRUE(p.state.dialogs.show_save);
   EXPECT_TRUE(p.rects.contains("save.width.error"));
   p.click("save.ok");
   p.frame(2);

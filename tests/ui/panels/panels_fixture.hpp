@@ -10,6 +10,7 @@
 #include "core/document/store/store.hpp"
 #include "tests/ui/asked_calls.hpp"
 #include "ui/panels/frame/window_layout.hpp"
+#include "ui/panels/panel_list.hpp"
 #include "ui/panels/whole_state.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"

@@ -2,6 +2,9 @@
 #include <cmath>
 #include <functional>
 
+#include "core/document/reference/reference.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/colour_legend.hpp"
@@ -164,7 +167,8 @@ TEST(PanelsTest, WorkOfUnknownLengthHasNoBarThatLooksLikeAShare) {
   EXPECT_FALSE(p.rects.contains("view.busy_bar"));
 }
 
-// A run that rebuilds its cache is slower than one that uses it, with any engine.
+// A run that prepares its data again is slower than one that reuses them, with any engine. So such
+// runs are not compared.
 TEST(PanelsTest, SpeedsOfDifferentWorkAreNotCompared) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
@@ -263,7 +267,7 @@ TEST(PanelsTest, AMissingSpeedHasItsReason) {
   EXPECT_NE(missing_times(s, true)[0].find("both times are of a threshold"), std::string::npos);
 }
 
-// For two balls one run said "slower than CGAL" and the next one "faster".
+// For two balls, one run printed "slower than CGAL" and the next one "faster than CGAL".
 TEST(PanelsTest, OfFewBallsNoEngineIsCalledFaster) {
   ViewState s = loaded_state();
   ASSERT_TRUE(speed_up(s, true));
@@ -325,24 +329,24 @@ TEST(PanelsTest, AChoiceOfTimesStaysAlsoWhenThereAreNone) {
 TEST(PanelsTest, SavingSaysWhatItReplacesAndWhichFolderIsMissing) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
-  p.state.memory.show_save = true;
+  p.state.dialogs.show_save = true;
   const auto folder = std::filesystem::temp_directory_path();
-  p.state.memory.save_path = (folder / "alphascope no such picture.png").string();
+  p.state.dialogs.save_path = (folder / "alphascope no such picture.png").string();
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("save.replaces"));
   EXPECT_FALSE(p.rects.contains("save.no_folder"));
   const float bottom = p.rects["save.ok"].y1;
-  p.state.memory.save_path = (folder / "alphascope no such folder" / "x.png").string();
+  p.state.dialogs.save_path = (folder / "alphascope no such folder" / "x.png").string();
   p.frame(2);
   EXPECT_TRUE(p.rects.contains("save.no_folder"));
   EXPECT_FLOAT_EQ(p.rects["save.ok"].y1, bottom) << "nothing jumps while one types";
-  p.state.memory.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/README.md";
+  p.state.dialogs.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/README.md";
   p.frame(2);
   EXPECT_FALSE(p.rects.contains("save.replaces")) << "it will be README.md.png";
-  p.state.memory.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/docs/images/cavity.png";
+  p.state.dialogs.save_path = std::string(ALPHASCOPE_SOURCE_DIR) + "/docs/images/cavity.png";
   p.frame(2);
   EXPECT_TRUE(p.rects.contains("save.replaces"));
-  p.state.memory.save_path = (folder / "figure 1").string();
+  p.state.dialogs.save_path = (folder / "figure 1").string();
   p.frame(2);
   p.click("save.ok");
   ASSERT_TRUE(p.asked.screenshot);
@@ -353,7 +357,7 @@ TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
   const auto saved_with = [&](std::initializer_list<const char*> clicks) {
-    p.state.memory.show_save = true;
+    p.state.dialogs.show_save = true;
     p.frame(3);
     for (const char* name : clicks) p.click(name);
     p.click("save.ok");
@@ -443,7 +447,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PanelsAtEverySize,
                          ::testing::Values(Size{1100, 700, 1}, Size{1280, 800, 1},
                                            Size{1920, 1080, 1}, Size{1280, 800, 2}));
 
-// Texts that depend on a choice have reserved room, so nothing below them moves.
+// Texts that depend on a choice have room reserved. So nothing below them moves when they change.
 TEST(PanelsStay, WhereTheyAreWhateverIsSaid) {
   Panels p({1280, 1400, 1});
   p.state = loaded_state();
@@ -466,7 +470,7 @@ TEST(PanelsStay, WhereTheyAreWhateverIsSaid) {
       {"guessed", [](auto& s) { s.molecule.radius_rows.resize(1); }},
       {"summary", [](auto& s) { s.molecule.summary = "used 4,558 of 4,558 atoms"; }},
       {"error", [](auto& s) { s.expression_error.emplace(8, "this ) has no opening ("); }},
-      {"typed", [](auto& s) { s.memory.expression_typed = "chain A"; }},
+      {"typed", [](auto& s) { s.expression.typed = "chain A"; }},
       {"no balls", [](auto& s) { s.settings.display.balls = false; }},
       {"no tetrahedra", [](auto& s) { s.settings.display.tetrahedra = false; }},
       {"edges", [](auto& s) { s.settings.display.edges = true; }},

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/residue_groups.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 

@@ -20,12 +20,12 @@ class SandboxTest : public ViewerTest {
   }
   std::size_t drawn(FlatKind kind) {
     std::size_t count = 0;
-    for (const FlatShape& shape : state().memory.sandbox.shapes) count += shape.kind == kind;
+    for (const FlatShape& shape : state().sandbox.shapes) count += shape.kind == kind;
     return count;
   }
-  // The place of the view that shows this place of the drawing, as "0.25 0.5" for scripts.
+  // Returns where the view shows this point of the drawing, such as "0.25 0.5" for scripts.
   std::string in_view(const FlatPoint& place) {
-    const SandboxState& m = state().memory.sandbox;
+    const SandboxState& m = state().sandbox;
     const ViewportInfo& v = state().viewport;
     const double x = 0.5 + (place[0] - m.middle[0]) * m.pixels_per_angstrom / v.width;
     const double y = 0.5 - (place[1] - m.middle[1]) * m.pixels_per_angstrom / v.height;
@@ -208,8 +208,8 @@ TEST_F(SpaceSandboxTest, TheWheelWithCtrlResizesAndADragBesideBallsTurnsTheView)
   const std::string place = place_of_ball(4);
   run("move view " + place + "\nframes 1\n");
   ScriptedInput input;
-  input.x = state().memory.mouse_x;
-  input.y = state().memory.mouse_y;
+  input.x = state().mouse.x;
+  input.y = state().mouse.y;
   input.control = true;
   viewer_->step(&input);
   input.wheel = 2;

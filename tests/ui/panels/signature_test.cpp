@@ -42,7 +42,7 @@ TEST_F(SignatureTest, IsSavedAsATableAndAsAFigure) {
   open_signature();
   const auto saved = [&](const char* name) {
     run("click signature.save\nframes 3\n");
-    viewer_->state().memory.save_table.path = (folder_ / name).string();
+    viewer_->state().save_table.path = (folder_ / name).string();
     run("click save_table.ok\nwait-idle\nframes 3\nwait-idle\n");
     std::ifstream file(folder_ / name);
     std::stringstream text;

@@ -263,7 +263,8 @@ TEST_F(StepsTest, TheLatestBallWins) {
   EXPECT_TRUE(steps().find(StepKind::too_many));
   EXPECT_NE(memory().shown->texts.back().text.find("The steps end here"), std::string::npos);
   EXPECT_EQ(memory().shown->growth, "") << "with the optimisations it is not counted either";
-  // Where steps end early, the last one is shown. The earlier step returns when they go on again.
+  // If there are fewer steps than before, the last one is shown. When there are more again, the
+  // former step returns.
   run("steps.show exact\nframes 2\nsteps.edge_optimisation on\nsteps.alpha_optimisation on\n"
       "alpha.set 1.4\nwait-idle\n");
   settle();

@@ -2,6 +2,7 @@
 // lead.
 #include <algorithm>
 
+#include "core/document/explain/explanation_text.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/explain/why_state.hpp"

@@ -9,6 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/texture_pixels.hpp"
 #include "ui/scene/pick/ball_pick.hpp"
@@ -167,8 +170,8 @@ TEST_F(BallPicture, ATranslucentBallIsWhole) {
   }
 }
 
-// The first picture that is larger than the previous one, drawn exactly by peels. Also with
-// pictures of opaque balls in between.
+// Checks the first picture after the size has grown, with exact transparency. A picture of opaque
+// balls may come in between.
 TEST_F(BallPicture, ATranslucentBallIsWholeWhenThePictureHasGrown) {
   const Sphere sphere = sphere_at(1.9, 20, 1.7);
   const auto draw = [&](float opacity, int width, int height) {
@@ -233,7 +236,7 @@ TEST_F(BallPicture, OfBallsThatMeetTheNearerIsSeen) {
   }
 }
 
-// An opaque ball around the eye hides nothing. A translucent one is all around.
+// An opaque ball around the eye is not drawn. A translucent one is seen in all directions.
 TEST_F(BallPicture, ABallAroundTheEyeIsSeenWhereItIsTranslucent) {
   for (const Sphere& sphere : {sphere_at(1.2, 0, 1.7), sphere_at(1.65, 140, 1.7)}) {
     show({sphere});

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/document/settings/display_preset.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "tests/ui/baseline.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
@@ -26,7 +28,7 @@ struct Subject {
   PictureSettings settings;
 };
 
-// So small that all drivers agree on which of two faces is in front.
+// Makes a molecule so small that all drivers agree which of two faces is in front.
 std::shared_ptr<const BallSet> molecule() {
   return testing::rod(5);
 }

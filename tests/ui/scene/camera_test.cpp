@@ -36,7 +36,7 @@ TEST(ViewProblem, InsideABall) {
   EXPECT_EQ(view_problem({}, {}, from(0, 0, 0), false), ViewProblem::none);
 }
 
-// Also when other balls, which are checked before it, are well in view.
+// The last ball counts even if earlier balls are well in view.
 TEST(ViewProblem, InsideTheLastBallOfMany) {
   BallGeometry g;
   for (int i = 0; i < 100; ++i) g.centres.push_back({0, 0, -10.0f - static_cast<float>(i)});

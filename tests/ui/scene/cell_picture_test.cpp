@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/molecule/rgb8.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "ui/scene/scene.hpp"
 #include "ui/window/egl_context.hpp"
@@ -103,7 +104,7 @@ TEST_F(CellPicture, ARodIsLitAsARoundBodyIs) {
   EXPECT_GT(above, below + 25) << "the light comes from above";
 }
 
-// Seen from its end, a rod has no direction in the picture.
+// A rod that is seen from its end has no direction in the picture, and must be a disc.
 TEST_F(CellPicture, SeenFromItsEndARodIsADisc) {
   for (const bool orthographic : {true, false}) {
     load({{0, 0, -2}, {0, 0, 2}}, mesh_of(one_edge()));

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/run/work_threads.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "ui/scene/mesh/simplex_colours.hpp"
@@ -77,7 +79,8 @@ TEST(ComplexMesh, OpaqueTetrahedraAreDrawnByTheirBoundaryOnly) {
   EXPECT_EQ(mesh.edges.size(), 0u);
 }
 
-// Found by the classes of triangles, and also without classes.
+// The outside is found from the classes of triangles and, if only tetrahedra are computed, without
+// classes.
 TEST(ComplexMesh, OutsideIsThatOfTheDefinitionAtAnyAlphaAndWithAnyThreads) {
   for (const double alpha : {-2.0, 0.0, 1.0, 4.0, 40.0}) {
     const auto balls = rod(40);
@@ -227,9 +230,8 @@ TEST(BallGeometry, EmptyAndSingleBallAreHarmless) {
   EXPECT_DOUBLE_EQ(geometry.bounds[0], -1.5);
 }
 
-// Colours of elements and chains are not numbers, so none is between two of them. A face has the
-// colour of most of its corners, and on a tie that of the lowest index. Tries every way to give N
-// corners N colours.
+// Colours of elements and chains must not be mixed. A face has the colour of most of its corners,
+// and on a tie that of the lowest index. Tries every way to give N corners N colours.
 template <std::size_t N>
 void expect_most_frequent_colours() {
   std::array<BallIndex, N> corners;

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "ui/clip_handle.hpp"
 #include "ui/scene/pick/pick.hpp"
@@ -42,7 +45,8 @@ class CutPick : public ::testing::Test {
     }
     return result;
   }
-  // By small steps along the ray: the ball of least power distance at the first point inside any.
+  // Goes along the ray in small steps to the first point inside any ball. Returns the ball with the
+  // least power distance there.
   std::optional<std::size_t> first_ball(const Ray& ray, const Cut& cut) const {
     constexpr double kStep = 2e-4;
     for (double t = 0.5; t < 1.6; t += kStep) {

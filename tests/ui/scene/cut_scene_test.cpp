@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "ui/scene/mesh/layer_mesh.hpp"
@@ -205,8 +208,8 @@ TEST_F(CutMesh, ATetrahedronIsClosedInItsColour) {
   EXPECT_EQ(caps->faces.source.size() * 9, caps->faces.xyz.size());
 }
 
-// The section at height z is a part of the base's 32 Å². Its area goes with the square of the
-// distance from the top at z = 5, relative to the base at z = -3.
+// The tetrahedron has its base of 32 Å² at z = -3, and its top at z = 5. The area of a section
+// grows with the square of its distance from the top.
 TEST_F(CutMesh, ASlabClosesItOnBothSides) {
   draw({}, "z=0:2");
   const auto section = [](double z) { return 32 * std::pow((5 - z) / 8, 2); };

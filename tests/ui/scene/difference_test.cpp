@@ -1,4 +1,4 @@
-// Tests that differences from CGAL are drawn visibly. The test makes an engine that errs.
+// Tests that differences from CGAL are visible in the picture. The test has an engine that errs.
 #include <gtest/gtest.h>
 
 #include "tests/support/png_chunks.hpp"

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/session/system_memory.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/support/png_chunks.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/rod_picture.hpp"

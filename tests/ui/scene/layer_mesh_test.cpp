@@ -6,6 +6,9 @@
 #include <cmath>
 #include <set>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/texture_pixels.hpp"

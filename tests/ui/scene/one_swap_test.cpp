@@ -136,7 +136,7 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
   }
   EXPECT_GE(pictures, 10u);
 
-  // The same pictures at rest, one by one.
+  // Compares each of some pictures with the picture at rest of the same alpha.
   std::size_t checked = 0;
   double drawn = -1;
   for (const Frame& f : frames) {
@@ -152,7 +152,8 @@ TEST_F(OneSwapTest, ADragMixesNoTwoAlphasAndPicturesKeepComing) {
     EXPECT_EQ(f.counts, (std::array{complex.vertices.size(), complex.edges.size(),
                                     complex.triangles.size(), complex.tetrahedra.size()}));
     EXPECT_EQ(f.legend_to, rest.legend_to) << f.alpha;
-    // Pictures in motion may be coarser, by up to 4 % where little is covered.
+    // Moving pictures may be coarser. The largest difference was 4 %, of a picture in which little
+    // is covered.
     EXPECT_NEAR(f.covered, rest.covered, 0.06 * rest.covered) << f.alpha;
   }
   EXPECT_GE(checked, 10u);
@@ -217,7 +218,7 @@ class RefinementTest : public OneSwapTest {
   }
 };
 
-// A sample of a fine picture delays the next picture by the time it takes.
+// A sample of a fine picture delays the next picture, so an outdated picture gets none.
 TEST_F(RefinementTest, APictureThatIsToBeReplacedIsNotRefined) {
   DisplaySettings& display = viewer_->state().settings.display;
   display.balls = display.ambient_occlusion = true;

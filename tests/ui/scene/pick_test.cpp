@@ -9,6 +9,9 @@
 #include <random>
 
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 
@@ -110,7 +113,7 @@ TEST_F(PickTest, BallsAsWithoutBoxes) {
   }
 }
 
-// Balls are in order or shuffled. Picking finds the same ball after a look at few of them.
+// The balls are in order or shuffled. Picking must find the same ball, and test few of them.
 TEST(BoxTree, TriesFewThingsInAnyOrder) {
   constexpr int kSide = 36;
   auto ordered = std::make_shared<BallGeometry>();

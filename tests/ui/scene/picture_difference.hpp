@@ -43,9 +43,11 @@ inline int drawn_pixels(const Image& image) {
   return differing_pixels(image, background);
 }
 
-// Two drivers differ in rounding at edges: by a pixel here, or a little shade there.
+// Two drivers round differently at edges. Few pixels may differ clearly, and the mean colour
+// hardly.
 struct PictureDifference {
-  double share = 0;  // of pixels unlike every mixture of the nine around them in the other
+  double share = 0;  // of pixels outside the range of the nine pixels around them in the other
+                     // picture
   double shade = 0;  // largest difference of a channel's mean, of 255
   bool small() const { return share <= 0.002 && shade <= 0.25; }
 };
@@ -91,7 +93,8 @@ inline PictureDifference compare_pictures(const Image& a, const Image& b) {
   return result;
 }
 
-// Their difference, four times as strong. Both pictures have one size.
+// Returns a picture of the differences, four times as strong. Both pictures must have the same
+// size.
 inline Image difference_picture(const Image& a, const Image& b) {
   Image picture = a;
   for (std::size_t i = 0; i < std::min(a.rgba.size(), b.rgba.size()); ++i) {

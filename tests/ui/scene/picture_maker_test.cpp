@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/scene/rod_picture.hpp"
 
 namespace alphascope::testing {

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/scene/rod_picture.hpp"
+#include "ui/colour_legend.hpp"
 #include "ui/scene/picture/draw_marks.hpp"
 #include "ui/scene/picture/mark_mask.hpp"
 #include "ui/window/egl_context.hpp"

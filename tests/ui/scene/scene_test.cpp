@@ -141,8 +141,8 @@ TEST_F(SceneTest, TranslucentTetrahedraLetTheBackgroundThrough) {
   }
 }
 
-// While something moves, only the side towards the viewer is drawn, and once, in whichever order
-// its corners are listed.
+// In a moving picture, only faces towards the viewer are drawn, each once. The order of a
+// tetrahedron's corners must not matter.
 TEST_F(SceneTest, AMovingTranslucentTetrahedronShowsItsFront) {
   constexpr double kOpacity = 0.3;
   const AlphaComplex all = complex_of(balls, 0);
@@ -372,7 +372,7 @@ TEST_F(SceneTest, ARayThroughEveryBallsPixelPicksABallThere) {
   EXPECT_LE(wrong, 20);  // of 5,200: pixels on an outline
 }
 
-// Half of an odd number of pixels is rounded. Mouse positions refer to the picture as shown.
+// A sketch has half as many pixels each way, rounded. Mouse positions are still pixels of the view.
 TEST_F(SceneTest, TheLineOfSightIsTheSameInASketch) {
   load(0);
   for (const RenderQuality quality : {RenderQuality::sketch, RenderQuality::draft}) {
@@ -411,7 +411,8 @@ TEST_F(SceneTest, TransparentPictureHasClearBackgroundAndOpaqueBalls) {
   EXPECT_GT(opaque, 1000);
 }
 
-// A program that quits waits for the picture being drawn, so samples are the places to stop.
+// A program that quits waits for the picture that is being drawn. So drawing must be able to stop
+// between samples.
 TEST_F(SceneTest, APictureCanBeCancelledBetweenItsSamples) {
   load(0);
   std::vector<double> shares;

@@ -92,7 +92,8 @@ TEST_F(ShownCameras, CentreOnBallsAtTheSameScale) {
   EXPECT_LT(canvas_.scene().sight().distance, distance);
 }
 
-// The view of another assembly is fitted. The view that it replaces is kept for a way back.
+// Another assembly is fitted into the view. The replaced view is kept, so that an undo can restore
+// it.
 TEST_F(ShownCameras, FitOtherBallsAndKeepTheViewThatTheyReplace) {
   cameras_.zoom(3);
   const auto left = cameras_.place();

@@ -30,8 +30,8 @@ std::vector<unsigned char> uploaded(UploadBuffer& room, const std::vector<unsign
   return read;
 }
 
-// The room grows. The next content goes behind the content on its way, or to the start when it is
-// full.
+// The buffer grows. The next content is written behind content that is still being copied, or at
+// the start when the buffer is full.
 TEST(UploadBuffer, BringsEverythingToItsBuffer) {
   const EglContext context;
   UploadBuffer room;

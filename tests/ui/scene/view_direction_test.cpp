@@ -1,5 +1,6 @@
-// Tests views from another side: none ends below the molecule or upside down.
+// Tests views from another side: no turn leaves the camera below the molecule or upside down.
 #include "ui/scene/view_direction.hpp"
+#include "core/geometry/alpha.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Tests labels, distances and angles in the whole window: over the picture, in saved pictures, in
-// sessions, and on the command line. They are undone, removed, and back when their atoms are.
+// sessions, and on the command line. They can be undone and removed, and come back with their
+// atoms.
 #include <algorithm>
 
 #include "core/write/csv.hpp"

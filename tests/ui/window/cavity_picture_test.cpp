@@ -275,7 +275,7 @@ TEST_F(CavityPictureTest, OpacityThatIsNotSeenSaysSo) {
   EXPECT_FALSE(viewer_->widgets().contains("display.ball_opacity.faded"));
 }
 
-// Whole green balls would hide all of the cavity.
+// The selected lining is marked by rims only. Whole green balls would hide the cavity.
 TEST_F(CavityPictureTest, TheLiningIsMarkedByOutlines) {
   open_cavities(haemoglobin());
   choose(*row_with_ligand("HEM"));

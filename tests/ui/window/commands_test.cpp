@@ -11,6 +11,7 @@
 
 #include "app/viewer/commands/commands.hpp"
 #include "core/document/commands/command_search.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/no_calls.hpp"

@@ -1,7 +1,7 @@
 // Tests the memory that the window leaves behind when the same actions repeat. It is a separate
-// program, because llvmpipe reads its number of threads once, before the first context. With any
-// threads it keeps the resources of up to 64 frames until it reuses their slots. Counts heap in
-// use, not resident memory, which depends on places in the heap.
+// program, because llvmpipe reads its number of threads once, before the first context. With
+// threads, llvmpipe keeps the resources of up to 64 frames until it reuses their slots. Counts heap
+// in use, not resident memory, which depends on places in the heap.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/session/system_memory.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/freed_memory.hpp"
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -98,10 +99,9 @@ TEST(MemoryTest, FreedMemoryIsGivenBack) {
   EXPECT_LT(resident_bytes() + kPieces * kBytes / 2, before);
 }
 
-// The first round fills intended caches: shaders, glyphs, engines of the last settings. A leak
-// occurs in every round. A driver may keep a texture in one round and free it in the next. A
-// picture saved in the background may still hold memory when a round ends. So one round without
-// growth among several is enough.
+// A leak grows in every round, so one round without growth is enough. The first round fills caches:
+// shaders, glyphs, engines of the last settings. In later rounds a driver may keep a texture, or a
+// picture that is being saved may still hold memory.
 TEST_F(WindowMemoryTest, RoundsLeaveNothingBehind) {
   constexpr double kMostMegabytes = 0.1;
   constexpr int kMostRounds = 6;

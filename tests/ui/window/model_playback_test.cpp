@@ -26,7 +26,7 @@ TEST(ModelPlayback, WaitsForTheAnswerHoweverLongAndQueuesNothing) {
   for (int tenth = 2; tenth < 50; ++tenth) {
     EXPECT_FALSE(playback.next({1, 20, false}, kPerSecond, kStart + tenth * 100ms));
   }
-  // Five seconds late, exactly one model follows, not fifty.
+  // Playback is five seconds late. Exactly one model follows, not fifty.
   EXPECT_EQ(playback.next({1, 20, true}, kPerSecond, kStart + 5s), 2);
   EXPECT_FALSE(playback.next({2, 20, true}, kPerSecond, kStart + 5s + 10ms));
 }

@@ -1,5 +1,5 @@
-// Tests that the picture depends only on molecule, answer and controls. They come in any order, and
-// their jobs are finished, taken or superseded in any order.
+// Tests that the picture depends only on molecule, answer and controls. These may change in any
+// order, and the jobs that follow may finish, be taken or be replaced in any order.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -16,12 +16,13 @@
 #include "core/engine/engine.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/texture_pixels.hpp"
+#include "ui/colour_legend.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
 namespace {
 
-// So little memory is free that each drawing checks it first, but enough for all.
+// Enough free memory for all drawings, but so little that each of them checks it first.
 constexpr std::uint64_t kFreeBytes = 160'000'000;
 
 OpenedMolecule two_chains() {
@@ -68,8 +69,8 @@ class PictureOrder : public ::testing::Test {
 
   static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
   // m: the molecule comes. a: the answer comes. c: the controls set other colours. After each of
-  // these its job begins, unless another one is running. It does not finish. f: all running and
-  // waiting jobs finish. p: finished results are taken.
+  // these, its job begins unless another one is running, and is held before its end. f: all running
+  // and waiting jobs finish. p: finished results are taken.
   void play(const std::string& order) {
     for (const char step : order) {
       switch (step) {

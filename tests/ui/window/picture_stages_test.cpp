@@ -47,7 +47,8 @@ class PictureStages : public testing::ViewerTest {
   }
 };
 
-// They follow the stages of the engine, which alone make its wall time.
+// The picture's stages follow those of the engine. Only the engine's stages add up to its wall
+// time.
 TEST_F(PictureStages, FollowTheEnginesInItsTimings) {
   open_crambin();
   expect_stages_of_picture();

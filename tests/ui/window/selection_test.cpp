@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/selection/atom_address.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/viewer_fixture.hpp"

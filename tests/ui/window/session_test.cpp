@@ -1,6 +1,7 @@
 // Tests sessions in the whole window. After saving, restarting the program and opening, picture and
 // hash are the same.
 #include "core/files/file_hash.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
@@ -39,7 +40,7 @@ TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   viewer_->state().settings.display.edges = viewer_->state().settings.display.grown_balls = true;
   viewer_->state().settings.display.ball_opacity = 0.5f;
   viewer_->state().window.picture.caption = read_caption_parts("hash");
-  viewer_->state().memory.record.recording.frames = 17;
+  viewer_->state().record.recording.frames = 17;
   run("wait-idle\nalpha.set 2.5\nsolvent.set 0.3\nview.light_theme on\nselect.atoms A:15\n"
       "click bottom.signature\nclick display\nmove view 0.4 0.5\ndown\nmove view 0.7 0.6\nup\n"
       "wheel 3\nalpha.scale root\nwait-idle\n");
@@ -55,7 +56,7 @@ TEST_F(SessionWindowTest, TheSamePictureAndHashInANewWindow) {
   EXPECT_EQ(viewer_->state().window.page, "signature");
   EXPECT_TRUE(viewer_->state().window.closed_sections.contains("display"));
   EXPECT_TRUE(viewer_->state().window.picture.caption.has(CaptionPart::hash));
-  EXPECT_EQ(viewer_->state().memory.record.recording.frames, 17);
+  EXPECT_EQ(viewer_->state().record.recording.frames, 17);
   EXPECT_EQ(viewer_->state().settings.selection.items.size(), 7u);
   EXPECT_EQ(viewer_->state().undo_text, "") << "a session begins its own history";
   save();
@@ -106,7 +107,7 @@ TEST_F(SessionWindowTest, AMoleculeThatMovedIsAskedForAndFound) {
   EXPECT_NE(viewer_->state().session_problem->text.find(molecule().string()), std::string::npos);
   EXPECT_FALSE(viewer_->state().session_problem->can_open);
   EXPECT_FALSE(viewer_->state().molecule.loaded);
-  viewer_->state().memory.browser_folder = folder_;
+  viewer_->state().browser.folder = folder_;
   run("frames 3\nclick session.choose\nwait-idle\ndouble-click browser.entry.elsewhere.pdb\n"
       "wait-idle\n");
   EXPECT_EQ(hash(), before);

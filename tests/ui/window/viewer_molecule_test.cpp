@@ -2,6 +2,7 @@
 // answers.
 #include <gtest/gtest.h>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/assembly.hpp"
 #include "tests/support/dimer.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -62,7 +63,8 @@ TEST_F(ViewerMoleculeTest, EveryToggleGivesTheComplexOfItsRule) {
   EXPECT_NE(molecule().summary.find("not selected"), std::string::npos) << molecule().summary;
 }
 
-// A command may come between the picture's arrival and its first drawing, which fits the view.
+// A command may change the view before a new molecule is first drawn. The first drawing fits the
+// view, and must not undo the command.
 TEST_F(ViewerMoleculeTest, AViewAskedForBeforeTheFirstDrawingFitsAllTheSame) {
   const auto saved = [&](const std::string& name) {
     run("view.save_camera " + name + "\nframes 2\n");
@@ -99,12 +101,12 @@ TEST_F(ViewerMoleculeTest, ABadExpressionChangesNothingAndStaysToBeMended) {
   run("click molecule.expression\ntype chain A)\nkey enter\nwait-idle\n");
   const ViewState& s = viewer_->state();
   EXPECT_EQ(s.expression_error.value().column(), 8u);
-  EXPECT_EQ(s.memory.expression_typed, "chain A)");
+  EXPECT_EQ(s.expression.typed, "chain A)");
   EXPECT_TRUE(s.error.empty()) << "beside the field, not as a dialog";
   EXPECT_EQ(hash(), before);
   open_file(haemoglobin());
   EXPECT_FALSE(s.expression_error);
-  EXPECT_TRUE(s.memory.expression_typed.empty()) << "of the file before";
+  EXPECT_TRUE(s.expression.typed.empty()) << "of the file before";
 }
 
 TEST_F(ViewerMoleculeTest, ATypedRadiusRecomputesAndIsCounted) {

@@ -11,6 +11,7 @@
 #include "app/viewer/options.hpp"
 #include "app/viewer/session_text.hpp"
 #include "core/document/settings/display_preset.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -56,16 +57,16 @@ TEST_F(ViewerTest, ADroppedFileThatCannotBeReadIsNotToldAsOpened) {
 }
 
 TEST_F(ViewerTest, ADroppedFileIsTheAnswerToTheDialogThatAsksForOneAndToNoOther) {
-  SharedPanelState& memory = viewer_->state().memory;
+  BrowserState& memory = viewer_->state().browser;
   for (const BrowserPurpose purpose : {BrowserPurpose::molecule, BrowserPurpose::save}) {
-    memory.browser_folder = folder_;
-    memory.browser_purpose = purpose;
-    memory.show_browser = true;
+    memory.folder = folder_;
+    memory.purpose = purpose;
+    memory.show = true;
     viewer_->open_dropped({crambin()});
     run("wait-idle\n");
     const bool asks = purpose == BrowserPurpose::molecule;
-    EXPECT_EQ(memory.show_browser, !asks);
-    EXPECT_EQ(memory.browser_folder, asks ? crambin().parent_path() : folder_);
+    EXPECT_EQ(memory.show, !asks);
+    EXPECT_EQ(memory.folder, asks ? crambin().parent_path() : folder_);
   }
 }
 
@@ -243,7 +244,7 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
 }
 
-// The same view, drawn by the window's own scene and by the background's.
+// Compares one view, as the window's scene draws it and as the background thread's scene does.
 TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
   open_crambin();
   run("click alpha.preset.3\nmove view 0.3 0.4\ndown\nmove view 0.6 0.5\nup\n");
@@ -354,7 +355,8 @@ TEST_F(ViewerTest, AViewOfNothingSaysSoAndHasAWayBack) {
   EXPECT_FALSE(viewer_->widgets().contains("view.trouble"));
 }
 
-// The view turns about the middle of the balls, where another selection may have a ball.
+// The camera is close to the middle of the balls. Another selection may have a ball around it, and
+// is then fitted into the view.
 TEST_F(ViewerTest, ASelectionAroundTheCameraIsFitted) {
   open_crambin();
   viewer_->state().settings.display.ball_scale = 0.05f;

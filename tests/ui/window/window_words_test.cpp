@@ -6,6 +6,7 @@
 #include <atomic>
 #include <thread>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/scene/picture/step_text.hpp"
@@ -27,7 +28,7 @@ TEST(Tooltips, AreBesideWhatTheySpeakOf) {
   p.frame(3);
   ImGuiIO& io = ImGui::GetIO();
   std::size_t seen = 0;
-  for (const KeyState::Stop& stop : std::vector(p.state.memory.keys.stops)) {
+  for (const KeyState::Stop& stop : std::vector(p.state.keys.stops)) {
     const WidgetRect r = p.rects[stop.name];
     if (!stop.visible || r.y1 - r.y0 > 60) continue;
     for (const float place : {0.1f, 0.9f}) {
@@ -80,13 +81,13 @@ class WindowWords : public ViewerTest {
 };
 
 TEST_F(WindowWords, AnotherFileClosesTheDialogThatAskedAboutTheLast) {
-  state().memory.show_export = true;
+  state().dialogs.show_export = true;
   run("frames 3\n");
   viewer_->open_dropped({fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz"});
   run("wait-idle\nframes 3\n");
   EXPECT_EQ(state().molecule.name, "4hhb.pdb.gz");
-  EXPECT_FALSE(state().memory.show_export);
-  EXPECT_TRUE(state().memory.dialogs.empty());
+  EXPECT_FALSE(state().dialogs.show_export);
+  EXPECT_TRUE(state().dialogs.open.empty());
   EXPECT_NE(state().notice.find("closed"), std::string::npos) << state().notice;
 }
 

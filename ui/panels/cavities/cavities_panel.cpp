@@ -3,17 +3,30 @@
 #include <string>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/chart/flat_drawing.hpp"
 #include "core/document/cavities/cavity_export.hpp"
 #include "core/document/cavities/cavity_tables.hpp"
 #include "core/document/channels/channel_results.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/selection/selection_error.hpp"
 #include "core/text/grouped_number.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "ui/widgets/table_cells.hpp"
@@ -23,8 +36,8 @@ namespace {
 
 constexpr NumberRule kLeastVolumeRule{"The least volume", 0, 1e9, "Å³"};
 constexpr float kPaneWidth = 230;      // pixels at scale 1, width of the pane on chosen cavities
-constexpr double kStaleSeconds = 0.3;  // rows of an earlier picture turn grey after this time
-// Å; below this solvent radius a note warns of one giant pocket.
+constexpr double kStaleSeconds = 0.3;  // after it, rows of an earlier picture turn grey
+// Solvent radius, Å. Below it a note warns that one giant pocket contains nearly everything.
 constexpr double kGiantBelow = 0.5;
 
 // --- results
@@ -36,7 +49,7 @@ void take(CavityPage& page, std::shared_ptr<const T>& to, const Derived<T>& from
   page.rows_are_old = true;
 }
 
-// Takes the results that come after the lines, for the columns that are shown.
+// Takes results that are computed after the rows themselves, as far as shown columns need them.
 void take_what_follows(PanelContext& ctx, CavityPage& page) {
   const auto shown = [&](const char* column) { return is_shown(page, column); };
   take(page, page.rows.exact, ctx.store.want(cavity_volumes(), ctx.inputs));
@@ -226,8 +239,8 @@ void body(PanelContext& ctx, CavityPage& page, bool current) {
   draw_selected_cavities(ctx, page);
 }
 
-// Whether rows of another alpha than the picture's are grey. They are not if the next ones follow
-// at once.
+// Whether to draw the rows grey, because they belong to another alpha than the picture. For
+// kStaleSeconds they are not, so that they do not flicker.
 bool is_grey(CavityPage& page, bool current) {
   const double now = ImGui::GetTime();
   if (current) {
@@ -257,7 +270,7 @@ void draw_cavities(PanelContext& ctx) {
     take_what_follows(ctx, page);
     select_wanted_row(ctx, page);
   } else if (is_shown(page, "holds")) {
-    // Made in one job with the lines, so that both come together.
+    // The store makes the contents in one job with the rows, so both come together.
     ctx.store.want(cavity_contents(), ctx.inputs);
   }
   if (!page.rows.lines) {

@@ -3,6 +3,16 @@
 #include <string>
 #include <string_view>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/store/key.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/selection/selection_error.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
@@ -35,7 +45,7 @@ void set_up_columns(PanelContext& ctx) {
   }
 }
 
-// Explains the marks of the page as well, which files do not have.
+// Returns the explanation of a column. The page has marks that files lack, so it explains them too.
 std::string help_text(const Column<CavityRow>& column) {
   std::string text = column.help;
   if (std::string_view(column.id) == "kind") {
@@ -57,7 +67,8 @@ void draw_headers(PanelContext& ctx) {
   }
 }
 
-// Exchanges the choice of columns with the table, whose own menu opens by a right click on a title.
+// Carries the choice of columns from the page to ImGui's table and back. The table has a menu of
+// its own, which a right click on a title opens.
 void follow_columns(CavityPage& page) {
   const bool tell = std::exchange(page.columns_changed, false);
   for (int n = 0; n < column_count(); ++n) {
@@ -109,7 +120,7 @@ void kind_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
   if (!why.empty()) tooltip(ctx, why.c_str());
 }
 
-// Cuts a text that does not fit; the tooltip then has all of it.
+// Draws a text, cut if it does not fit. The tooltip then shows all of it.
 void text_cell(PanelContext& ctx, const std::string& text) {
   const std::string fitted = fitted_text(text, ImGui::GetContentRegionAvail().x);
   ImGui::TextUnformatted(fitted.c_str());

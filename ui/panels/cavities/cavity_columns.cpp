@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/selection/selection_error.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -68,7 +72,8 @@ std::string cavity_text(const KnownCavities& rows, std::string_view id, std::siz
 
 std::vector<std::size_t> ordered_rows(const KnownCavities& rows, const CavityFilter& filter) {
   const CavityPageColumn& by = cavity_page_columns()[static_cast<std::size_t>(filter.sort_column)];
-  // Sinks follow the order of atoms in the file, and names are made of these atoms.
+  // Rows are sorted by name through their sinks: sinks have the order of atoms in the file, and
+  // names are made of these atoms.
   const bool by_name = by.is("name");
   std::vector<std::size_t> order;
   std::vector<CellValue> values(rows.size());

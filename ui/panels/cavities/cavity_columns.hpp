@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/document/cavities/cavity_columns.hpp"
+#include "core/document/tables/column.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 
 namespace alphascope {

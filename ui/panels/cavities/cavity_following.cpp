@@ -5,15 +5,18 @@
 #include <utility>
 
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {
 
-// For another molecule the page keeps only its appearance.
+// Empties the page for another molecule. Filter, columns and drawn parts stay.
 void begin_page(CavityPage& page, const std::string& molecule) {
   reset_for_molecule(page, molecule, [](const CavityPage& old) {
     CavityPage fresh;
@@ -46,7 +49,7 @@ void note_changes(CavityPage& page, const CavityNumbers& numbers) {
 void take_lines(CavityPage& page, const std::shared_ptr<const CavityLines>& lines) {
   const bool other_balls = !page.rows.lines || page.rows.table().ground != lines->table->ground;
   const auto lives = other_balls ? nullptr : page.rows.lives;
-  // Rows that are only listed in another way have not moved.
+  // If networks are split or joined, cavities are listed anew but have not changed.
   const bool listed_anew = page.rows.lines && page.rows.table().question.split_networks !=
                                                   lines->table->question.split_networks;
   page.rows = {};
@@ -63,15 +66,15 @@ void take_lines(CavityPage& page, const std::shared_ptr<const CavityLines>& line
   }
 }
 
-// Returns whether the rows belong to the picture. New rows continue the numbers of those on screen,
-// so no rows are wanted while these fit.
+// Returns whether the rows belong to the picture; if not, asks for new ones. New rows continue the
+// cavity numbers of the rows on screen.
 bool follow_lines(PanelContext& ctx, CavityPage& page, Derived<CavityLines>& wanted) {
   if (page.rows.lines && page.rows.lines->is_of(ctx.inputs)) return true;
   const bool same_body = page.rows.lines && page.body_key == ctx.inputs.body_key;
   const auto before = same_body ? page.rows.lines->numbers : nullptr;
   wanted = ctx.store.want(cavity_lines(before), ctx.inputs);
   if (!wanted.value || wanted.have.balls != wanted.wanted.balls) return false;
-  // Lines that were begun before those on screen do not continue their numbers.
+  // Rows whose computation began before those on screen were made do not continue their numbers.
   const std::uint64_t steps = wanted.value->numbers->steps;
   if (before ? steps != before->steps + 1 : steps != 0) return false;
   page.body_key = ctx.inputs.body_key;
@@ -90,8 +93,8 @@ std::string rows_text(const std::vector<std::size_t>& rows) {
   return text;
 }
 
-// Says in the status bar that cavities have merged or parted, since another page may be open. It
-// says so once.
+// Says once in the status bar that chosen cavities have merged or parted, since another page may be
+// open.
 void tell_of_merging(PanelContext& ctx, const CavityPage& page, bool merged_before) {
   const bool merged = !page.merged_into.empty();
   if (merged && !merged_before) {

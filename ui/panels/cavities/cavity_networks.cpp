@@ -6,16 +6,25 @@
 #include <vector>
 
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_records.hpp"
 #include "core/document/channels/network_results.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/text/grouped_number.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {
 
-// Returns the chosen network, else the largest.
+// Returns the row of the chosen network, else of the largest one.
 std::optional<std::size_t> network_row(const CavityPage& page) {
   const std::vector<CavityLine>& lines = page.rows.lines->of;
   if (page.selected_rows.size() == 1 && lines[page.selected_rows.front()].is_network) {

@@ -41,7 +41,7 @@ struct CavityPage {
   DrawnCavityParts parts;       // the parts of chosen cavities that are drawn
   bool fades_rest = true;       // balls and simplices are pale
 
-  KnownCavities rows;               // without a table: there is none yet
+  KnownCavities rows;               // rows.lines is null until there is a table
   bool rows_are_old = true;         // `order` belongs to earlier rows
   CavityFilter ordered_by;          // the filter by which `order` was made
   std::vector<std::size_t> order;   // rows that are shown, in order
@@ -56,7 +56,7 @@ struct CavityPage {
   std::map<std::uint32_t, Change> changes;
   double changed_at_seconds = 0;  // by ImGui's clock
 
-  // A copy of Selection::cavities, and the lines to which `selected_rows` refer.
+  // A copy of Selection::cavities, then the rows among which `selected_rows` are indices.
   RefSet chosen;
   std::shared_ptr<const CavityLines> selected_in;
   std::vector<std::size_t> selected_rows;  // ascending
@@ -75,7 +75,7 @@ struct CavityPage {
   std::shared_ptr<const BallSet> layers_of;  // Layer::balls
   std::uint64_t layers_key = 0;
   bool layers_are_old = true;
-  AtomsBesideBody beside;  // dropped atoms that `layers` may show; then hidden atoms
+  AtomsBesideBody beside;  // kinds of dropped atoms that `layers` may show; then hidden atoms
   AtomSet hidden;
   Theme theme = Theme::dark;  // for which their colours were chosen
 };

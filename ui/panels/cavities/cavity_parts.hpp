@@ -9,7 +9,7 @@ namespace alphascope {
 // --- cavity_following.cpp
 
 // Brings CavityState::page up to date with the table on screen and the chosen cavities. Makes the
-// page if it is missing. Each page that shows either calls this in each frame.
+// page if there is none. Every page that shows the table or chosen cavities calls it in each frame.
 struct FollowedCavities {
   bool current = false;         // the rows belong to the picture
   Derived<CavityLines> wanted;  // the table that is being made, if they do not
@@ -54,7 +54,7 @@ std::string between_text(const CavityLine& line, const std::string& chains);
 // If there are networks, draws the choice to split them. A button sets the solvent radius at which
 // the chosen network, else the largest, falls apart. `current`: the rows belong to the picture.
 void networks_line(PanelContext& ctx, const CavityPage& page, bool current);
-// Says the same about a chosen network in sentences, once it is known.
+// Says in sentences at which solvent radius this network falls apart, once that is known.
 void network_end_sentences(PanelContext& ctx, const CavityPage& page, std::size_t row);
 // Returns a sentence about a part of a network; empty if the cavity is no such part.
 std::string part_text(const CavityLine& line);

@@ -3,19 +3,32 @@
 #include <algorithm>
 #include <string>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/chart/colour_map.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/predicates/orthosphere.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/radii/radii_set.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/complex/display_rows.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {
 
-// More cavities would tell nothing, neither in the picture nor in the list of residues.
+// Most cavities that can be chosen at once. With more, picture and list of residues would be
+// unreadable.
 constexpr std::size_t kMostChosen = 1000;
 
 std::string count_text(std::size_t n, const char* one, const char* many) {

@@ -2,9 +2,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/triangulation/flow.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/number_field.hpp"
 
 namespace alphascope {
@@ -70,7 +81,7 @@ void point_fields(PanelContext& ctx, const std::string& name, RealPoint& point) 
   }
 }
 
-// Rounds a point to as many digits as users read.
+// Rounds a point to 0.001 Å, as a user would type it.
 RealPoint to_type(const RealPoint& p) {
   const auto rounded = [](double value) { return std::round(1000 * value) / 1000; };
   return {rounded(p.x), rounded(p.y), rounded(p.z)};
@@ -226,7 +237,7 @@ void draw_channel_ends(PanelContext& ctx, ChannelState& memory) {
   const auto beside = [&] { ImGui::SameLine(0, ctx.px(6)); };
   label(ctx, "From");
   combo(ctx, "channels.from", kFrom, kFromHelp, memory.from, 170);
-  // A typed point starts at the start of the last channel, so that the user can move it from there.
+  // The fields begin with the start of the last channel, so the user can move the point from there.
   if (memory.from != from && memory.from == ChannelFrom::point) {
     memory.from_point = to_type(memory.last_from);
   }

@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "core/document/channels/channel_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/principal_axes.hpp"
-#include "ui/layer.hpp"
 
 namespace alphascope {
 
-// `ways` leads from outside to outside, so there is no other end to choose.
+struct FoundChannel;
+struct Layer;
+
+// The start of a channel. For `ways` both ends are outside, so there is no other end to choose.
 enum class ChannelFrom : std::uint8_t { cavity, mouth, atoms, middle, point, ways };
 enum class ChannelTo : std::uint8_t { out, along, both_ways, mouth, point };
 enum class ChannelAxis : std::uint8_t { main, x, y, z, view };
@@ -22,7 +23,7 @@ struct ChannelState {
   std::string molecule;  // SHA-256 of its file
   ChannelFrom from = ChannelFrom::ways;
   ChannelTo to = ChannelTo::both_ways;
-  std::size_t way = 1;  // number in the list, from 1; beyond a shorter list, its last way
+  std::size_t way = 1;  // number in the list, from 1; a larger number means the last way
   int from_mouth = 1, to_mouth = 1;  // mouths of the chosen cavity, from 1
   RealPoint from_point, to_point;    // Å, as typed
   ChannelAxis axis = ChannelAxis::main;
@@ -30,7 +31,7 @@ struct ChannelState {
   RealPoint view_axis{0, 0, 1};  // the direction into the view when the user chose it
   RefSet cavities;               // the cavities chosen in the last frame
   RealPoint last_from;           // Å, start of the last channel
-  std::uint64_t asked_for = 0;   // number of the key of the large question that the user started
+  std::uint64_t asked_for = 0;   // key of the large computation that the user started
 
   // The balls without solvent.
   std::shared_ptr<const PreparedBalls> prepared;

@@ -2,14 +2,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/chart/colour_scale.hpp"
 #include "core/document/store/answer.hpp"
+#include "ui/layer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 namespace {
 
-// A thread of this radius shows the course of the way where it is narrower or closed.
+// Where the channel is narrower than this or closed, the tube has this radius.
 constexpr double kThinnest = 0.15;  // Å
 
 Colour colour_of(WaterBand band) {

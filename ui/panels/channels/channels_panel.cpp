@@ -4,19 +4,31 @@
 #include <cmath>
 #include <utility>
 
+#include "core/channel/clearance.hpp"
 #include "core/chart/svg.hpp"
 #include "core/document/channels/channel_export.hpp"
 #include "core/document/channels/channel_records.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/principal_axes.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/molecule/residue_kind.hpp"
+#include "core/radii/radii_set.hpp"
 #include "core/text/as_sentence.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
@@ -39,7 +51,7 @@ void take_balls(PanelContext& ctx, ChannelState& memory) {
   memory.main_axis = main_axis(*prepared.balls);
 }
 
-// A user who has just chosen a cavity wants the way out of it.
+// If the user has just chosen a cavity, sets the channel to lead out of it.
 void take_choice(const PanelContext& ctx, ChannelState& memory) {
   const RefSet& chosen = ctx.state.settings.selection.cavities;
   if (chosen == memory.cavities) return;
@@ -77,7 +89,7 @@ void look_across(PanelContext& ctx, const Channel& channel, std::size_t from, st
   if (line != RealPoint{}) ctx.calls.view.look_across(unit_vector(line));
 }
 
-// Looks across the channel, since atoms outside would hide the bottleneck from an end.
+// Looks at the bottleneck across the channel. Seen from an end, outer atoms would hide it.
 void look_across_bottleneck(PanelContext& ctx, const Channel& channel) {
   constexpr std::size_t kNear = 20;  // samples
   const std::size_t at = channel.bottleneck, last = channel.samples.size() - 1;
@@ -108,7 +120,7 @@ void select_bottleneck(PanelContext& ctx, const ChannelState& memory) {
 
 // --- results
 
-// Draws the result in the line of the pages' names.
+// Draws the radius of the bottleneck beside the names of the pages.
 void headline(PanelContext& ctx, const FoundChannel& found) {
   const Channel& channel = *found.channel;
   const double radius = channel.narrowest().radius_angstrom;
@@ -147,7 +159,7 @@ void limit_line(PanelContext& ctx, const Channel& channel) {
   muted_wrapped(ctx, std::string("Narrowest ") + channel_limit_text(channel.limit) + ".");
 }
 
-// An ion, ligand or water in the pore of a crystal closes it, although it may not stay there.
+// An ion, ligand or water that closes the pore in the crystal, although it may not stay there.
 struct Guest {
   ResidueKind kind;
   const char *one, *some;
@@ -296,7 +308,8 @@ bool may_begin(PanelContext& ctx, ChannelState& memory, const AnyDefinition& wan
   return memory.asked_for == key.number();
 }
 
-// Returns the chosen way like an answer to found_channel(); without a value if there are no ways.
+// Returns the chosen way in the form of a result of found_channel(). It has no value if there are
+// no ways.
 Derived<FoundChannel> want_way(PanelContext& ctx, ChannelState& memory, Derived<FoundWays>& ways) {
   ways = ctx.store.want(found_ways(), inputs_as_they_are(memory));
   Derived<FoundChannel> found;

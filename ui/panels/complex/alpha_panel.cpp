@@ -3,14 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/alpha/alpha_slider.hpp"
 #include "core/document/alpha/signature.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
+#include "core/radii/radii_set.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/complex/alpha_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -40,8 +52,8 @@ void draw_preset_ticks(PanelContext& ctx, const AlphaSlider& s, const Track& tra
   }
 }
 
-// Marks where on the slider simplices appear. Each column of pixels is a bar, and more simplices
-// make it higher.
+// Marks the critical values, at which simplices appear, along the slider. Each column of pixels has
+// a bar, which is higher for more simplices.
 void draw_critical_values(PanelContext& ctx, const AlphaSlider& s, const Track& track) {
   // Larger molecules have critical values at every pixel, and sorting them takes memory.
   constexpr std::size_t kMostBalls = 50000;
@@ -69,8 +81,8 @@ void draw_critical_values(PanelContext& ctx, const AlphaSlider& s, const Track& 
   }
 }
 
-// While Shift is down, the grab follows the mouse ten times as finely. After that the drag
-// continues from the grab's place.
+// While Shift is down, the grab moves a tenth as far as the mouse. When Shift is released, the drag
+// goes on from where the grab is.
 void drag_finely(AlphaState& m, const AlphaSlider& s, double alpha, const Track& track,
                  double& place, bool& fine) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -221,7 +233,7 @@ void solvent(PanelContext& ctx) {
   row_label(ctx, "Solvent radius");
   double value = radius;
   const double high = std::max(5.0, radius);
-  const bool typing = ctx.state.memory.number.name == "alpha.solvent";
+  const bool typing = ctx.state.number.name == "alpha.solvent";
   if (value_slider(ctx, "alpha.solvent", value, 0, high, kSolventRule,
                    short_number_text(radius, 3) + " Å", 56)) {
     radius = typing ? std::round(value * 1000) / 1000 : std::round(value * 100) / 100;
@@ -241,7 +253,7 @@ std::string grown_text(const GrownRadius& r) {
   return number_text(r.radius, 2) + " → " + (r.grown > 0 ? number_text(r.grown, 2) : "empty");
 }
 
-// Names the atoms too, since an element may have several radii.
+// Names some atoms too, since an element may have several radii.
 std::string balls_text(const GrownRadius& r) {
   return with_separators(static_cast<long long>(r.balls)) + (r.balls == 1 ? " ball" : " balls") +
          (r.atoms.empty() ? "" : ": " + r.atoms);

@@ -1,13 +1,11 @@
 // The state of the section on alpha between frames.
 #pragma once
 
-#include "core/document/alpha/alpha_slider.hpp"
-
 namespace alphascope {
 
 struct AlphaState {
-  // State of a drag in which Shift was pressed: the place and the pixel from which the mouse moves
-  // alpha, and whether it moves it finely.
+  // State of a drag in which Shift was pressed (`relative`). Alpha moves from `from_place` as the
+  // mouse moves from `from_x`, and a tenth as far while `fine`.
   bool relative = false, fine = false;
   double from_place = 0;
   float from_x = 0;  // pixels

@@ -6,9 +6,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/picture/recording.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/real_point.hpp"
+#include "ui/clip_handle.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "ui/panels/window_settings.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/number_typing.hpp"
 
 namespace alphascope {
 namespace {
@@ -57,7 +75,7 @@ void length_row(PanelContext& ctx, const char* name, const char* label, double& 
                 const std::array<double, 2>& range, const NumberRule& rule) {
   row_label(ctx, label);
   double value = length;
-  const bool typing = ctx.state.memory.number.name == name;
+  const bool typing = ctx.state.number.name == name;
   const double low = std::min(range[0], value), high = std::max(range[1], value);
   const std::string text = number_text(value, 1) + " Å";
   if (value_slider(ctx, name, value, low, high, rule, text)) {
@@ -131,21 +149,21 @@ std::unique_ptr<Panel> clip_panel() {
 bool clip_handle_mouse(PanelContext& ctx, ImVec2 corner, bool view_hovered) {
   ViewState& s = ctx.state;
   ViewportInfo& v = s.viewport;
-  HandlePart& held = s.memory.clip_part;
+  HandlePart& held = s.mouse.clip_part;
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsMouseDown(0)) held = HandlePart::none;
   const PicturePoint mouse{io.MousePos.x - corner.x, io.MousePos.y - corner.y};
-  const bool may = view_hovered && s.window.clip_handle && !s.memory.dragging_view;
-  s.memory.clip_part_hovered = held;
+  const bool may = view_hovered && s.window.clip_handle && !s.mouse.dragging_view;
+  s.mouse.clip_part_hovered = held;
   if (held == HandlePart::none && may) {
-    s.memory.clip_part_hovered = part_at(v.clip_handle, mouse, ctx.px(kHandleReach));
-    if (ImGui::IsMouseClicked(0)) held = s.memory.clip_part_hovered;
+    s.mouse.clip_part_hovered = part_at(v.clip_handle, mouse, ctx.px(kHandleReach));
+    if (ImGui::IsMouseClicked(0)) held = s.mouse.clip_part_hovered;
   }
   if (held != HandlePart::none) {
     s.settings.clip =
         dragged(s.settings.clip, v.clip_handle, held, {io.MouseDelta.x, io.MouseDelta.y});
   }
-  return s.memory.clip_part_hovered != HandlePart::none;
+  return s.mouse.clip_part_hovered != HandlePart::none;
 }
 
 void draw_clip_handle(PanelContext& ctx) {
@@ -156,7 +174,7 @@ void draw_clip_handle(PanelContext& ctx) {
     return ImVec2(corner.x + static_cast<float>(p[0]), corner.y + static_cast<float>(p[1]));
   };
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const HandlePart hovered = ctx.state.memory.clip_part_hovered;
+  const HandlePart hovered = ctx.state.mouse.clip_part_hovered;
   const auto ink = [&](HandlePart part) {
     return to_u32(hovered == part ? ctx.palette.accent_hovered : ctx.palette.accent);
   };

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/document/settings/clip.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

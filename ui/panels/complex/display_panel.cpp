@@ -1,17 +1,25 @@
 // The sections “Display” and “Light”: which parts of the complex are drawn, and how.
 #include <string>
 
+#include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/settings/clip.hpp"
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "ui/calls.hpp"
+#include "ui/layer.hpp"
 #include "ui/panels/complex/display_rows.hpp"
 #include "ui/panels/complex/paint_rows.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

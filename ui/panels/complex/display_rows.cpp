@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/document/commands/commands.hpp"
 #include "ui/number_text.hpp"
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {

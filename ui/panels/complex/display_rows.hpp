@@ -1,5 +1,5 @@
 // The controls of single settings of the display: check boxes and sliders as the table of settings
-// (display_fields.hpp) describes them. A panel decides their order only.
+// (display_fields.hpp) describes them. A panel only decides their order.
 #pragma once
 
 #include "core/document/settings/display_fields.hpp"

@@ -2,9 +2,20 @@
 // whether CGAL compares each result.
 #include <algorithm>
 
+#include "core/document/reference/appearance.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/engine/engine_choice.hpp"
+#include "core/engine/gpu_device.hpp"
+#include "core/tuples/tuple_options.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/document/reference/appearance.hpp"
+#include "ui/calls.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/number_field.hpp"
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/document/settings/paint.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

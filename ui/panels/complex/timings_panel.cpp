@@ -1,13 +1,28 @@
 // The page of timings: our engine's times beside CGAL's, and whether both complexes are equal.
 #include <optional>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/run/work_threads.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/complex/timings_state.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/running_job.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -63,8 +78,8 @@ std::string badge_help(const ViewState& s) {
   return text;
 }
 
-// Shortens "✓ identical to CGAL: 16,445 of …" to the part before the colon or to its first word.
-// The tooltip has the numbers.
+// Shortens "✓ identical to CGAL: 16,445 of …" to "✓ identical to CGAL" or "✓ identical". The
+// tooltip has the numbers.
 std::string badge_text(const std::string& full, float room) {
   const auto fits = [room](const std::string& text) {
     return ImGui::CalcTextSize(text.c_str()).x <= room;
@@ -93,7 +108,7 @@ void speed(PanelContext& ctx, bool cold) {
   if (!found) return;
   const double ratio = *found;
   ImGui::SameLine();
-  // In a warm run CGAL has its whole triangulation already, and only filters it.
+  // In a warm run CGAL reuses its triangulation and only filters it.
   const std::string whom = cold ? "CGAL" : "CGAL's filter";
   const bool even = ratio > 0.95 && ratio < 1.05;
   const std::string text = even         ? "as fast as " + whom
@@ -130,8 +145,9 @@ void compare_button(PanelContext& ctx) {
 
 void title(PanelContext& ctx, TimingsState& m) {
   reset_for_molecule(m, ctx.state.molecule.sha256);
-  // Until the user chooses, the page shows the first run, and then warm runs. So it is never empty.
-  // If the user chooses a run without times, missing_times() explains it.
+  // Until the user chooses, the page shows warm runs as soon as there are any, and the first run
+  // before that. So it is never empty. If the user chooses a run without times, missing_times()
+  // explains why.
   const bool warm = ctx.state.ours.warm.has_value();
   if (!m.pinned) m.cold = !warm;
   int run = m.cold ? 0 : 1;

@@ -2,6 +2,11 @@
 #include "ui/panels/complex/timings_text.hpp"
 
 #include "core/document/store/answer.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/run/work_threads.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
@@ -11,8 +16,8 @@ bool lacks_cold(const ColdAndWarm& timings) {
   return timings.any() && !timings.cold;
 }
 
-// With fewer balls, both times are mostly those of starting threads and reading the clock. Then the
-// faster engine changes from run to run.
+// With fewer balls, most of the time goes into starting threads and reading the clock. Which engine
+// is faster then changes from run to run.
 constexpr std::size_t kLeastBalls = 100;
 
 bool too_few_balls(const ViewState& state) {

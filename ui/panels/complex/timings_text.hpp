@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/engine/cold_and_warm.hpp"
 #include "ui/panels/view_state.hpp"
 
 namespace alphascope {

@@ -4,10 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/complex/engine_info.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/run/stage_timer.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/running_job.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,12 +4,28 @@
 
 #include <algorithm>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
 #include "core/chart/layout.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/engine/engine_choice.hpp"
+#include "core/engine/gpu_device.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/dialogs/benchmark_info.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/running_job.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "ui/widgets/plot.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -112,8 +128,8 @@ std::string header_text(std::string name) {
   return name;
 }
 
-// Returns the width that other columns leave to the last one, pixels. It holds notes: sentences,
-// which can be wrapped.
+// Returns the width that the other columns leave for the last one, pixels. The last column has
+// notes, whose sentences are wrapped.
 float note_width(PanelContext& ctx, float table_width) {
   const BenchmarkInfo& b = ctx.state.benchmark;
   const ImGuiStyle& style = ImGui::GetStyle();
@@ -219,7 +235,7 @@ void export_row(PanelContext& ctx) {
   const bool closed = button(ctx, "benchmark.close", "Close", {ctx.px(100), 0}) ||
                       (!s.benchmark.running && escape_pressed(ctx));
   ImGui::EndDisabled();
-  if (closed) s.memory.show_benchmark = false;
+  if (closed) s.dialogs.show_benchmark = false;
 }
 
 void message(PanelContext& ctx) {

@@ -1,5 +1,4 @@
-// The list of all dialogs, and functions that open, nest and close them and lead keys to the
-// topmost.
+// Lists all dialogs. Opens, nests and closes them, and leads keys to the topmost one.
 #include "ui/panels/dialogs/dialog_stack.hpp"
 
 #include <algorithm>
@@ -7,6 +6,19 @@
 #include <string>
 #include <string_view>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/run/cancel_token.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
+#include "ui/panels/dialogs/picture_requests.hpp"
+#include "ui/panels/dialogs/table_state.hpp"
+#include "ui/panels/frame/palette_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/number_field.hpp"
 
@@ -18,20 +30,20 @@ struct Entry {
   void (*draw)(PanelContext& ctx);
 };
 
-// SharedPanelState::dialogs holds indices into this list.
+// DialogState::open holds indices into this list.
 constexpr std::array kDialogs{
-    Entry{[](const ViewState& s) { return s.memory.show_benchmark; }, draw_benchmark_dialog},
-    Entry{[](const ViewState& s) { return s.memory.show_browser; }, draw_file_browser},
-    Entry{[](const ViewState& s) { return s.memory.show_save; }, draw_save_picture},
-    Entry{[](const ViewState& s) { return s.memory.record.show; }, draw_record},
-    Entry{[](const ViewState& s) { return s.memory.save_table.table != nullptr; }, draw_save_table},
-    Entry{[](const ViewState& s) { return s.memory.show_export; }, draw_export},
-    Entry{[](const ViewState& s) { return s.memory.show_save_session; }, draw_save_session},
+    Entry{[](const ViewState& s) { return s.dialogs.show_benchmark; }, draw_benchmark_dialog},
+    Entry{[](const ViewState& s) { return s.browser.show; }, draw_file_browser},
+    Entry{[](const ViewState& s) { return s.dialogs.show_save; }, draw_save_picture},
+    Entry{[](const ViewState& s) { return s.record.show; }, draw_record},
+    Entry{[](const ViewState& s) { return s.save_table.table != nullptr; }, draw_save_table},
+    Entry{[](const ViewState& s) { return s.dialogs.show_export; }, draw_export},
+    Entry{[](const ViewState& s) { return s.dialogs.show_save_session; }, draw_save_session},
     Entry{[](const ViewState& s) { return s.session_problem.has_value(); }, draw_session_problem},
-    Entry{[](const ViewState& s) { return !s.memory.confirm_assembly.empty(); },
+    Entry{[](const ViewState& s) { return !s.dialogs.confirm_assembly.empty(); },
           draw_confirm_assembly},
-    Entry{[](const ViewState& s) { return s.memory.show_cheat_sheet; }, draw_cheat_sheet},
-    Entry{[](const ViewState& s) { return s.memory.show_about; }, draw_about},
+    Entry{[](const ViewState& s) { return s.dialogs.show_cheat_sheet; }, draw_cheat_sheet},
+    Entry{[](const ViewState& s) { return s.dialogs.show_about; }, draw_about},
     Entry{[](const ViewState& s) { return s.palette.show; }, draw_command_palette},
     Entry{[](const ViewState& s) { return !s.error.empty(); }, draw_error}};
 
@@ -40,7 +52,7 @@ bool wanted(const ViewState& state, std::size_t kind) {
 }
 
 void draw_level(PanelContext& ctx) {
-  const auto& open = ctx.state.memory.dialogs;
+  const auto& open = ctx.state.dialogs.open;
   if (ctx.dialog >= open.size()) return;
   ++ctx.level;
   kDialogs[open[ctx.dialog]].draw(ctx);
@@ -68,7 +80,7 @@ bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size, DialogPlace
 }
 
 void end_dialog(PanelContext& ctx) {
-  if (!wanted(ctx.state, ctx.state.memory.dialogs[ctx.dialog])) {
+  if (!wanted(ctx.state, ctx.state.dialogs.open[ctx.dialog])) {
     ImGui::CloseCurrentPopup();  // also closes dialogs above it, which open again in the next frame
   } else {
     ++ctx.dialog;
@@ -79,21 +91,21 @@ void end_dialog(PanelContext& ctx) {
 }
 
 bool on_top(const PanelContext& ctx) {
-  return ctx.dialog + 1 == ctx.state.memory.dialogs.size();
+  return ctx.dialog + 1 == ctx.state.dialogs.open.size();
 }
 
 bool has_keys(const PanelContext& ctx) {
-  return on_top(ctx) && !ctx.state.memory.keys.list_open && !ImGui::GetIO().WantTextInput;
+  return on_top(ctx) && !ctx.state.keys.list_open && !ImGui::GetIO().WantTextInput;
 }
 
 bool escape_pressed(const PanelContext& ctx) {
-  const KeyState& keys = ctx.state.memory.keys;
+  const KeyState& keys = ctx.state.keys;
   const bool of_dialog = has_keys(ctx) || (keys.untouched && on_top(ctx) && !keys.list_open);
   return of_dialog && ImGui::IsKeyPressed(key::kEscape, false);
 }
 
 bool enter_pressed(const PanelContext& ctx) {
-  return has_keys(ctx) && !ctx.state.memory.keys.enter_used &&
+  return has_keys(ctx) && !ctx.state.keys.enter_used &&
          (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
 }
 
@@ -120,7 +132,7 @@ bool close_button(PanelContext& ctx, float width, DialogButton close) {
 }
 
 void draw_dialogs(PanelContext& ctx) {
-  auto& open = ctx.state.memory.dialogs;
+  auto& open = ctx.state.dialogs.open;
   for (std::size_t kind = 0; kind < kDialogs.size(); ++kind) {
     const bool there = std::find(open.begin(), open.end(), kind) != open.end();
     if (!there && wanted(ctx.state, kind)) open.push_back(kind);

@@ -12,12 +12,12 @@ namespace alphascope {
 enum class DialogPlace : std::uint8_t { centre, top };
 bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size = {0, 0},
                   DialogPlace place = DialogPlace::centre);
-void end_dialog(PanelContext& ctx);  // closes the dialog if the state no longer wants it
+void end_dialog(PanelContext& ctx);  // also draws the dialogs above it
 
 // Whether the present dialog is the topmost one, which alone gets keys.
 bool on_top(const PanelContext& ctx);
-// Whether the topmost dialog itself gets the keys. An open list or typed text takes them first, so
-// that Escape takes that back and Enter confirms it.
+// Whether the topmost dialog itself gets the keys. An open list or a field that is typed into takes
+// keys first: Escape closes it, and Enter confirms it.
 bool has_keys(const PanelContext& ctx);
 bool escape_pressed(const PanelContext& ctx);
 bool enter_pressed(const PanelContext& ctx);
@@ -34,7 +34,7 @@ DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
                             DialogButton confirm, bool can_confirm = true, bool entered = false);
 bool close_button(PanelContext& ctx, float width, DialogButton close);
 
-// Draws all dialogs that the state wants. The one wanted last is on top.
+// Draws all dialogs that ViewState asks for. The latest is on top.
 void draw_dialogs(PanelContext& ctx);
 
 // The dialogs, each in a source of its own or in dialogs.cpp and session_dialogs.cpp.

@@ -4,9 +4,21 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/document/store/key.hpp"
+#include "core/molecule/assembly.hpp"
+#include "core/run/cancel_token.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -16,7 +28,7 @@ constexpr float kWidth = 440;  // width of most dialogs, in pixels at scale 1
 }  // namespace
 
 void draw_about(PanelContext& ctx) {
-  bool& show = ctx.state.memory.show_about;
+  bool& show = ctx.state.dialogs.show_about;
   if (!begin_dialog(ctx, "About Alphascope")) return;
   ImGui::PushFont(ctx.fonts.large);
   ImGui::TextUnformatted(("Alphascope " + ctx.state.version).c_str());
@@ -65,7 +77,7 @@ void assembly_facts(PanelContext& ctx, const AssemblyInfo& a) {
 
 void draw_confirm_assembly(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  std::string& id = s.memory.confirm_assembly;
+  std::string& id = s.dialogs.confirm_assembly;
   const auto& list = s.molecule.assemblies;
   const auto found =
       std::find_if(list.begin(), list.end(), [&](const AssemblyInfo& a) { return a.id == id; });

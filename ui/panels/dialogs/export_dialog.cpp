@@ -3,10 +3,16 @@
 #include <imgui.h>
 
 #include "core/document/export/complex_export.hpp"
+#include "core/run/cancel_token.hpp"
 #include "core/text/as_sentence.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -20,7 +26,7 @@ const char* format_name(const ExportFormatInfo* format) {
 }
 
 void format_choice(PanelContext& ctx, const ExportFormatInfo* chosen) {
-  SharedPanelState& m = ctx.state.memory;
+  DialogState& m = ctx.state.dialogs;
   row_label(ctx, "Format");
   ImGui::SetNextItemWidth(ctx.px(200));
   if (list_field(ctx, "export.format", format_name(chosen), ImGuiComboFlags_HeightLarge)) {
@@ -49,9 +55,9 @@ void format_choice(PanelContext& ctx, const ExportFormatInfo* chosen) {
 void colour_choice(PanelContext& ctx, const ExportFormatInfo* format) {
   row_label(ctx, "Colours");
   ImGui::BeginDisabled(format == nullptr || !format->colours);
-  int chosen = static_cast<int>(ctx.state.memory.export_colours);
+  int chosen = static_cast<int>(ctx.state.dialogs.export_colours);
   if (choice(ctx, "export.colours", {"Element", "Chain", "Solid"}, chosen, ctx.px(240))) {
-    ctx.state.memory.export_colours = static_cast<ExportColours>(chosen);
+    ctx.state.dialogs.export_colours = static_cast<ExportColours>(chosen);
   }
   ImGui::EndDisabled();
   tooltip(ctx,
@@ -63,7 +69,7 @@ void colour_choice(PanelContext& ctx, const ExportFormatInfo* format) {
 
 void draw_export(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  SharedPanelState& m = s.memory;
+  DialogState& m = s.dialogs;
   constexpr const char* kTitle = "Export the complex";
   propose_file(ctx, kTitle, "export", m.export_path, name_of_file(ctx, ".glb"));
   if (!begin_dialog(ctx, kTitle)) return;

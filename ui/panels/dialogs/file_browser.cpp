@@ -6,29 +6,43 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/picture/caption_parts.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/radii/radii_choice.hpp"
 #include "core/text/grouped_number.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
+#include "ui/panels/dialogs/save_state.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool for_table(const SharedPanelState& m) {
-  return m.browser_purpose == BrowserPurpose::radii_table;
+bool for_table(const BrowserState& m) {
+  return m.purpose == BrowserPurpose::radii_table;
 }
 
 constexpr int kListKeys[] = {key::kHome, key::kEnd,      key::kDown,
                              key::kUp,   key::kPageDown, key::kPageUp};
 
-const char* title(const SharedPanelState& m) {
-  switch (m.browser_purpose) {
+const char* title(const BrowserState& m) {
+  switch (m.purpose) {
     case BrowserPurpose::radii_table:
       return "Open a table of radii";
     case BrowserPurpose::session:
@@ -52,121 +66,121 @@ fs::path as_folder(const fs::path& folder) {
   return slash && normal != normal.root_path() ? normal.parent_path() : normal;
 }
 
-void enter(SharedPanelState& m, const fs::path& folder) {
-  m.browser_folder = m.browser_base = as_folder(folder);
-  m.browser_typed = m.browser_folder.string();
-  m.browser_by_hand = false;
-  m.browser_begun.clear();
-  m.browser_selected.clear();
-  m.browser_error.clear();
-  m.browser_jump.clear();
+void enter(BrowserState& m, const fs::path& folder) {
+  m.folder = m.base = as_folder(folder);
+  m.typed = m.folder.string();
+  m.by_hand = false;
+  m.begun.clear();
+  m.selected.clear();
+  m.error.clear();
+  m.jump.clear();
 }
 
 // Enters the parent folder. The folder left behind is chosen there, so that Enter leads back.
-void enter_above(SharedPanelState& m) {
-  const fs::path from = m.browser_folder;
+void enter_above(BrowserState& m) {
+  const fs::path from = m.folder;
   enter(m, from.parent_path());
-  if (m.browser_folder == from) return;
-  m.browser_selected = from;
-  m.browser_scroll = true;
+  if (m.folder == from) return;
+  m.selected = from;
+  m.scroll = true;
 }
 
-void select(SharedPanelState& m, const FolderEntry& entry) {
-  m.browser_selected = entry.path;
-  m.browser_typed = entry.path.string();
-  m.browser_by_hand = false;
-  m.browser_begun.clear();
-  m.browser_error.clear();
+void select(BrowserState& m, const FolderEntry& entry) {
+  m.selected = entry.path;
+  m.typed = entry.path.string();
+  m.by_hand = false;
+  m.begun.clear();
+  m.error.clear();
 }
 
-bool for_saving(const SharedPanelState& m) {
-  return m.browser_purpose == BrowserPurpose::save;
+bool for_saving(const BrowserState& m) {
+  return m.purpose == BrowserPurpose::save;
 }
 
-void close(SharedPanelState& m) {
-  m.show_browser = false;
-  if (for_saving(m)) m.browser_folder = m.saving.opens_from;
+void close(ViewState& s) {
+  s.browser.show = false;
+  if (for_saving(s.browser)) s.browser.folder = s.saving.opens_from;
 }
 
-// Takes the path for the dialog that looks for a place. A folder keeps the file name typed there.
-void save_there(SharedPanelState& m, const fs::path& path) {
+// Hands the path to the dialog that saves. If it is a folder, the file name in that dialog stays.
+void save_there(ViewState& s, const fs::path& path) {
   std::error_code ignored;
   const bool folder = fs::is_directory(path, ignored);
   if (!folder && !fs::is_directory(path.parent_path(), ignored)) {
-    m.browser_error = "There is no folder " + path.parent_path().string() + ".";
+    s.browser.error = "There is no folder " + path.parent_path().string() + ".";
     return;
   }
-  m.saving.found = folder ? path / m.saving.found.filename() : path;
-  m.saving.found_for = m.saving.browses_for;
-  close(m);
+  s.saving.found = folder ? path / s.saving.found.filename() : path;
+  s.saving.found_for = s.saving.browses_for;
+  close(s);
 }
 
 // Opens the file. If it cannot be opened, the dialog stays and says why.
 void open(PanelContext& ctx, const fs::path& file) {
   ViewState& s = ctx.state;
-  if (for_saving(s.memory)) return save_there(s.memory, file);
-  s.memory.browser_error = why_not_openable(file);
-  if (!s.memory.browser_error.empty()) return;
-  if (for_table(s.memory)) {
+  if (for_saving(s.browser)) return save_there(s, file);
+  s.browser.error = why_not_openable(file);
+  if (!s.browser.error.empty()) return;
+  if (for_table(s.browser)) {
     s.settings.open.radii_table = file;
     s.settings.open.balls.radii = RadiiSet::user;
-  } else if (s.memory.browser_purpose == BrowserPurpose::session_molecule) {
+  } else if (s.browser.purpose == BrowserPurpose::session_molecule) {
     ctx.calls.files.continue_session(file);
     s.session_problem.reset();
-  } else if (s.memory.browser_purpose == BrowserPurpose::session) {
+  } else if (s.browser.purpose == BrowserPurpose::session) {
     ctx.calls.files.open_session(file);
   } else {
     ctx.calls.files.open(file);
   }
-  close(s.memory);
+  close(s);
 }
 
 // Enters a folder, and opens anything else.
 void accept(PanelContext& ctx, const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    enter(ctx.state.memory, path);
+    enter(ctx.state.browser, path);
   } else {
     open(ctx, path);
   }
 }
 
 // Returns the whole path; empty if nothing is typed.
-fs::path browsed_path(const SharedPanelState& m) {
-  return typed_path(m.browser_typed, m.browser_base);
+fs::path browsed_path(const BrowserState& m) {
+  return typed_path(m.typed, m.base);
 }
 
 void accept_typed(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  const fs::path path = browsed_path(s.memory);
+  const fs::path path = browsed_path(s.browser);
   if (path.empty()) return;
   // The folder on show is taken as the place, since entering it would do nothing.
-  if (for_saving(s.memory) && as_folder(path) == s.memory.browser_folder) {
-    return save_there(s.memory, s.memory.browser_folder);
+  if (for_saving(s.browser) && as_folder(path) == s.browser.folder) {
+    return save_there(s, s.browser.folder);
   }
   accept(ctx, path);
 }
 
 // Follows a path that is being typed. It lists the last folder in the path, and chooses the first
 // entry that begins with the rest.
-void follow_typed(SharedPanelState& m) {
-  m.browser_by_hand = true;
-  m.browser_error.clear();
-  m.browser_selected.clear();
+void follow_typed(BrowserState& m) {
+  m.by_hand = true;
+  m.error.clear();
+  m.selected.clear();
   const fs::path path = browsed_path(m);
   if (path.empty()) return;
   const fs::path folder = as_folder(path.parent_path());
-  m.browser_begun = path.filename().string();
+  m.begun = path.filename().string();
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) {
-    m.browser_folder = folder;
+    m.folder = folder;
   } else {
-    m.browser_error = "There is no folder " + folder.string() + ".";
+    m.error = "There is no folder " + folder.string() + ".";
   }
 }
 
 void path_row(PanelContext& ctx) {
-  SharedPanelState& m = ctx.state.memory;
+  BrowserState& m = ctx.state.browser;
   if (button(ctx, "browser.up", "Up")) enter_above(m);
   tooltip(ctx, "The folder above (Backspace)");
   ImGui::SameLine();
@@ -175,8 +189,7 @@ void path_row(PanelContext& ctx) {
   }
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  const bool entered =
-      text_field(ctx, "browser.path", m.browser_typed, "", KeyStop::type_when_asked);
+  const bool entered = text_field(ctx, "browser.path", m.typed, "", KeyStop::type_when_asked);
   if (ImGui::IsItemEdited()) follow_typed(m);
   if (entered) accept_typed(ctx);
 }
@@ -186,14 +199,14 @@ void entry_row(PanelContext& ctx, const FolderEntry& entry) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const std::string label = entry.folder ? entry.name + "/" : entry.name;
-  if (ImGui::Selectable(label.c_str(), s.memory.browser_selected == entry.path,
+  if (ImGui::Selectable(label.c_str(), s.browser.selected == entry.path,
                         ImGuiSelectableFlags_SpanAllColumns |
                             ImGuiSelectableFlags_AllowDoubleClick |
                             ImGuiSelectableFlags_DontClosePopups)) {
     if (entry.folder) {
-      enter(s.memory, fs::path(entry.path));
+      enter(s.browser, fs::path(entry.path));
     } else {
-      select(s.memory, entry);
+      select(s.browser, entry);
       if (ImGui::IsMouseDoubleClicked(0)) open(ctx, entry.path);
     }
   }
@@ -202,10 +215,9 @@ void entry_row(PanelContext& ctx, const FolderEntry& entry) {
   if (!entry.folder) muted_text(ctx, file_size_text(entry.bytes));
 }
 
-std::size_t selected_index(const SharedPanelState& m, const FolderListing& list) {
-  const auto found =
-      std::find_if(list.entries.begin(), list.entries.end(),
-                   [&m](const FolderEntry& e) { return e.path == m.browser_selected; });
+std::size_t selected_index(const BrowserState& m, const FolderListing& list) {
+  const auto found = std::find_if(list.entries.begin(), list.entries.end(),
+                                  [&m](const FolderEntry& e) { return e.path == m.selected; });
   return static_cast<std::size_t>(found - list.entries.begin());
 }
 
@@ -225,19 +237,20 @@ std::size_t key_target(std::size_t now, std::size_t count, std::size_t page) {
 
 // Returns the entry whose name begins with the typed letters. Letters typed in quick succession
 // make one beginning.
-std::size_t jump_target(SharedPanelState& m, const FolderListing& list, std::size_t now) {
+std::size_t jump_target(BrowserState& m, const FolderListing& list, std::size_t now) {
   constexpr double kPauseSeconds = 1;
   const ImGuiIO& io = ImGui::GetIO();
   if (io.InputQueueCharacters.empty() || io.KeyCtrl) return now;
-  if (ImGui::GetTime() - m.browser_jump_seconds > kPauseSeconds) m.browser_jump.clear();
+  if (ImGui::GetTime() - m.jump_seconds > kPauseSeconds) m.jump.clear();
   for (const ImWchar c : io.InputQueueCharacters) {
-    if (c > 32 && c < 127) m.browser_jump += static_cast<char>(c);
+    if (c > 32 && c < 127) m.jump += static_cast<char>(c);
   }
-  m.browser_jump_seconds = ImGui::GetTime();
-  if (m.browser_jump.empty()) return now;
-  // Typing the same letter again leads to the next name.
-  const bool on = m.browser_jump.size() == 1 && now < list.entries.size();
-  const std::size_t found = find_entry(list, m.browser_jump, on ? now + 1 : 0);
+  m.jump_seconds = ImGui::GetTime();
+  if (m.jump.empty()) return now;
+  // A single letter is looked for behind the chosen entry, so the same letter after a pause leads
+  // to the next name.
+  const bool on = m.jump.size() == 1 && now < list.entries.size();
+  const std::size_t found = find_entry(list, m.jump, on ? now + 1 : 0);
   return found < list.entries.size() ? found : now;
 }
 
@@ -245,19 +258,20 @@ std::size_t jump_target(SharedPanelState& m, const FolderListing& list, std::siz
 bool leaves_path(const PanelContext& ctx) {
   if (!ImGui::IsAnyItemActive()) return true;
   constexpr int kInto[] = {key::kDown, key::kUp, key::kPageDown, key::kPageUp};
-  const bool leaves = ctx.state.memory.keys.at.back().name == "browser.path" &&
+  const bool leaves = ctx.state.keys.at.back().name == "browser.path" &&
                       std::any_of(std::begin(kInto), std::end(kInto),
                                   [](int code) { return ImGui::IsKeyPressed(code); });
   if (leaves) stop_typing();
   return leaves;
 }
 
-// Text that begins like a path, and pasted text, goes into the field for the path. Other letters
+// Puts pasted text, and text that begins with / or ~, into the field for the path. Other letters
 // jump to a name.
 void begin_path(PanelContext& ctx) {
-  SharedPanelState& m = ctx.state.memory;
+  BrowserState& m = ctx.state.browser;
   const ImGuiIO& io = ImGui::GetIO();
-  if (!on_top(ctx) || m.keys.list_open || m.keys.begins || ImGui::IsAnyItemActive()) return;
+  if (!on_top(ctx) || ctx.state.keys.list_open || ctx.state.keys.begins || ImGui::IsAnyItemActive())
+    return;
   std::string begun;
   if (io.KeyCtrl && ImGui::IsKeyPressed(key::kV, false)) {
     const char* const pasted = ImGui::GetClipboardText();
@@ -271,7 +285,7 @@ void begin_path(PanelContext& ctx) {
     }
   }
   if (begun.empty()) return;
-  m.browser_typed = begun;
+  m.typed = begun;
   follow_typed(m);
   type_into(ctx, "browser.path");
 }
@@ -279,44 +293,45 @@ void begin_path(PanelContext& ctx) {
 // Handles keys for the list, while nothing is typed and no dialog is above. Returns whether another
 // folder is shown now.
 bool keyboard(PanelContext& ctx, const FolderListing& list, std::size_t page) {
-  SharedPanelState& m = ctx.state.memory;
-  if (!on_top(ctx) || m.keys.list_open || m.keys.begins || !leaves_path(ctx)) return false;
+  BrowserState& m = ctx.state.browser;
+  if (!on_top(ctx) || ctx.state.keys.list_open || ctx.state.keys.begins || !leaves_path(ctx))
+    return false;
   if (ImGui::IsKeyPressed(key::kBackspace)) {
     enter_above(m);
     return true;
   }
   if (list.entries.empty()) return false;
-  const bool enter = enter_pressed(ctx) && !m.browser_by_hand;
+  const bool enter = enter_pressed(ctx) && !m.by_hand;
   const bool any = !ImGui::GetIO().InputQueueCharacters.empty() || enter ||
                    std::any_of(std::begin(kListKeys), std::end(kListKeys),
                                [](int code) { return ImGui::IsKeyPressed(code); });
   if (!any) return false;
   const std::size_t count = list.entries.size(), now = selected_index(m, list);
   if (enter && now < count) {
-    m.keys.enter_used = true;
+    ctx.state.keys.enter_used = true;
     accept(ctx, fs::path(list.entries[now].path));
     return true;
   }
   const std::size_t target = jump_target(m, list, key_target(now, count, page));
   if (target == now || target >= count) return false;
   select(m, list.entries[target]);
-  m.browser_scroll = true;
+  m.scroll = true;
   return false;
 }
 
 // Chooses the first entry whose name begins like the typed text. The typed path stays.
-void choose_begun(SharedPanelState& m, const FolderListing& list) {
-  const std::string begun = std::exchange(m.browser_begun, {});
+void choose_begun(BrowserState& m, const FolderListing& list) {
+  const std::string begun = std::exchange(m.begun, {});
   if (begun.empty()) return;
   const std::size_t found = find_entry(list, begun, 0);
   if (found == list.entries.size()) return;
-  m.browser_selected = list.entries[found].path;
-  m.browser_scroll = true;
+  m.selected = list.entries[found].path;
+  m.scroll = true;
 }
 
 // Scrolls to the chosen entry, if a key has chosen it.
-void scroll_to_selected(SharedPanelState& m, const FolderListing& list, float row) {
-  if (!std::exchange(m.browser_scroll, false)) return;
+void scroll_to_selected(BrowserState& m, const FolderListing& list, float row) {
+  if (!std::exchange(m.scroll, false)) return;
   const std::size_t index = selected_index(m, list);
   if (index == list.entries.size()) return;
   const float top = static_cast<float>(index) * row, height = ImGui::GetWindowHeight();
@@ -329,8 +344,8 @@ void entries(PanelContext& ctx, const std::shared_ptr<const FolderListing>& list
   const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const float page = std::max(1.0f, ImGui::GetWindowHeight() / row - 2);
   if (keyboard(ctx, *list, static_cast<std::size_t>(page))) return;
-  choose_begun(ctx.state.memory, *list);
-  scroll_to_selected(ctx.state.memory, *list, row);
+  choose_begun(ctx.state.browser, *list);
+  scroll_to_selected(ctx.state.browser, *list, row);
   if (!ImGui::BeginTable("list", 2, ImGuiTableFlags_None)) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ctx.px(80));
@@ -352,11 +367,11 @@ std::string nothing_listed(const FolderListing& list) {
 }
 
 void listing(PanelContext& ctx, float height) {
-  const SharedPanelState& m = ctx.state.memory;
+  const BrowserState& m = ctx.state.browser;
   const auto list = ctx.state.listing;  // keeps the listing alive for this frame
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui(ctx.palette.panel));
   // Each folder has a scroll position of its own.
-  ImGui::BeginChild(("entries" + m.browser_folder.string()).c_str(), {0, height}, true);
+  ImGui::BeginChild(("entries" + m.folder.string()).c_str(), {0, height}, true);
   if (!list || list->query != wanted_listing(m)) {
     muted_text(ctx, "Reading this folder…");
     record(ctx, "browser.reading");
@@ -373,10 +388,10 @@ void listing(PanelContext& ctx, float height) {
 // Shows what is wrong with the path, else what keys do. It is always one line, so that nothing
 // moves.
 void message_row(PanelContext& ctx) {
-  const SharedPanelState& m = ctx.state.memory;
+  const BrowserState& m = ctx.state.browser;
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushFont(ctx.fonts.small);
-  if (m.browser_error.empty()) {
+  if (m.error.empty()) {
     muted_text(ctx, for_saving(m)
                         ? "Arrow keys and Enter: open a folder.  Choose: save here, or replace "
                           "the selected file."
@@ -384,47 +399,47 @@ void message_row(PanelContext& ctx) {
                           "/: type a path.");
   } else {
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.error));
-    ImGui::TextUnformatted(fitted_text(m.browser_error, width).c_str());
+    ImGui::TextUnformatted(fitted_text(m.error, width).c_str());
     ImGui::PopStyleColor();
     record(ctx, "browser.error");
-    tooltip(ctx, m.browser_error.c_str());
+    tooltip(ctx, m.error.c_str());
   }
   ImGui::PopFont();
 }
 
 void buttons(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  if (for_saving(s.memory)) {
-    checkbox(ctx, "browser.hidden", "Hidden files", s.memory.browser_hidden_ones);
-  } else if (for_table(s.memory)) {
+  if (for_saving(s.browser)) {
+    checkbox(ctx, "browser.hidden", "Hidden files", s.browser.hidden_ones);
+  } else if (for_table(s.browser)) {
     ImGui::AlignTextToFramePadding();
     muted_text(ctx, "Lines such as: C 1.70   ALA CB 1.88   * CB 1.88");
   } else {
-    checkbox(ctx, "browser.all", "All files", s.memory.browser_all_files);
+    checkbox(ctx, "browser.all", "All files", s.browser.all_files);
     ImGui::SameLine(0, ctx.px(18));
-    checkbox(ctx, "browser.hidden", "Hidden files", s.memory.browser_hidden_ones);
+    checkbox(ctx, "browser.hidden", "Hidden files", s.browser.hidden_ones);
     tooltip(ctx, "Files and folders whose names start with a dot.");
   }
   const float width = ImGui::GetWindowWidth() - 2 * ImGui::GetStyle().WindowPadding.x;
   const DialogAnswer answer = dialog_buttons(
       ctx, width, {"browser.cancel", "Cancel"},
-      {"browser.open", for_saving(s.memory) ? "Choose" : "Open"}, !s.memory.browser_typed.empty());
-  if (answer == DialogAnswer::cancel) close(s.memory);
+      {"browser.open", for_saving(s.browser) ? "Choose" : "Open"}, !s.browser.typed.empty());
+  if (answer == DialogAnswer::cancel) close(s);
   if (answer == DialogAnswer::confirm) accept_typed(ctx);
 }
 
 }  // namespace
 
-std::optional<FolderQuery> wanted_listing(const SharedPanelState& m) {
-  if (!m.show_browser || m.browser_folder.empty()) return std::nullopt;
-  return FolderQuery{m.browser_folder, m.browser_all_files || for_table(m) || for_saving(m),
-                     m.browser_hidden_ones, m.browser_purpose == BrowserPurpose::session};
+std::optional<FolderQuery> wanted_listing(const BrowserState& m) {
+  if (!m.show || m.folder.empty()) return std::nullopt;
+  return FolderQuery{m.folder, m.all_files || for_table(m) || for_saving(m), m.hidden_ones,
+                     m.purpose == BrowserPurpose::session};
 }
 
 void draw_file_browser(PanelContext& ctx) {
-  SharedPanelState& m = ctx.state.memory;
+  BrowserState& m = ctx.state.browser;
   if (!ImGui::IsPopupOpen(title(m))) {
-    enter(m, m.browser_folder.empty() ? sensible_start_folder() : m.browser_folder);
+    enter(m, m.folder.empty() ? sensible_start_folder() : m.folder);
   }
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(ctx.px(640), display.x * 0.9f),

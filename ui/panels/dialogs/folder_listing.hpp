@@ -31,12 +31,12 @@ struct FolderQuery {
 struct FolderListing {
   FolderQuery query;                 // the query that this answers
   std::vector<FolderEntry> entries;  // folders first, then by name without regard to case
-  // Number of files left out, since they do not look like those wanted.
+  // Number of files that are not listed because of their names.
   std::size_t hidden_by_filter = 0;
   std::string error;  // why the folder cannot be read; empty otherwise
 };
 
-// Whether the name ends in .pdb .ent .cif .xyzr .pqr .xyz or .crd, each also with .gz, in any case.
+// Whether the name ends as a format's names do (core/read/file_format.hpp), with or without .gz.
 bool looks_like_molecule(const std::filesystem::path& path);
 
 // Lists a folder. This can take seconds for a large folder or a slow disk. Throws Cancelled.

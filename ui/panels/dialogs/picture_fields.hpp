@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/document/picture/picture_options.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

@@ -5,14 +5,27 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/document/alpha/alpha_slider.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/lessons/lesson.hpp"
 #include "core/document/picture/frame_names.hpp"
+#include "core/document/picture/recording.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/run/cancel_token.hpp"
 #include "core/run/child_program.hpp"
 #include "core/text/as_sentence.hpp"
+#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/picture_fields.hpp"
+#include "ui/panels/dialogs/picture_requests.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/number_field.hpp"
 
 namespace alphascope {
@@ -45,7 +58,7 @@ std::optional<RecordingFormat> format_of(const fs::path& path, std::string& why_
 }
 
 void choose_format(PanelContext& ctx, std::optional<RecordingFormat> format) {
-  RecordState& m = ctx.state.memory.record;
+  RecordState& m = ctx.state.record;
   int chosen = format ? static_cast<int>(*format) : -1;
   row_label(ctx, "Format");
   if (!choice(ctx, "record.format", {"Pictures", "MP4 movie", "WebM movie"}, chosen, ctx.px(300))) {
@@ -61,7 +74,7 @@ void choose_format(PanelContext& ctx, std::optional<RecordingFormat> format) {
 
 // Draws the rows for file and format. Returns whether the recording can be written there.
 bool target(PanelContext& ctx) {
-  RecordState& m = ctx.state.memory.record;
+  RecordState& m = ctx.state.record;
   const fs::path path = typed_path(m.path);
   std::string why_not;
   const std::optional<RecordingFormat> format = format_of(path, why_not);
@@ -141,7 +154,7 @@ void time_fields(PanelContext& ctx, Recording& r) {
 }
 
 void lesson_fields(PanelContext& ctx) {
-  RecordState& m = ctx.state.memory.record;
+  RecordState& m = ctx.state.record;
   const auto& lesson = ctx.state.lessons.open;
   row_label(ctx, "Each step");
   ImGui::SetNextItemWidth(ctx.px(kNumberWidth));
@@ -161,7 +174,7 @@ void lesson_fields(PanelContext& ctx) {
 
 // Draws the choice of sweep, turntable or lesson, and the fields of the chosen one.
 void kind_fields(PanelContext& ctx) {
-  RecordState& m = ctx.state.memory.record;
+  RecordState& m = ctx.state.record;
   int kind = m.of_lesson ? 2 : static_cast<int>(m.recording.kind);
   row_label(ctx, "Of");
   if (choice(ctx, "record.kind", {"Sweep of alpha", "Turntable", "Lesson"}, kind, ctx.px(300))) {
@@ -179,7 +192,7 @@ void kind_fields(PanelContext& ctx) {
 }
 
 bool is_there(const ViewState& s) {
-  const RecordState& m = s.memory.record;
+  const RecordState& m = s.record;
   if (m.of_lesson) return s.lessons.open != nullptr;
   return fault_of(m.recording).empty() &&
          (m.recording.kind == RecordingKind::turntable || s.result);
@@ -189,7 +202,7 @@ bool is_there(const ViewState& s) {
 
 void draw_record(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  RecordState& m = s.memory.record;
+  RecordState& m = s.record;
   constexpr const char* kTitle = "Record";
   propose_file(ctx, kTitle, "record", m.path, name_of_file(ctx, "-%04d.png"));
   if (!begin_dialog(ctx, kTitle)) return;

@@ -6,15 +6,24 @@
 #include <memory>
 #include <utility>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/store/key.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
 
 void open_save_dialog(PanelContext& ctx, TableToSave table) {
-  TableState& memory = ctx.state.memory.save_table;
-  // The last format stays if it is a table's and this table has it. Other formats serve one
-  // purpose.
+  TableState& memory = ctx.state.save_table;
+  // JSON stays chosen if it was and this table has it. Formats for other programs serve one table
+  // only, so none of them stays.
   memory.format = table.json && memory.format == kJsonFormat ? kJsonFormat : kCsvFormat;
   memory.path.clear();
   memory.table = std::make_shared<const TableToSave>(std::move(table));

@@ -2,18 +2,24 @@
 #include <imgui.h>
 
 #include "core/files/output_ending.hpp"
+#include "core/run/cancel_token.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/picture_fields.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 
 void draw_save_picture(PanelContext& ctx) {
   constexpr float kWidth = 464;  // pixels at scale 1
   ViewState& s = ctx.state;
-  SharedPanelState& m = s.memory;
+  DialogState& m = s.dialogs;
   constexpr const char* kTitle = "Save a picture";
   propose_file(ctx, kTitle, "save", m.save_path, name_of_file(ctx, kPictureEnding));
   if (!begin_dialog(ctx, kTitle)) return;

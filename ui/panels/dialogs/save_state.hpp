@@ -1,4 +1,4 @@
-// The state that all dialogs share that write a file.
+// The state that all dialogs which write a file share. Plain data.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@ struct SaveState {
   std::filesystem::path folder;  // folder of the file saved last; empty: none yet
   // For each dialog the file name typed last for this molecule, without its folder.
   std::map<std::string, std::string> names;
-  // While the file dialog looks for a place to save to: the field that it serves. Then the field
-  // for which `found` was chosen.
+  // The field for which the file dialog looks for a place to save to. Then the field for which
+  // `found` was chosen.
   std::string browses_for, found_for;
   std::filesystem::path found;
   std::filesystem::path opens_from;  // folder that the file dialog showed before

@@ -7,12 +7,15 @@
 
 #include "core/files/output_ending.hpp"
 #include "core/text/as_sentence.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -114,14 +117,14 @@ std::string content_text(const TableState& memory) {
 }
 
 void save(PanelContext& ctx) {
-  const TableState& memory = ctx.state.memory.save_table;
+  const TableState& memory = ctx.state.save_table;
   ctx.calls.jobs.save_table({memory.table, memory.format, target(memory)});
 }
 
 }  // namespace
 
 void draw_save_table(PanelContext& ctx) {
-  TableState& memory = ctx.state.memory.save_table;
+  TableState& memory = ctx.state.save_table;
   const std::string title = "Save: " + (memory.table ? memory.table->what : "") + "###save_table";
   if (memory.table) {
     const std::string& name = memory.table->file_name;

@@ -6,8 +6,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/files/atomic_file.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/run/cancel_token.hpp"
 #include "core/text/as_sentence.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/dialogs/save_state.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -19,7 +32,7 @@ constexpr float kTextWidth = 340;  // pixels at scale 1
 // Returns the folder to propose. A sample's folder belongs to the program, so it is not proposed.
 fs::path folder_to_offer(const ViewState& s) {
   std::error_code ignored;
-  if (fs::is_directory(s.memory.saving.folder, ignored)) return s.memory.saving.folder;
+  if (fs::is_directory(s.saving.folder, ignored)) return s.saving.folder;
   const fs::path beside = fs::absolute(s.molecule.folder, ignored).lexically_normal();
   const bool sample = std::any_of(s.samples.begin(), s.samples.end(), [&](const auto& one) {
     return fs::equivalent(one.path.parent_path(), beside, ignored);
@@ -42,7 +55,7 @@ std::string why_no_name(const fs::path& path) {
 void propose_file(PanelContext& ctx, const char* title, const std::string& dialog,
                   std::string& path, const std::string& name) {
   if (!path.empty() || ImGui::IsPopupOpen(title)) return;
-  const auto& names = ctx.state.memory.saving.names;
+  const auto& names = ctx.state.saving.names;
   const auto typed = names.find(dialog);
   path = (folder_to_offer(ctx.state) / (typed == names.end() ? name : typed->second)).string();
 }
@@ -54,7 +67,7 @@ std::string name_of_file(const PanelContext& ctx, const std::string& ending) {
 }
 
 void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved) {
-  SaveState& memory = ctx.state.memory.saving;
+  SaveState& memory = ctx.state.saving;
   std::error_code ignored;
   const fs::path whole = fs::absolute(std::exchange(path, {}), ignored).lexically_normal();
   if (whole.has_filename() && !dialog.empty()) memory.names[dialog] = whole.filename().string();
@@ -62,11 +75,11 @@ void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, 
 }
 
 bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path) {
-  SharedPanelState& m = ctx.state.memory;
+  ViewState& s = ctx.state;
   const std::string name = dialog + ".path";
-  if (m.saving.found_for == name) {
-    path = m.saving.found.string();
-    m.saving.found_for.clear();
+  if (s.saving.found_for == name) {
+    path = s.saving.found.string();
+    s.saving.found_for.clear();
   }
   constexpr float kButton = 80, kGap = 6;
   row_label(ctx, "File");
@@ -76,10 +89,10 @@ bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path) {
   if (button(ctx, (dialog + ".browse").c_str(), "Browse…", {ctx.px(kButton), 0})) {
     std::error_code ignored;
     const fs::path whole = fs::absolute(path, ignored).lexically_normal();
-    m.saving.browses_for = name;
-    m.saving.found = whole;
-    m.saving.opens_from = m.browser_folder;
-    m.browser_folder = fs::is_directory(whole.parent_path(), ignored) ? whole.parent_path()
+    s.saving.browses_for = name;
+    s.saving.found = whole;
+    s.saving.opens_from = s.browser.folder;
+    s.browser.folder = fs::is_directory(whole.parent_path(), ignored) ? whole.parent_path()
                                                                       : folder_to_offer(ctx.state);
     open_browser(ctx.state, BrowserPurpose::save);
   }

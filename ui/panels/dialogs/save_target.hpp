@@ -10,15 +10,16 @@
 namespace alphascope {
 
 // Proposes a path in `path`, by one rule for all dialogs that write a file. The folder is that of
-// the file saved last. Else it is the molecule's folder if that can be written, else the present
-// folder. The name is the one typed last for this molecule in this dialog, else `name`. To be
-// called before the dialog `title` is drawn. A path that is not empty stays.
+// the file saved last. Else it is the molecule's folder, unless that is a sample's or cannot be
+// written, else the present folder. The name is the one typed last for this molecule in this
+// dialog, else `name`. To be called before the dialog `title` is drawn. A path that is not empty
+// stays.
 void propose_file(PanelContext& ctx, const char* title, const std::string& dialog,
                   std::string& path, const std::string& name);
 // Returns the stem of the open file with this ending: "4hhb.png".
 std::string name_of_file(const PanelContext& ctx, const std::string& ending);
-// Notes the folder and the name of a dialog that closes, and clears `path`. Without a name of the
-// dialog only the folder is noted.
+// Notes the typed file name of a dialog that closes, and the folder if a file was saved there.
+// Clears `path`. If `dialog` is empty, no name is noted.
 void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved);
 // Draws the field for the path and a button that browses. Returns whether Enter was pressed.
 bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path);

@@ -3,9 +3,16 @@
 #include <imgui.h>
 
 #include "core/files/output_ending.hpp"
+#include "core/run/cancel_token.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
+#include "ui/panels/dialogs/session_problem.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -16,7 +23,7 @@ constexpr float kWidth = 464;  // pixels at scale 1
 
 void draw_save_session(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  SharedPanelState& m = s.memory;
+  DialogState& m = s.dialogs;
   constexpr const char* kTitle = "Save the session";
   propose_file(ctx, kTitle, "save_session", m.session_path, name_of_file(ctx, kSessionEnding));
   if (!begin_dialog(ctx, kTitle)) return;

@@ -1,4 +1,4 @@
-// What the dialog that saves a table remembers, and its request.
+// The state of the dialog that saves a table, and the request that it makes. Plain data.
 #pragma once
 
 #include <filesystem>

@@ -25,7 +25,7 @@ struct TableToSave {
   std::string file_name;  // name to offer, without ending: "4hhb-cavities"
   Definition<std::string> csv;
   std::optional<Definition<std::string>> json;
-  // Inputs of the data on screen at the time of the request. If `of_the_picture`, data of other
+  // Inputs of the data on screen when the user asked to save. If `of_the_picture`, data of other
   // inputs are not saved.
   Inputs inputs;
   bool of_the_picture = true;

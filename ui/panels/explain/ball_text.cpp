@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/geometry/grown_radius.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "ui/number_text.hpp"
 
 namespace alphascope {

@@ -5,15 +5,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/explain/explanation_results.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/element.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/explain/ball_text.hpp"
 #include "ui/panels/explain/details_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
 
@@ -88,7 +101,8 @@ void simplex_facts(PanelContext& ctx, const SimplexDetails& details) {
   if (details.balls.size() < 4) fact(ctx, "is part of", cofaces_text(details));
 }
 
-// Draws a line for an atom or simplex. A click selects it, and its button looks at it.
+// Draws a line for an atom or simplex. A click on it selects the thing, and the button moves the
+// view to it.
 void leads_to(PanelContext& ctx, const std::string& name, const Ref& ref, const std::string& text,
               const std::string& value) {
   ViewState& s = ctx.state;
@@ -119,7 +133,7 @@ struct Lines {
   const Molecule& molecule() const { return atoms.molecule(); }
   std::size_t corners() const { return details.balls.size() == 1 ? 0 : details.balls.size(); }
   std::size_t size() const { return corners() + details.neighbours.size() + details.beside.size(); }
-  // Returns the ball of `simplex` that `details.balls` lack.
+  // Returns the ball that `simplex` has in addition to `details.balls`.
   BallIndex further_ball(const Balls& simplex) const {
     return *std::find_if(simplex.begin(), simplex.end(), [this](BallIndex ball) {
       return !std::binary_search(details.balls.begin(), details.balls.end(), ball);

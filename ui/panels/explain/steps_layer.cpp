@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/grouped_number.hpp"
 
 namespace alphascope {
@@ -15,7 +16,7 @@ namespace {
 constexpr double kBall = 0.32, kChosenBall = 0.5, kTube = 0.05, kUndecidedTube = 0.07;  // Å, radii
 constexpr double kBoxTube = 0.03;         // Å, radius
 constexpr std::size_t kMostTubes = 3000;  // more edges are drawn as lines
-constexpr std::size_t kFewLines = 40;     // more lines hide the things behind them
+constexpr std::size_t kFewLines = 40;     // with more, kept edges are drawn over all
 
 constexpr Colour rgb(std::uint32_t hex) {
   return {static_cast<float>(hex >> 16 & 0xff) / 255.0f,
@@ -59,7 +60,8 @@ class StepPainter {
   StepPainter(const StepScene& scene, std::uint64_t key) : scene_(scene), key_(key) {}
 
   Layers layers() {
-    // An edge of a kept simplex is not drawn as dropped.
+    // Marks are drawn in order, and each edge once. So an edge of a kept simplex is not drawn as
+    // dropped.
     Edges drawn;
     for (const StepMark mark :
          {StepMark::chosen, StepMark::kept, StepMark::undecided, StepMark::dropped}) {

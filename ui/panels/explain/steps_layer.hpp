@@ -24,8 +24,8 @@ struct StepScene {
 };
 // Makes a layer for each kind of mark. Balls are small spheres. Boxes and kept simplices are tubes,
 // and dropped ones are thin lines. Triangles and tetrahedra that passed all tests are solid.
-// Candidates overlap, so only their edges are drawn. The ball that ends the tests of most simplices
-// has a label.
+// Candidates overlap, so only their edges are drawn. The ball that drops most simplices has a
+// label.
 Layers make_steps_layers(const StepScene& scene, std::uint64_t key);
 
 }  // namespace alphascope

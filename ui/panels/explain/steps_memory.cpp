@@ -1,4 +1,4 @@
-// The number of steps, and the step on show.
+// Counts the steps of StepsState, and finds the step on show.
 #include "ui/panels/explain/steps_state.hpp"
 
 #include <algorithm>

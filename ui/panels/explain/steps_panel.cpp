@@ -3,16 +3,22 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/explain/steps_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/store.hpp"
+#include "core/engine/cold_and_warm.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/short_number.hpp"
+#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/steps_layer.hpp"
 #include "ui/panels/explain/steps_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -27,7 +33,8 @@ StepsRequest asked_steps(const PanelContext& ctx, BallIndex ball) {
   return asked;
 }
 
-// Wants the steps of this ball. A job for an earlier question is cancelled if it has run for long.
+// Asks the store for the steps of this ball. If a job for an earlier question has run for long,
+// cancels it.
 Derived<ExplainedSteps> want_steps(PanelContext& ctx, BallIndex ball) {
   constexpr double kLong = 0.15;  // seconds; an earlier answer that is nearly ready is better shown
   StepsState& memory = ctx.state.steps;

@@ -4,13 +4,25 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/explain/step_names.hpp"
 #include "core/document/explain/steps_results.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/text/grouped_number.hpp"
+#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/steps_layer.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/style.hpp"
 #include "ui/widgets/table_cells.hpp"
 
 namespace alphascope {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/explain/ball_steps.hpp"
-#include "ui/widgets/widgets.hpp"
-
 namespace alphascope {
+
+struct BallSteps;
+struct PanelContext;
 
 // Draws the buttons First, Back, Play, Next and Last, and the choice of engine and optimisations.
 void draw_steps_controls(PanelContext& ctx);

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/explain/explanation.hpp"
+#include "core/geometry/ball_set.hpp"
+
 namespace alphascope {
 namespace {
 

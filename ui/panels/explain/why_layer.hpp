@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/explain/explanation.hpp"
 #include "ui/layer.hpp"
 
 namespace alphascope {
+
+struct Explanation;
 
 // Draws the orthosphere as wire if it is not imaginary, and its centre. It draws the nearest other
 // ball and the distance to it. It also draws the dual edge, or the edges of the dual facet or of

@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/document/explain/explanation_results.hpp"
 #include "ui/layer.hpp"
 
 namespace alphascope {
+
+struct ExplainedSimplex;
 
 struct WhyState {
   // The last answer and its drawing. It is grey unless it answers the present question.

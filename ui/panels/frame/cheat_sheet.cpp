@@ -4,7 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -94,7 +97,7 @@ void draw_cheat_sheet(PanelContext& ctx) {
   }
   ImGui::NewLine();
   if (close_button(ctx, ctx.px(kWidth + 8), {"cheat_sheet.close", "Close"})) {
-    ctx.state.memory.show_cheat_sheet = false;
+    ctx.state.dialogs.show_cheat_sheet = false;
   }
   end_dialog(ctx);
 }

@@ -5,10 +5,23 @@
 
 #include <algorithm>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/command_search.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/text/letter_case.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/frame/palette_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -93,7 +106,8 @@ void row_texts(PanelContext& ctx, const Row& row, ImVec2 low, ImVec2 high) {
 // Draws the rows, or the text `none` if there are none. Returns the clicked row, else rows.size().
 std::size_t list(PanelContext& ctx, const std::vector<Row>& rows, const char* none) {
   const bool moved = choose_by_keys(ctx, rows.size());
-  // Without a height, a child would take all of the window's, which grows with it.
+  // Without rows there is no child. One without a height would take the window's, which would then
+  // grow.
   if (rows.empty()) {
     muted_text(ctx, none);
     record(ctx, "palette.none");
@@ -216,7 +230,7 @@ void close_or_go_back(PanelContext& ctx) {
   if (!on_top(ctx)) return;
   const bool outside =
       ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
-  // escape_pressed() would not do, since the field here always takes text.
+  // escape_pressed() fails here, because the field always takes text.
   const bool escape = ImGui::IsKeyPressed(key::kEscape, false);
   if (outside || (escape && p.asking.empty())) {
     p = {};

@@ -6,9 +6,19 @@
 #include <functional>
 #include <utility>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/run/cancel_token.hpp"
 #include "core/selection/atom_address.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/frame/context_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -77,7 +87,8 @@ void submenu(PanelContext& ctx, const char* name, const char* label,
   ImGui::EndMenu();
 }
 
-// Names the measure by the number of atoms selected, so that the user knows which one is made.
+// Returns the label of the entry that measures. The number of selected atoms decides between
+// distance, angle and dihedral angle.
 const char* measure_label(const PanelContext& ctx, const Ref& what) {
   const Selection& picked = ctx.state.settings.selection;
   const std::size_t from = picked.items.size() - (picked.items.contains(what) ? 1 : 0);

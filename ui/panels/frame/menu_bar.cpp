@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/commands/commands.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
 
 namespace alphascope {
@@ -25,7 +28,7 @@ void choice_menu(PanelContext& ctx, const CommandSpec& spec, const Parameter& pa
   const std::vector<Choice> choices = parameter.choices();
   const std::string name = "menu." + spec.id;
   const bool open = ImGui::BeginMenu(spec.title.c_str(), enabled && !choices.empty());
-  ctx.state.memory.keys.in_submenu |= open || ImGui::IsItemFocused();
+  ctx.state.keys.in_submenu |= open || ImGui::IsItemFocused();
   record(ctx, name.c_str());
   if (!open) return;
   for (const Choice& choice : choices) {
@@ -78,7 +81,7 @@ bool menu(PanelContext& ctx, std::string_view title) {
 // F10 opens the first menu. Left and Right lead from the open menu to its neighbour, and around the
 // ends.
 void open_by_key(PanelContext& ctx) {
-  KeyState& keys = ctx.state.memory.keys;
+  KeyState& keys = ctx.state.keys;
   constexpr int kCount = static_cast<int>(kMenus.size());
   int wanted = std::exchange(keys.open_menu, false) ? 0 : -1;
   if (keys.bar_menu >= 0 && !keys.in_submenu) {
@@ -109,7 +112,7 @@ bool keys_before_others(PanelContext& ctx) {
 
 // A slider with the keyboard focus takes the arrow keys.
 bool taken_by_slider(const PanelContext& ctx, const Shortcut& shortcut) {
-  if (ctx.state.memory.keys.slid.empty()) return false;
+  if (ctx.state.keys.slid.empty()) return false;
   const auto chord = key::read_chord(shortcut.keys);
   return chord && chord->arrow();
 }
@@ -133,7 +136,7 @@ void draw_menu_bar(PanelContext& ctx) {
   shortcuts(ctx);
   if (!ImGui::BeginMainMenuBar()) return;
   open_by_key(ctx);
-  KeyState& keys = ctx.state.memory.keys;
+  KeyState& keys = ctx.state.keys;
   keys.bar_menu = -1;
   keys.in_submenu = false;
   for (std::size_t n = 0; n < kMenus.size(); ++n) {

@@ -3,9 +3,9 @@
 
 #include <imgui.h>
 
-#include "ui/widgets/widgets.hpp"
-
 namespace alphascope {
+
+struct PanelContext;
 
 // `position` of the point `pivot` of the window, in pixels of the screen; {1, 0} is its top right.
 void begin_overlay(PanelContext& ctx, const char* id, ImVec2 position, ImVec2 pivot);

@@ -4,7 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/flat_drawing.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
@@ -28,8 +34,8 @@ void end_overlay() {
 
 namespace {
 
-// Seconds after which a job is listed. Short work would flicker, and nothing waits for a
-// comparison.
+// Returns the seconds after which a job is listed. Short work would flicker. A comparison is listed
+// late, because nothing waits for it.
 double listed_after(JobId id) {
   if (delays_picture(id)) return 0.25;
   if (id == JobId::comparing) return 2;
@@ -43,8 +49,8 @@ const char* cancel_button(JobId id) {
   return id == JobId::listing ? "view.cancel_listing" : "view.cancel_save";
 }
 
-// Progress of work whose share done is unknown. A piece moves to and fro, so that nobody takes it
-// for a share.
+// Draws progress of work whose share done is unknown. A piece moves to and fro, so it does not look
+// like a share.
 void busy_bar(PanelContext& ctx, float width, double seconds) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight(), piece = width / 5;
@@ -66,7 +72,7 @@ void busy_bar(PanelContext& ctx, float width, double seconds) {
   record(ctx, "view.busy_bar");
 }
 
-// A line of a fixed width, else the list would jump with each step.
+// Draws a line of a fixed width, so the list does not jump with each step.
 void line(PanelContext& ctx, const RunningJob& job) {
   const float width = ctx.px(220), left = ImGui::GetCursorPosX();
   const bool saves = !delays_picture(job.id) && job.id != JobId::comparing;
@@ -91,7 +97,8 @@ void line(PanelContext& ctx, const RunningJob& job) {
 
 }  // namespace
 
-// Work that the picture waits for comes last, because it comes and goes with each move of alpha.
+// Draws the list. Jobs that the picture waits for come last, because they come and go with each
+// move of alpha.
 void draw_running_jobs(PanelContext& ctx, ImVec2 corner) {
   std::vector<const RunningJob*> listed;
   for (const bool awaited : {false, true}) {

@@ -2,10 +2,19 @@
 // one line.
 #include <algorithm>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
 #include "core/complex/alpha_complex.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/document/store/key.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,11 +4,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "ui/colour_legend.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/flat_view.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/picture_marks.hpp"
 
 namespace alphascope {

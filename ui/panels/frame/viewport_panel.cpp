@@ -3,17 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/explain/dimension_words.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 #include "core/predicates/spanning_balls.hpp"
 #include "core/read/file_format.hpp"
+#include "core/run/work_threads.hpp"
+#include "ui/calls.hpp"
 #include "ui/caption.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/frame/context_state.hpp"
+#include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/frame/running_jobs.hpp"
 #include "ui/panels/frame/view_marks.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/flat_view.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "ui/running_job.hpp"
+#include "ui/view_problem.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -53,7 +73,7 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   v.mouse_x = static_cast<int>(io.MousePos.x - corner.x);
   v.mouse_y = static_cast<int>(io.MousePos.y - corner.y);
   if (!v.under_mouse.empty()) tooltip(ctx, v.under_mouse.c_str());
-  bool& dragging = ctx.state.memory.dragging_view;
+  bool& dragging = ctx.state.mouse.dragging_view;
   const auto event = [&](PointerEvent::Kind kind, int button, double wheel) {
     v.events.push_back({kind, static_cast<int>(io.MousePos.x - corner.x),
                         static_cast<int>(io.MousePos.y - corner.y), button, wheel, io.KeyCtrl,

@@ -7,11 +7,22 @@
 #include <utility>
 #include <vector>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/predicates/exact_rho.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/frame/mouse_state.hpp"
+#include "ui/panels/frame/scroll_state.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/key_focus.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -23,8 +34,8 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
 constexpr float kRightWidth = 340;
 constexpr float kLeftWidth = 320, kBottomHeight = 262, kStatusHeight = 27;
 constexpr float kLeastBottom = 76, kLeastView = 180;
-// Limits beside a lesson. If less width is left for the view, the sections at the left disappear.
-// The page below then takes at most this share of the height.
+// Limits while a lesson is open. If less width than this is left for the view, the sections at the
+// left are not drawn. The page below takes at most this share of the height.
 constexpr float kLeastViewBesideLesson = 360, kBottomBesideLesson = 0.34f;
 
 struct Area {
@@ -74,7 +85,7 @@ void section_buttons(PanelContext& ctx, const WidgetRects& last) {
     const std::string name = std::string("sections.") + s.id;
     if (&s != &sections.front()) ImGui::SameLine(0, gap);
     if (button(ctx, name.c_str(), label.c_str(), {text_width(s) + rest / count, 0})) {
-      ctx.state.memory.go_to_section = s.id;
+      ctx.state.scroll.section = s.id;
     }
   }
   ImGui::PopStyleVar();
@@ -83,7 +94,7 @@ void section_buttons(PanelContext& ctx, const WidgetRects& last) {
 
 void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float height) {
   begin("##left", {{0, top}, {ctx.px(kLeftWidth), height}});
-  bool& overflow = ctx.state.memory.sections_overflow;
+  bool& overflow = ctx.state.scroll.sections_overflow;
   const float room = ImGui::GetContentRegionAvail().y;
   if (overflow) section_buttons(ctx, last);
   // The child keeps its width when its scroll bar appears, so nothing beside it jumps.
@@ -91,7 +102,7 @@ void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float hei
   ImGui::PushItemWidth(-1);
   for (const PanelSpec& s : panels_at(PanelPlace::left)) ctx.panels.of(s).draw(ctx);
   ImGui::PopItemWidth();
-  // Independent of the buttons, which would otherwise come and go.
+  // `room` was taken above the buttons, so they do not change the answer and cannot flicker.
   overflow = ImGui::GetCursorPosY() > room;
   ImGui::EndChild();
   hairline(ctx, {ctx.px(kLeftWidth) - 1, top}, {ctx.px(kLeftWidth) - 1, top + height});
@@ -224,14 +235,14 @@ void status(PanelContext& ctx, float y, float width, float height) {
   ImGui::PopStyleColor();
 }
 
-void note_mouse(SharedPanelState& memory) {
+void note_mouse(MouseState& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   // MouseDelta would be zero when the mouse enters the window.
-  const bool moved = io.MousePos.x != memory.mouse_x || io.MousePos.y != memory.mouse_y;
+  const bool moved = io.MousePos.x != mouse.x || io.MousePos.y != mouse.y;
   const bool busy = moved || ImGui::IsAnyMouseDown();
-  memory.mouse_x = io.MousePos.x;
-  memory.mouse_y = io.MousePos.y;
-  memory.mouse_still_seconds = busy ? 0 : memory.mouse_still_seconds + io.DeltaTime;
+  mouse.x = io.MousePos.x;
+  mouse.y = io.MousePos.y;
+  mouse.still_seconds = busy ? 0 : mouse.still_seconds + io.DeltaTime;
 }
 
 constexpr const char* kView = "##view";
@@ -258,7 +269,7 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   PanelContext ctx = context_of(parts, fonts, scale);
   state.layers.clear();
   state.measures_wanted = false;
-  note_mouse(state.memory);
+  note_mouse(state.mouse);
   begin_key_focus(ctx);
   draw_menu_bar(ctx);
   const ImVec2 display = ImGui::GetIO().DisplaySize;

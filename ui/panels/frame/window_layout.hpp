@@ -1,17 +1,17 @@
 // The two calls that draw the window for a frame. Includes no ImGui.
 #pragma once
 
-#include "core/document/commands/commands.hpp"
-#include "ui/calls.hpp"
-#include "ui/panels/panel_list.hpp"
-#include "ui/panels/view_state.hpp"
-#include "ui/widgets/style.hpp"
 #include "ui/widgets/widget_rects.hpp"
 
 namespace alphascope {
 
+class Commands;
+class PanelSet;
 class Store;
+struct Calls;
 struct Inputs;
+struct PanelFonts;
+struct ViewState;
 
 // All that the panels see and change.
 struct WindowParts {

@@ -32,9 +32,9 @@ struct LessonState {
   // Commands that the window refused, one a line: file, line and reason. Empty: none.
   std::string refused;
   bool left = false;  // another file was opened since, so the step's molecule is not the open one
-  std::string said;   // the text as last shown, with its facts
+  std::string said;   // text shown last, with facts filled in
   std::vector<LessonParagraph> paragraphs;  // the same text as paragraphs
-  // `said` is the whole text of the step, with a revealed answer, and no fact is missing.
+  // `said` is the step's whole text: the answer is revealed, and no fact is missing.
   bool whole = false;
   bool scroll_to_top = false;  // the step has changed since the last frame
   // Factor on the letters' size: longer texts get smaller ones; within a step it only falls.

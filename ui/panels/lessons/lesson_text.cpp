@@ -5,6 +5,18 @@
 #include <string>
 #include <string_view>
 
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/lessons/lesson.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "ui/theme.hpp"
+#include "ui/widgets/style.hpp"
+#include "ui/widgets/widgets.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -47,7 +59,7 @@ void put_span(const PanelContext& ctx, Pen& pen, const LessonSpan& span) {
   }
 }
 
-struct Way {  // size of the letters; drawn or only measured
+struct Way {  // factor on the letters' size; whether text is drawn or only measured
   float size = 1;
   bool draws = true;
 };

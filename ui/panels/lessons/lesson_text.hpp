@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "core/document/lessons/lesson.hpp"
-#include "ui/widgets/widgets.hpp"
-
 namespace alphascope {
+
+struct LessonParagraph;
+struct PanelContext;
 
 // Draws the text in the remaining width. `size` is a factor on the usual letters.
 void draw_lesson_text(PanelContext& ctx, const std::vector<LessonParagraph>& text, float size = 1);

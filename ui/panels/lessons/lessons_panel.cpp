@@ -6,13 +6,23 @@
 #include <utility>
 #include <vector>
 
+#include "core/chart/flat_drawing.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
 #include "core/document/lessons/lesson_facts.hpp"
+#include "core/document/reference/atom_set.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/lessons/lesson_text.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -62,8 +72,8 @@ void draw_list(PanelContext& ctx) {
 
 // --- the open lesson
 
-// Returns a function that returns the derived result. It returns null for a result that is not
-// ready or not of the picture's balls.
+// Returns a function that asks the store for a result. It returns null if the result is not ready,
+// or belongs to other balls than the picture.
 template <class T>
 std::function<std::shared_ptr<const T>()> wanted(PanelContext& ctx, const Definition<T>& what) {
   return [&ctx, &what]() -> std::shared_ptr<const T> {
@@ -244,7 +254,7 @@ void draw_head(PanelContext& ctx) {
   if (ImGui::CalcTextSize("Lessons").x + ctx.px(12) + buttons <= right) {
     strong_text(ctx, "Lessons");
   } else {
-    ImGui::NewLine();  // the buttons say as much
+    ImGui::NewLine();  // the buttons show the same
   }
   ImGui::SameLine(right - buttons);
   if (button(ctx, "lesson.presenter", size, {0, 0}, ButtonKind::quiet)) {

@@ -4,10 +4,19 @@
 
 #include <algorithm>
 
+#include "core/document/commands/commands.hpp"
 #include "core/document/measures/contact_results.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/settings/request.hpp"
 #include "core/document/store/store.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
 

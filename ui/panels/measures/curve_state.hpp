@@ -10,6 +10,7 @@
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/molecule/atom_colours.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 

@@ -7,19 +7,27 @@
 #include "core/chart/svg.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/finished_text.hpp"
 #include "core/document/store/store.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/measures/curve_state.hpp"
 #include "ui/panels/measures/curves_plot.hpp"
 #include "ui/panels/measures/lives_view.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/playback.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
 #include "ui/widgets/set_alpha.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -71,14 +79,15 @@ void make_chart(CurveState& memory, const CavityCurves& curves, const CurveLinks
   memory.chart = chart_of_cavities(curves, quantity_of(memory), *links, chosen);
 }
 
-// Makes the next chart as soon as it can be made, and keeps the present one until then. Returns
-// whether the chart belongs to the picture.
+// Replaces the chart as soon as results for a newer one are there. Returns whether the chart
+// belongs to the picture.
 bool follow(PanelContext& ctx, CurveState& memory, const Curves& curves) {
   std::shared_ptr<const CurveLinks> links;
   std::shared_ptr<const CavityLines> lines;
   std::vector<std::size_t> rows;
   if (!ctx.state.settings.selection.cavities.empty()) {
-    // Cavities are followed even without curves, since no step of a slider may be missed.
+    // Cavities are followed even without curves. If a step of a slider were missed, their numbers
+    // would be lost.
     const bool current = follow_cavities(ctx).current;
     CavityPage& page = *ctx.state.cavities.page;
     if (page.rows.lines) draw_layers_of_cavities(ctx, page, current);
@@ -94,7 +103,7 @@ bool follow(PanelContext& ctx, CurveState& memory, const Curves& curves) {
   const bool same = memory.curves == curves.value && memory.links == links && memory.rows == rows &&
                     memory.lines == lines && memory.chart_quantity == memory.quantity;
   if (same) return true;
-  // The curve of a cavity that is not in the table stays, as it shows where the cavity exists.
+  // The curve of a cavity that has left the table stays, since it shows where the cavity exists.
   const bool gone = lines && rows.empty() && !memory.rows.empty();
   if (gone && memory.curves == curves.value && memory.chart_quantity == memory.quantity)
     return true;

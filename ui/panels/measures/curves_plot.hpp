@@ -5,9 +5,10 @@
 #include <string>
 
 #include "core/chart/plot.hpp"
-#include "ui/panels/measures/curve_state.hpp"
 
 namespace alphascope {
+
+struct CurveState;
 
 // `shown` is the present setting on the x axis.
 Plot curves_plot(const CurveState& memory, double shown);

@@ -10,16 +10,27 @@
 #include <utility>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/chart/svg.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/reference/appearance.hpp"
 #include "core/document/store/finished_text.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
 #include "ui/widgets/set_alpha.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -73,7 +84,7 @@ bool follow(PanelContext& ctx, Lives& memory, Known& known, const Derived<Cavity
   return true;
 }
 
-// Returns the row of a bar. The table on screen may be of other balls than the bars; then kNoRow.
+// Returns the row of a bar; kNoRow if the table on screen is of other balls than the bars.
 std::size_t row_of(const Lives& memory, const CavityPage& page, std::size_t bar) {
   const bool same = memory.lines && memory.lines == page.rows.lines;
   return same ? memory.rows.at(bar) : Lives::kNoRow;

@@ -1,11 +1,18 @@
 // The table of measured distances and angles, which selects, removes and copies them.
 #include <imgui.h>
 
+#include "core/document/commands/commands.hpp"
 #include "core/document/reference/measurement_columns.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/key.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/selection/selection_error.hpp"
 #include "ui/annotation_layer.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/table_cells.hpp"
 
 namespace alphascope {

@@ -5,14 +5,24 @@
 #include <algorithm>
 #include <span>
 
+#include "core/document/commands/commands.hpp"
 #include "core/document/measures/measure_columns.hpp"
 #include "core/document/measures/measure_records.hpp"
+#include "core/document/reference/atom_measurements.hpp"
 #include "core/document/store/store.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/radii/radii_set.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/measures/measure_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
 
@@ -132,14 +142,15 @@ std::string shown_text(const MeasureState& memory) {
   return text;
 }
 
-// Says which device measured, how long it took, and why the GPU did not if it should have.
+// Says how long measuring took and on which device. If it should have been a GPU and was not, says
+// why.
 std::string measured_text(const MeasuredUnion& by) {
   std::string text = "Measured in " + milliseconds_text(by.milliseconds) + " on " + by.device;
   if (!by.route.empty()) text += ": " + by.route;
   return text + "." + (by.note.empty() ? "" : "\n" + by.note);
 }
 
-// Whether the complex on screen, the inputs and the references are of the same atoms.
+// Whether the complex on screen, the inputs and the references belong to the same balls.
 bool fits(const PanelContext& ctx) {
   const auto& answer = ctx.state.result;
   const auto& atoms = ctx.state.references;

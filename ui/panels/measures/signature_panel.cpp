@@ -7,19 +7,33 @@
 #include <vector>
 
 #include "core/chart/chart.hpp"
+#include "core/chart/flat_drawing.hpp"
 #include "core/chart/svg.hpp"
 #include "core/chart/ticks.hpp"
 #include "core/document/alpha/signature.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/settings/clip.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/document/store/finished_text.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/molecule/rgb8.hpp"
+#include "core/triangulation/membership.hpp"
+#include "ui/calls.hpp"
+#include "ui/layer.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
 #include "ui/widgets/set_alpha.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -112,7 +126,7 @@ void legend_line(PanelContext& ctx, const Signature& signature, double alpha) {
   record(ctx, "signature.values");
 }
 
-// One every two pixels.
+// Returns evenly spaced values of alpha, one for every two pixels.
 std::vector<double> alphas_of(const PlotRange& range, float width) {
   std::vector<double> alphas;
   const int points = 1 + static_cast<int>(width / 2);

@@ -1,9 +1,16 @@
 // The section on the molecule: opens files, and shows the name, dropped atoms and notes. It also
 // draws the rows of the other sources of this folder.
+#include "core/chart/flat_drawing.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

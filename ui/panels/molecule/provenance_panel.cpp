@@ -1,7 +1,14 @@
-// The list of the numbers' provenance, in full for a paper, with a button that copies it.
+// Lists where the numbers come from, in full as a paper needs it. A button copies the list.
 #include <algorithm>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/selection/selection_error.hpp"
+#include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,13 +6,30 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/document/commands/commands.hpp"
 #include "core/document/commands/number_input.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/settings/radius_edits.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/radii/radii_set.hpp"
+#include "ui/calls.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

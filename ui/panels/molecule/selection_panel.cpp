@@ -5,11 +5,29 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/settings/clip.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/document/store/key.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/residue_kind.hpp"
+#include "core/selection/ball_options.hpp"
+#include "core/selection/contents.hpp"
+#include "core/selection/selection_error.hpp"
 #include "core/text/grouped_number.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/molecule/expression_state.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -217,24 +235,23 @@ void expression_message(PanelContext& ctx, bool pending) {
 
 void expression(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  SharedPanelState& m = s.memory;
-  // The file is another, or the user took the expression back.
-  if (s.settings.open.balls.selection != m.expression_shown) {
-    m.expression_shown = m.expression_typed = s.settings.open.balls.selection;
+  ExpressionState& m = s.expression;
+  // Another file is open, or an undo has changed the expression.
+  if (s.settings.open.balls.selection != m.shown) {
+    m.shown = m.typed = s.settings.open.balls.selection;
   }
   row_label(ctx, "Only", 30);
-  const bool entered =
-      text_field(ctx, "molecule.expression", m.expression_typed, "chain A or ligand");
+  const bool entered = text_field(ctx, "molecule.expression", m.typed, "chain A or ligand");
   if (ImGui::IsItemEdited()) s.expression_error.reset();
-  const bool pending = m.expression_typed != s.settings.open.balls.selection;
+  const bool pending = m.typed != s.settings.open.balls.selection;
   if (entered) {
     s.expression_error.reset();
-    s.settings.open.balls.selection = m.expression_shown = m.expression_typed;
-    m.expression_entered = true;
-  } else if (std::exchange(m.expression_entered, false) && s.expression_error) {
+    s.settings.open.balls.selection = m.shown = m.typed;
+    m.entered = true;
+  } else if (std::exchange(m.entered, false) && s.expression_error) {
     type_into(ctx, "molecule.expression");  // so that the user can mend it
   }
-  if (s.expression_error) mark_column(ctx, m.expression_typed, s.expression_error->column());
+  if (s.expression_error) mark_column(ctx, m.typed, s.expression_error->column());
   ImGui::SameLine(0, ctx.px(4));
   button(ctx, "molecule.expression.help", "?", {-1, 0}, ButtonKind::quiet);
   tooltip(ctx, kExpressionHelp);

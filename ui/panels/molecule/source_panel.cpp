@@ -2,8 +2,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/document/store/key.hpp"
+#include "core/molecule/assembly.hpp"
+#include "core/selection/ball_options.hpp"
 #include "core/text/grouped_number.hpp"
+#include "ui/calls.hpp"
+#include "ui/panels/dialogs/dialog_state.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/playback.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/number_field.hpp"
@@ -37,7 +49,7 @@ std::string memory_text(std::uint64_t atoms) {
 void choose(ViewState& s, const AssemblyInfo& a) {
   if (s.settings.open.assembly == a.id) return;
   if (a.atoms >= kAskFromAtoms) {
-    s.memory.confirm_assembly = a.id;
+    s.dialogs.confirm_assembly = a.id;
   } else {
     s.settings.open.assembly = a.id;
   }

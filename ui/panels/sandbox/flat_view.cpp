@@ -5,10 +5,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/colour_scale.hpp"
 #include "core/chart/flat_svg.hpp"
+#include "core/document/commands/commands.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/real_point.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/molecule/sandbox.hpp"
+#include "core/radii/radii_set.hpp"
+#include "core/run/work_threads.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
+#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/sandbox/sandbox_state.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "ui/panels/window_settings.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 namespace {
@@ -26,7 +47,7 @@ ImU32 colour(const FlatColour& ink) {
 class Paper {
  public:
   Paper(PanelContext& ctx, ImVec2 corner, ImVec2 size)
-      : memory_(ctx.state.memory.sandbox), corner_(corner), size_(size) {}
+      : memory_(ctx.state.sandbox), corner_(corner), size_(size) {}
 
   void fit(const FlatBox& box) {
     memory_.middle = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2};
@@ -74,10 +95,10 @@ bool same(const FlatContent& a, const FlatContent& b) {
   return a.discs == b.discs && a.cells == b.cells && a.complex == b.complex && a.chosen == b.chosen;
 }
 
-// Makes the shapes if the result on screen is flat. For a moment after the sandbox became flat, it
-// is not.
+// Makes the shapes if the complex on screen is flat. It may lag behind the sandbox, and not be flat
+// yet.
 void make_shapes(ViewState& state, const FlatBox& box) {
-  SandboxState& m = state.memory.sandbox;
+  SandboxState& m = state.sandbox;
   if (!state.result || !is_flat(*state.result->balls)) {
     m.shapes.clear();
     m.shapes_of = nullptr;
@@ -116,8 +137,8 @@ int sides_of(float radius) {
   return std::clamp(static_cast<int>(std::ceil(M_PI / angle)), 12, 256);
 }
 
-// Fills a disc in horizontal slabs. ImGui's fans of slivers cover more pixels outside, and take
-// several times as long in software OpenGL. The rim is not smooth, so a line must cover it.
+// Fills a disc with horizontal slabs. ImGui's fans of thin triangles take several times as long in
+// software OpenGL. The rim is not smooth, so the caller must draw a line over it.
 void fill_disc(ImDrawList* draw, ImVec2 centre, float radius, ImU32 ink) {
   const int slabs = sides_of(radius) / 2;
   const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
@@ -171,8 +192,8 @@ void draw_shape(PanelContext& ctx, const Paper& paper, const FlatShape& shape) {
   for (int k = 0; k < (count == 2 ? 1 : count); ++k) {
     const ImVec2 a = points[static_cast<std::size_t>(k)],
                  b = points[static_cast<std::size_t>((k + 1) % count)];
-    // Two cells share each side, in opposite directions, and only one of them draws it. A side
-    // without a neighbour is out of sight.
+    // Two cells share each side, in opposite directions, and only one of them draws it. A side of
+    // one cell only is out of sight.
     if (shape.kind == FlatKind::cell && (a.x < b.x || (a.x == b.x && a.y < b.y))) continue;
     if (style.dashed) {
       dashed_line(draw, a, b, line, width, ctx.px(4));
@@ -188,7 +209,7 @@ double solvent(const ViewState& state) {
 
 // Finds the centre or rim under the mouse. A centre precedes a rim, and the nearest wins.
 void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
-  SandboxState& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.sandbox;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   m.hovered = FlatPart::paper;
   float nearest = ctx.px(kReach);
@@ -208,10 +229,10 @@ void look_under(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
   }
 }
 
-// Finds the smallest ball that contains the mouse, if no centre or rim is near. The mouse takes it
-// like its centre.
+// If no centre or rim is near, finds the smallest ball around the mouse. A drag then moves it as by
+// its centre.
 void look_inside(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
-  SandboxState& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.sandbox;
   if (m.hovered != FlatPart::paper) return;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   const FlatPoint p = paper.place(mouse);
@@ -227,7 +248,7 @@ void look_inside(PanelContext& ctx, const Paper& paper, ImVec2 mouse) {
 }
 
 void take_hold(PanelContext& ctx, const FlatPoint& mouse) {
-  SandboxState& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.sandbox;
   m.held = m.hovered;
   if (m.held == FlatPart::paper) {
     m.grip = mouse;
@@ -240,7 +261,7 @@ void take_hold(PanelContext& ctx, const FlatPoint& mouse) {
 }
 
 void drag(PanelContext& ctx, const FlatPoint& mouse) {
-  SandboxState& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.sandbox;
   Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   if (m.held == FlatPart::paper) {
     for (int d = 0; d < 2; ++d) m.middle[d] -= mouse[d] - m.grip[d];
@@ -264,7 +285,7 @@ void drag(PanelContext& ctx, const FlatPoint& mouse) {
 void add_at(PanelContext& ctx, const FlatPoint& mouse) {
   ViewState& s = ctx.state;
   Sandbox& sandbox = *s.settings.open.sandbox;
-  const SandboxState& m = s.memory.sandbox;
+  const SandboxState& m = s.sandbox;
   if (sandbox.balls.size() >= kMostSandboxBalls) {
     s.show_error("There is no room for another ball", why_no_sandbox(sandbox.balls.size() + 1));
     return;
@@ -276,7 +297,7 @@ void add_at(PanelContext& ctx, const FlatPoint& mouse) {
 
 void mouse_on_paper(PanelContext& ctx, Paper& paper, ImVec2 corner, ImVec2 size) {
   ViewState& s = ctx.state;
-  SandboxState& m = s.memory.sandbox;
+  SandboxState& m = s.sandbox;
   ImGui::SetCursorScreenPos(corner);
   ImGui::InvisibleButton("##flat", size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -317,7 +338,7 @@ void draw_moved(PanelContext& ctx, const Paper& paper) {
 }
 
 void draw_marks(PanelContext& ctx, const Paper& paper) {
-  const SandboxState& m = ctx.state.memory.sandbox;
+  const SandboxState& m = ctx.state.sandbox;
   const Sandbox& sandbox = *ctx.state.settings.open.sandbox;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const auto ring = [&](std::size_t ball, ImU32 ink, float width) {
@@ -363,13 +384,13 @@ void draw_hint(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 }  // namespace
 
 double flat_angstrom_per_pixel(const ViewState& state) {
-  const double pixels = state.memory.sandbox.pixels_per_angstrom;
+  const double pixels = state.sandbox.pixels_per_angstrom;
   return pixels > 0 ? 1 / pixels : 0;
 }
 
 void draw_flat_view(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   ViewState& s = ctx.state;
-  SandboxState& m = s.memory.sandbox;
+  SandboxState& m = s.sandbox;
   s.viewport.hovered = false;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};

@@ -1,6 +1,14 @@
 // Makes a sandbox of the balls on screen, and selects, removes and rounds in it.
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/molecule/sandbox.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "ui/panels/sandbox/sandbox_state.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +70,7 @@ double snapped(double angstrom, double step) {
 }
 
 bool shows_flat_drawing(const ViewState& state) {
-  return state.memory.sandbox.drawing && state.settings.open.sandbox &&
+  return state.sandbox.drawing && state.settings.open.sandbox &&
          state.settings.open.sandbox->flat && state.molecule.loaded;
 }
 

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/molecule/sandbox.hpp"
-#include "ui/panels/view_state.hpp"
+#include "core/geometry/ball_index.hpp"
 
 namespace alphascope {
+
+struct ViewState;
 
 // Says why the balls on screen cannot be changed by hand; empty if they can, or are a sandbox
 // already.

@@ -2,14 +2,22 @@
 // in the table can be typed.
 #include <algorithm>
 
+#include "core/chart/colour_scale.hpp"
 #include "core/chart/flat_drawing.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/explain/dimension_words.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/molecule/sandbox.hpp"
+#include "core/radii/radii_set.hpp"
+#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/sandbox/sandbox_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
 
@@ -54,12 +62,12 @@ void begin_row(PanelContext& ctx) {
   tooltip(ctx, "Saves the flat drawing (.svg), the balls (.xyzr) or any other export format.");
   if (!shows_flat_drawing(ctx.state)) return;
   ImGui::SameLine(0, ctx.px(6));
-  if (button(ctx, "sandbox.fit", "Show all")) ctx.state.memory.sandbox.pixels_per_angstrom = 0;
+  if (button(ctx, "sandbox.fit", "Show all")) ctx.state.sandbox.pixels_per_angstrom = 0;
 }
 
 void edit_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  SandboxState& m = s.memory.sandbox;
+  SandboxState& m = s.sandbox;
   if (button(ctx, "sandbox.add", "Add a ball")) {
     const FlatPoint middle = m.pixels_per_angstrom > 0 ? m.middle : FlatPoint{};
     ctx.commands.run("sandbox.add", {shortest_number(snapped(middle[0], m.snap_angstrom)),
@@ -89,7 +97,7 @@ void edit_row(PanelContext& ctx) {
 }
 
 void drawing_row(PanelContext& ctx) {
-  SandboxState& m = ctx.state.memory.sandbox;
+  SandboxState& m = ctx.state.sandbox;
   ImGui::SameLine(0, ctx.px(10));
   checkbox(ctx, "sandbox.discs", "Grown discs", m.content.discs);
   tooltip(ctx, "Each ball with the radius √(r² + α).");
@@ -137,7 +145,7 @@ void radius(PanelContext& ctx, std::size_t ball) {
   const std::string name = "sandbox.r." + std::to_string(ball);
   if (number_field(ctx, name.c_str(), value, rule)) {
     resize_ball(sandbox, ball, value);
-    ctx.state.memory.sandbox.next_radius_angstrom = radius_of(sandbox, ball);
+    ctx.state.sandbox.next_radius_angstrom = radius_of(sandbox, ball);
   }
 }
 

@@ -31,8 +31,8 @@ void BallMapper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders
   if (look_ == BallRendering::usual) return;
   vtkShader* fragment = shaders.at(vtkShader::Fragment);
   std::string source = fragment->GetSource();
-  // VTK's lines keep their place; cut_shader.cpp replaces the same marks, and its lines come before
-  // these.
+  // Our lines follow VTK's own at the mark. cut_shader.cpp replaces the same marks, and its lines
+  // come before these.
   const auto append = [&source](const char* mark, const char* lines) {
     vtkShaderProgram::Substitute(source, mark, std::string(mark) + lines, false);
   };

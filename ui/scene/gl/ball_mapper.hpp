@@ -10,7 +10,7 @@
 
 namespace alphascope {
 
-// usual: balls are hidden by things in front of them, as everything else is.
+// usual: nearer things hide balls, as they hide everything else.
 // outline: only the rims of balls are drawn, around other things.
 // in_front: whole balls in front of everything else, with a dark rim.
 enum class BallRendering : std::uint8_t { usual, outline, in_front };

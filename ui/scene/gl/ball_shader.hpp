@@ -86,8 +86,8 @@ void main()
 
 // Keeps the outer fifth of the visible radius: sqrt(1 - 0.6²) = 0.8.
 inline constexpr const char* kOnlyRim = "\n  if (" ALPHASCOPE_FACING " > 0.6) discard;\n";
-// Scales the depth, so these balls are nearer than everything else and keep their order among
-// themselves. FinishPass leaves depths below its kMarks (0.002) as they are.
+// Scales the depth. So these balls are nearer than everything else, and keep their order among
+// themselves. FinishPass does not shade pixels with depths below its kMarks (0.002).
 inline constexpr const char* kInFront = "\n  gl_FragDepth *= 0.001;\n";
 inline constexpr const char* kDarkRim =
     "\n  if (" ALPHASCOPE_FACING " < 0.4) gl_FragData[0].rgb *= 0.15;\n";

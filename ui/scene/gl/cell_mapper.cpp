@@ -25,6 +25,8 @@
 #include <string>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "ui/scene/gl/cell_shader.hpp"
 #include "ui/window/egl_context.hpp"
 
@@ -41,8 +43,8 @@ constexpr const char* kNormal = "//VTK::Normal::Impl";
 constexpr const char* kLight = "//VTK::Light::Impl";
 constexpr const char* kDepth = "//VTK::Depth::Impl";
 
-// Limit on faces with light for each face. Beyond it most faces are smaller than a pixel, and light
-// for each corner takes longer than for each pixel.
+// Most faces that are lit face by face. With more, most faces are smaller than a pixel. Light for
+// each of them then takes longer than light for each pixel.
 constexpr std::size_t kMostFacesLit = 2'000'000;
 constexpr std::size_t kLargeUpload = std::size_t{4} << 20;  // bytes
 
@@ -309,7 +311,8 @@ void CellMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {
   if (empty()) return;
   this->UpdateShaders(this->Primitives[PrimitiveTris], renderer, actor);
   if (this->Primitives[PrimitiveTris].Program == nullptr) return;
-  // A new program has unbound the array, and VTK does not bind it again without attributes.
+  // A new shader program has unbound the vertex array. VTK does not bind it again, since it has no
+  // attributes.
   this->Primitives[PrimitiveTris].VAO->Bind();
   const std::size_t corners = kind_ == Kind::tetrahedra ? 12 : kind_ == Kind::edges ? 6 : 3;
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners * cells_.count()));

@@ -13,6 +13,8 @@
 #include <cstring>
 #include <string>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -25,7 +27,8 @@ constexpr double kRim = 0.08;  // Å
 constexpr double kRimShade = 0.6;
 constexpr const char* kClipDeclared = "//VTK::Clip::Dec";
 
-// gl_FragCoord is known without any varying, so the planes are given in its coordinates.
+// The planes are in the coordinates of gl_FragCoord, which every fragment shader knows. So the
+// vertex shader need not hand over a position.
 constexpr const char* kCutMesh = R"(
   if (dot(cutPlane0, vec4(gl_FragCoord.xyz, 1.0)) < 0.0) discard;
   if (dot(cutPlane1, vec4(gl_FragCoord.xyz, 1.0)) < 0.0) discard;

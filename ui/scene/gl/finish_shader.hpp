@@ -19,8 +19,8 @@ namespace alphascope {
 //
 // An outline is drawn on the farther surface, if a nearer one is in front by more than the jump.
 //
-// With TRANSLUCENT the picture is complete. Only translucent fronts that nothing opaque hides are
-// darkened, faded and outlined, in proportion to their opacity.
+// With TRANSLUCENT defined, the input is the complete picture. Only translucent fronts that nothing
+// opaque hides are then darkened, faded and outlined, in proportion to their opacity.
 inline constexpr const char* kFinishShader = R"(//VTK::Output::Dec
 in vec2 texCoord;
 uniform sampler2D colours;

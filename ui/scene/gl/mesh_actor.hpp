@@ -75,7 +75,8 @@ struct MeshActor {
   }
   void hide(vtkWindow* window) {
     mapper->SetInputData(nullptr);
-    mapper->ReleaseGraphicsResources(window);  // otherwise its buffers stay until it draws again
+    mapper->ReleaseGraphicsResources(window);  // frees its buffers, which would stay until it draws
+                                               // again
     actor->VisibilityOff();
   }
   // For the main subject of a picture: its colour stays recognisable in shadow.
@@ -97,7 +98,7 @@ struct MeshActor {
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, units);
     mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, units);
   }
-  // Lines win over faces at the same depth.
+  // Shows these lines before faces of the same depth.
   void before_its_faces() {
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kBeforeFaces);

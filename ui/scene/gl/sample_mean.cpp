@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "core/geometry/alpha.hpp"
 #include "ui/scene/gl/sample_place.hpp"
 #include "ui/scene/scene.hpp"
 

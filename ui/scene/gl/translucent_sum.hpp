@@ -10,11 +10,11 @@
 
 namespace alphascope {
 
-// Like VTK's own pass, which draws into a second texture; with many layers, blending takes most of
-// the time. Here each layer adds w * (r, g, b, 1) to one texture, where w = -ln(1 - opacity). The
-// sum of w divides the colours, and exp(-sum) is the share of the background. If all layers have
-// the same opacity, the picture equals VTK's. L. Bavoil, K. Myers, Order independent transparency
-// with dual depth peeling, NVIDIA, 2008 (weighted average).
+// VTK's own pass draws into two textures, and with many layers blending takes most of the time.
+// This pass has one texture, to which each layer adds w * (r, g, b, 1), where w = -ln(1 - opacity).
+// The sum of w divides the colours, and exp(-sum) is the share of the background. If all layers
+// have the same opacity, the picture equals VTK's. L. Bavoil, K. Myers, Order independent
+// transparency with dual depth peeling, NVIDIA, 2008 (weighted average).
 class TranslucentSum : public vtkOpenGLRenderPass {
  public:
   static TranslucentSum* New();

@@ -1,4 +1,4 @@
-// Copies with all threads into a mapped buffer, from which the GPU copies on.
+// Copies with all threads into a mapped buffer, from which the GPU copies to the final one.
 #include "ui/scene/gl/upload_buffer.hpp"
 
 #include <GL/gl.h>

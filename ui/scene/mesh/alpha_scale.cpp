@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/molecule/rgb8.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/alpha.hpp"
 #include "core/geometry/grown_radius.hpp"
 #include "core/geometry/principal_axes.hpp"
 #include "core/predicates/spanning_balls.hpp"

@@ -9,17 +9,19 @@
 #include <array>
 #include <cmath>
 
+#include "core/geometry/alpha.hpp"
 #include "core/molecule/atom_colours.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr double kTolerance = 0.4, kLeastBond = 0.4;  // Å
-constexpr double kLongestBond = 4;                    // Å, between the two largest atoms
+constexpr double kLongestBond = 4;                    // Å; atoms farther apart are not tested
 // Å, as drawn. Balls of the body are drawn with 0.3 of their radius, about 0.5 Å.
 constexpr float kBall = 0.34f, kHydrogenBall = 0.2f, kWaterBall = 0.42f, kIonBall = 0.8f;
 constexpr double kStick = 0.13;  // Å
-// With more sticks a picture shows no single bond, and they would take hundreds of megabytes.
+// Most sticks that are drawn. With more, no single bond could be seen, and they would take hundreds
+// of megabytes.
 constexpr std::size_t kMostSticks = 30000;
 
 // Covalent radius, Å.

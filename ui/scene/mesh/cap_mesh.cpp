@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/scene/mesh/simplex_colours.hpp"
 
 namespace alphascope {
@@ -27,8 +29,8 @@ class CapBuilder {
  public:
   CapBuilder(const HalfSpace& space, CapMesh& mesh) : space_(space), mesh_(mesh) {}
 
-  // A corner in the plane counts as kept. So where tetrahedra share a face in the plane, it is
-  // drawn once.
+  // A corner in the plane counts as kept. So a face in the plane that two tetrahedra share is drawn
+  // once.
   void add(const std::array<Point, 4>& corners, std::uint32_t tetrahedron, const Rgb8& colour) {
     std::array<double, 4> depth;
     std::array<int, 4> inside{}, outside{};

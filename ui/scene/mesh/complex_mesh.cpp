@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/indices_where.hpp"
 #include "ui/scene/mesh/simplex_colours.hpp"
@@ -40,7 +42,7 @@ std::array<BallIndex, 3> outward(const BallGeometry& balls, const Simplices<4>& 
                                  FaceCode face) {
   const auto v = face_vertices(tetrahedra, face);
   const BallIndex opposite = tetrahedra[tetrahedron_of(face)][face % 4];
-  // Without a branch, since the processor would guess half of them wrong.
+  // The code has no branch here, because the processor would mispredict half of the cases.
   const std::size_t turned = orientation(balls.centres[v[0]], balls.centres[v[1]],
                                          balls.centres[v[2]], balls.centres[opposite]) > 0;
   return {v[0], v[1 + turned], v[2 - turned]};
@@ -79,8 +81,8 @@ class MeshBuilder {
   }
 
  private:
-  // A faulty engine's complex must be visible for the comparison with CGAL. Its classes may
-  // contradict its tetrahedra.
+  // Finds outside faces without classes. The complex of a faulty engine may have classes that
+  // contradict its tetrahedra. The comparison with CGAL must still draw it.
   ResultArray<FaceCode> outside_of_all() const {
     try {
       return outer_faces(complex_, cancel_);
@@ -173,8 +175,8 @@ class MeshBuilder {
       parallel_many(list.size(), cancel_, [&](std::size_t i) { body(i, i); });
       return {};
     }
-    // Centres in a plane or on a line: the largest simplices are interior there, but faces of
-    // nothing.
+    // If all centres lie in a plane or on a line, the largest simplices are interior, but no faces
+    // of larger ones.
     const bool largest = balls_.dimension < 3 && N == balls_.dimension + 1;
     const auto singular = [&](std::size_t i) {
       return largest || list.classes[i] == SimplexClass::singular;

@@ -9,6 +9,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/outer_faces.hpp"
 #include "ui/scene/mesh/alpha_scale.hpp"
@@ -35,7 +36,8 @@ struct MeshOptions {
   bool boundary = false;  // faces that belong to exactly one tetrahedron
   bool triangles = false;
   bool edges = false;
-  bool singular_only = true;  // of triangles and edges, those that are faces of nothing larger
+  bool singular_only = true;  // of triangles and edges, draws only those that are no face of a
+                              // larger simplex
   // Share of the way from each corner to the tetrahedron's centre: 0 (touching) to below 1.
   double shrink = 0;
   // Whether tetrahedra are translucent. If they are neither translucent nor shrunk, faces between

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/complex/compare.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/scene/mesh/complex_mesh.hpp"
 
 namespace alphascope {

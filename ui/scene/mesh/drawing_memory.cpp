@@ -1,6 +1,6 @@
-// Estimates of memory from measured constants. They are growths of the resident set
-// (/proc/self/status) of a program that made nothing but a Scene. It grew from an empty scene to
-// the end of three pictures of 400 x 300 pixels, one of each quality. Scenes had 3 and 12 million
+// Estimates memory from measured constants. A program that only had a Scene measured the growth of
+// its resident set (/proc/self/status). It measured from the empty scene to the end of three
+// pictures. The pictures had 400 x 300 pixels, one of each quality. Scenes had 3 and 12 million
 // points (balls: 1 and 4 million); a constant is the slope, rounded up. VTK 9.1 on llvmpipe (Mesa
 // 22.3) keeps buffers in host memory, so no driver takes more of it.
 #include "ui/scene/mesh/drawing_memory.hpp"
@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/text/grouped_number.hpp"
 

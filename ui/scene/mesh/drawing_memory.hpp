@@ -1,5 +1,6 @@
-// The memory of a picture of a complex, and the parts that are drawn if not all of it fits. Without
-// such a plan a failed allocation in VTK or an OpenGL driver would end the program. Pure; no VTK.
+// Estimates the memory of a picture of a complex, and plans the parts to draw if not all fit.
+// Without a plan, a failed allocation in VTK or an OpenGL driver would end the program. Pure C++;
+// no VTK.
 #pragma once
 
 #include <cstdint>
@@ -61,8 +62,8 @@ struct DrawingPlan {
   bool complete() const { return balls && left_out.empty(); }
 };
 
-// The plan is everything if it fits into the budget, or if the free memory is unknown. Otherwise
-// parts are added, each if it fits: balls (without them nothing is drawn), differences, tetrahedra,
+// Plans to draw everything if it fits into the budget, or if the free memory is unknown. Otherwise
+// adds each part that fits: balls (without them nothing is drawn), differences, tetrahedra,
 // boundary, triangles, edges. If tetrahedra do not fit, their outside is tried.
 DrawingPlan plan_drawing(const DrawingTask& task, std::optional<std::uint64_t> free_bytes);
 

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/scene/mesh/simplex_soup.hpp"
 

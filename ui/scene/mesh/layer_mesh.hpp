@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/molecule/rgb8.hpp"
 #include "ui/layer.hpp"
 #include "ui/scene/mesh/ball_geometry.hpp"
 #include "ui/scene/mesh/complex_mesh.hpp"

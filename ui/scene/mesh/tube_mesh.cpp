@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/alpha.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "ui/rgb8.hpp"
 
 namespace alphascope {
@@ -88,7 +90,8 @@ class TubeBuilder {
     return {v[0], v[1], v[2]};
   }
 
-  // Turns triangles that lie inside out on the inner side of a bend; they would be lit from within.
+  // Turns triangles that face inwards, as some do on the inner side of a bend. Their light would
+  // come from within.
   void turn_outwards() {
     for (std::size_t t = first_corner_; t < mesh_.corners.size(); t += 3) {
       std::int32_t* c = &mesh_.corners[t];

@@ -1,5 +1,5 @@
-// Copies the visible part into a complex of its own. So the functions that build meshes need not
-// know about hidden balls. The copy costs time only while something is hidden.
+// Copies the visible simplices into a complex of their own, so functions that build meshes need not
+// know of hidden balls. The copy takes time only while something is hidden.
 #include "ui/scene/mesh/visible_mesh.hpp"
 
 #include <algorithm>

@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/molecule/rgb8.hpp"
+
 namespace alphascope {
 namespace {
 

@@ -33,8 +33,8 @@ double entry(const std::array<float, 3>& centre, float radius, const Ray& ray,
   return kept.from - (kLeastCapLift + kCapLift * power) / std::sqrt(length2);
 }
 
-// The nearest ball so far. At equal depth the first in the list wins, so the order of visits does
-// not matter.
+// The nearest ball found so far. At equal depth the first in the list wins, so the result does not
+// depend on the order of visits.
 struct Nearest {
   BallHit hit{0, std::numeric_limits<double>::infinity()};
 

@@ -50,8 +50,9 @@ void BoxTree::add_levels(std::vector<Box> leaves) {
   }
 }
 
-// Compares the leaves with those of things that fill the whole box evenly. For atoms along chains
-// leaves are less than twice as large. For atoms in any order they are as large as the whole box.
+// Compares the leaves with boxes that divide the whole box evenly. Leaves of atoms along chains are
+// less than twice as large as those. Leaves of atoms in random order are about as large as the
+// whole box.
 bool BoxTree::is_scattered() const {
   constexpr double kMuchLarger = 8;
   const std::vector<Box>& leaves = levels_.front();

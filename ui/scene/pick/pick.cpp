@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -149,7 +152,7 @@ double farthest_depth(const Box& box, const Ray& ray) {
   return std::sqrt(dot(to, to) / dot(ray.direction, ray.direction));
 }
 
-// Meaning of the cells of a layer.
+// Tells for which simplices the cells of a layer stand.
 struct Meaning {
   std::string_view id;
   int corners;            // of the simplices

@@ -7,6 +7,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "core/geometry/lattice_alpha.hpp"
+#include "ui/colour_legend.hpp"
 #include "ui/scene/picture/mark_mask.hpp"
 
 namespace alphascope {
@@ -15,7 +17,8 @@ namespace {
 using Mask = MarkMask;
 
 constexpr float kFontSize = 14;  // pixels of an em at scale 1
-// At this size marks are as large as in the window, which suits a column of a page.
+// In a picture of this size, marks are as large as in the window. It suits a column of a printed
+// page.
 constexpr float kWidthAtScale1 = 960, kHeightAtScale1 = 600;
 constexpr float kLeastUnit = 0.7f;  // smaller text cannot be read
 
@@ -57,7 +60,7 @@ Colour colour_of(const ColourLegend& legend, float share) {
   return between(legend.stops[i].colour, legend.stops[i + 1].colour, at - static_cast<float>(i));
 }
 
-// A part of a legend that is drawn over the marks, in exactly the colours of the scale.
+// A part of a legend in the exact colours of the scale. It is drawn over the marks.
 struct ColouredMask {
   Mask mask;
   std::function<Colour(int column)> colour_at;  // columns count from the left of the mask

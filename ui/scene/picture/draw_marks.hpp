@@ -1,6 +1,6 @@
-// Draws caption, legend, scale bar and labels into a saved picture, in its own pixels, not
-// stretched from the window. Texts have the window's font. All else is filled boxes, so that light
-// and transparency of the scene do not change a legend's colours.
+// Draws caption, legend, scale bar and labels into a saved picture, at its own resolution. Texts
+// have the window's font. All else is filled boxes, so the scene's light and transparency do not
+// change a legend's colours.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/colour_legend.hpp"
 #include "ui/picture_marks.hpp"
 #include "ui/scene/picture/frame_grab.hpp"
 #include "ui/scene/picture/placed_label.hpp"

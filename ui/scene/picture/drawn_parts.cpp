@@ -5,8 +5,11 @@
 #include <utility>
 
 #include "core/complex/own_dimension.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "core/run/freed_on_other_thread.hpp"
 #include "ui/caption.hpp"
+#include "ui/colour_legend.hpp"
 #include "ui/scene/display_style.hpp"
 #include "ui/scene/mesh/visible_mesh.hpp"
 

@@ -1,6 +1,6 @@
-// The recipe from balls, complex and settings to the parts of a picture. The window, saved
-// pictures, recordings, sessions and the command line all draw by it. Pure C++, may run in a
-// worker; no VTK.
+// Makes the parts of a picture from balls, complex and settings, and a picture of the parts. The
+// window, saved pictures, recordings, sessions and the command line all use these functions. Pure
+// C++, may run in a worker; no VTK.
 #pragma once
 
 #include <functional>
@@ -101,7 +101,8 @@ struct PictureFrame {
 Picture picture_of(const PicturedMolecule& molecule, const EngineAnswer* answer,
                    const DrawnParts& parts, PictureFrame frame);
 
-// Adds texts on hidden atoms, and one with all that the picture lacks. `not_drawn` as in Picture.
+// Adds a text on hidden atoms, and one that names everything the picture lacks. `not_drawn` as in
+// Picture.
 void note_missing(PictureTexts& texts, const DrawnParts& parts, bool with_balls,
                   const std::string& not_drawn);
 

@@ -8,8 +8,8 @@ namespace {
 
 class PictureSink : public FrameSink {
  public:
-  // Tests all names for inputs. Numbers grow and so do names, so the first and last names show
-  // whether files can be made.
+  // Checks that no frame would replace an input file. Checks for the first and the last name
+  // whether files can be made there.
   PictureSink(const std::filesystem::path& pattern, int frames) : names_(pattern) {
     for (int k = 1; k <= frames; ++k) {
       const std::filesystem::path name = names_.name(k);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "ui/inter_font.hpp"
 #include "ui/scene/picture/draw_marks.hpp"
 #include "ui/scene/picture/mark_mask.hpp"

@@ -1,6 +1,6 @@
-// Draws boxes, rims and letters into masks. Letters have fractional positions, so that their
-// distances are right at small sizes too. Heights are fitted to whole pixels (FreeType's light
-// hinting, as in the window).
+// Draws boxes, rims and letters into masks. Letters have fractional positions, so their distances
+// are right at small sizes too. FreeType's light hinting fits heights to whole pixels, as in the
+// window.
 #include "ui/scene/picture/mark_mask.hpp"
 
 #include <ft2build.h>
@@ -11,6 +11,14 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+
+#include "core/chart/colour_scale.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
 
 namespace alphascope {
 namespace {

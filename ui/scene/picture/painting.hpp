@@ -1,5 +1,5 @@
-// Colours of all balls of a molecule by one paint. A painting serves until something changes on
-// which its colours depend. VTK is not needed, so any thread may make it.
+// Colours of all balls of a molecule by one paint. A painting is used again until something changes
+// on which its colours depend. No VTK, so any thread may make one.
 #pragma once
 
 #include <memory>

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/molecule/rgb8.hpp"
 #include "ui/scene/mesh/difference_mesh.hpp"
 #include "ui/scene/mesh/layer_mesh.hpp"
 #include "ui/scene/picture/draw_marks.hpp"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/alpha.hpp"
+
 namespace alphascope {
 
 std::vector<PictureLabel> labels_seen(const std::vector<PlacedLabel>& labels,

@@ -1,4 +1,4 @@
-// Labels at positions in the molecule, and their positions in a picture. No VTK.
+// Labels at points of the molecule, and the pixels where a picture shows them. No VTK.
 #pragma once
 
 #include <array>

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/document/alpha/signature.hpp"
+#include "core/radii/amber_radii.hpp"
 
 namespace alphascope {
 namespace {

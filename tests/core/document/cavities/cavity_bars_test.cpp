@@ -9,6 +9,7 @@
 
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/read/read_molecule.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope {

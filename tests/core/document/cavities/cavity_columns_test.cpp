@@ -5,9 +5,27 @@
 
 #include <limits>
 
+#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_lives.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/channel/bottlenecks.hpp"
+#include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
+#include "core/document/export/program_name.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/predicates/wide_int.hpp"
 #include "core/read/read_molecule.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,5 +1,6 @@
 // Tests descriptions of cavities in words.
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/complex/face_class.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,8 @@
 
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"

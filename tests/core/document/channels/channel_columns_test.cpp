@@ -1,5 +1,13 @@
 // Tests the columns of samples and of ways.
 #include "core/document/channels/channel_columns.hpp"
+#include "core/channel/channel.hpp"
+#include "core/document/channels/channel_results.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/predicates/wide_int.hpp"
+#include "core/write/csv.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,10 @@
 #include <cmath>
 #include <set>
 
+#include "core/document/reference/reference.hpp"
 #include "core/engine/engine.hpp"
+#include "core/geometry/lattice_point.hpp"
+#include "core/radii/amber_radii.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

@@ -13,6 +13,8 @@
 #include "core/document/lessons/lesson.hpp"
 #include "core/engine/engine.hpp"
 #include "core/explain/explanation.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/support/keeping_engine.hpp"
@@ -135,7 +137,8 @@ std::string live_fact(const LessonPart& part) {
   return {};
 }
 
-// An answer that sets alpha is below its question, whose text must stay true.
+// A question is still shown above its answer. If the answer sets alpha, the question must not have
+// numbers that follow alpha.
 TEST(LessonTexts, AnswersLeaveTheNumbersOfTheirQuestions) {
   std::size_t answers = 0;
   for (const auto& entry : fs::directory_iterator(lessons())) {
@@ -154,7 +157,7 @@ TEST(LessonTexts, AnswersLeaveTheNumbersOfTheirQuestions) {
   EXPECT_GE(answers, 4u);
 }
 
-// Visible characters; a fact counts as long as its name.
+// Counts the visible characters. A fact counts as many as its name has.
 std::size_t characters(const LessonPart& part) {
   std::size_t sum = 0;
   for (const LessonParagraph& paragraph : part.text) {
@@ -166,8 +169,9 @@ std::size_t characters(const LessonPart& part) {
   return sum;
 }
 
-// The column of a window of 1280 x 800 pixels has 19 lines of about 40 characters at presenter
-// size. Paragraphs end in half a line and a gap: four of them leave 600 characters.
+// At presenter size, the column in a window of 1280 x 800 pixels has 19 lines of about 40
+// characters. Each paragraph loses half a line and a gap, so four paragraphs have room for 600
+// characters.
 TEST(LessonTexts, FitIntoTheirColumn) {
   constexpr std::size_t kMost = 600;
   std::size_t lessons_read = 0;

@@ -11,6 +11,7 @@
 #include "core/document/measures/paint_balls.hpp"
 #include "core/document/reference/atom_labels.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

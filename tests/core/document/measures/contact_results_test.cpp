@@ -1,8 +1,12 @@
 // Tests contacts between chains as a derived result.
 #include "core/document/measures/contact_results.hpp"
 
+#include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/engine/engine.hpp"
+#include "core/radii/radii_choice.hpp"
+#include "core/selection/ball_options.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
 

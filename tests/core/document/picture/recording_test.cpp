@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "core/document/picture/frame_names.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

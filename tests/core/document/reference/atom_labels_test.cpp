@@ -6,6 +6,10 @@
 
 #include <algorithm>
 
+#include "core/radii/radii_choice.hpp"
+#include "core/radii/radii_set.hpp"
+#include "core/selection/ball_options.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

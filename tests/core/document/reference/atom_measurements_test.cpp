@@ -8,6 +8,10 @@
 
 #include <stdexcept>
 
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/radii/amber_radii.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

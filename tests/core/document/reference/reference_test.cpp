@@ -6,7 +6,10 @@
 
 #include <set>
 
+#include "core/radii/radii_choice.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/selection/ball_options.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

@@ -43,7 +43,7 @@ TEST(Editor, AGestureThatEndsWhereItBeganIsNone) {
   editor.set(with_alpha(5), 2);
   editor.set(with_alpha(1), 2);
   EXPECT_EQ(editor.now(), with_alpha(1));
-  editor.set(with_alpha(6), 2);  // the same gesture, further on
+  editor.set(with_alpha(6), 2);  // a later change of the same gesture
   editor.undo();
   EXPECT_EQ(editor.now(), with_alpha(1));
 }

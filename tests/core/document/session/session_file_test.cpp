@@ -11,6 +11,7 @@
 #include "core/document/session/settings_fields.hpp"
 #include "core/files/file_hash.hpp"
 #include "core/files/read_error.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 
 const std::string kHash(64, 'a');
 
-// Counts the fields in the list of an aggregate.
+// Counts the fields that visit_fields() lists for a struct.
 struct Counter {
   std::size_t count = 0;
   template <class... Anything>
@@ -47,7 +48,7 @@ std::size_t named_fields() {
   return counter.count;
 }
 
-// The number of an aggregate's members: the number of values with which it can be made.
+// Counts the members of a struct: it can be initialised with that many values, and not with more.
 struct Any {
   template <class T>
   operator T() const;  // NOLINT: in unevaluated contexts only
@@ -167,7 +168,7 @@ TEST(SessionFile, EveryMemberOfEverySettingIsNamed) {
   EXPECT_EQ(named_fields<AtomsBesideBody>(), members<AtomsBesideBody>());
   EXPECT_EQ(named_fields<Request>(), members<Request>());
   EXPECT_EQ(named_fields<TupleOptions>(), members<TupleOptions>());
-  // The selection has two names: its items and its cavities.
+  // The selection is one member and two fields: its items and its cavities.
   EXPECT_EQ(named_fields<Settings>(), members<Settings>() + 1);
   EXPECT_EQ(named_fields<Annotations>(), members<Annotations>());
   EXPECT_EQ(named_fields<AtomLabels>(), members<AtomLabels>());
@@ -219,8 +220,8 @@ TEST(SessionFile, IsWrittenAndReadThroughTheDisk) {
   EXPECT_THROW(write_session(unusual(), "/no folder/S.json"), std::runtime_error);
 }
 
-// A number where a double has the same value, as before. Otherwise a text, because JSON readers
-// turn numbers into doubles.
+// Alpha is a JSON number if a double has exactly its value. Otherwise it is a string, because JSON
+// readers turn numbers into doubles.
 TEST(SessionFile, AlphaKeepsItsDigits) {
   SessionDocument document = unusual();
   for (const char* text :

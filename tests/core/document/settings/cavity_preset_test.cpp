@@ -1,5 +1,12 @@
 // Tests the preset of CASTp's choices, and when settings still match it.
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/molecule/element.hpp"
+#include "core/radii/radii_choice.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/selection/ball_options.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +47,7 @@ TEST(CavityPreset, ARadiusOfTheFileStays) {
             std::vector<std::string>{"radii from the file"});
 }
 
-// Each differing choice is named, since no other setting may pass for CASTp's.
+// Each choice that differs from CASTp's is named, so that no other settings are taken for CASTp's.
 TEST(CavityPreset, EveryOtherChoiceIsNamed) {
   OpenOptions preset;
   Request request;

@@ -1,5 +1,7 @@
 // Tests the clip: its text, the half it keeps, and its rotation.
 #include "core/document/settings/clip.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "core/document/measures/paint_balls.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_class.hpp"
+#include "core/molecule/rgb8.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

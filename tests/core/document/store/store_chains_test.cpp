@@ -2,6 +2,7 @@
 // waiting result. Also tests results that other code has made.
 #include <stdexcept>
 
+#include "core/document/store/key.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 
 namespace alphascope {
@@ -10,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 
 struct StoreChainsTest : testing::StoreTest {
-  // A result that is one more than its source.
+  // Makes a result whose value is its source's plus one.
   template <class T>
   Definition<double> after(std::string_view id, const Definition<T>& source,
                            std::uint64_t bytes = 10) {
@@ -62,7 +63,7 @@ TEST_F(StoreChainsTest, WhatIsAwaitedFollowsTheSliderToo) {
   until_made(1);
   EXPECT_FALSE(store.busy(Lane::background));
   EXPECT_TRUE(store.busy(Lane::interactive));
-  // It is not asked for any more, and the result for the other balls goes to the background.
+  // Nobody asks for it any more, so the result for the other balls is made in the background lane.
   store.next_frame();
   store.next_frame();
   store.want(slow, inputs(2), Priority::background);

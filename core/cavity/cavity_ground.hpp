@@ -1,0 +1,31 @@
+// The part of a search for cavities that does not depend on alpha: incidences and flow of the
+// triangulation.
+#pragma once
+
+#include <memory>
+
+#include "core/complex/triangulation.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/triangulation/flow.hpp"
+#include "core/triangulation/incidence.hpp"
+
+namespace alphascope {
+
+struct BallSet;
+
+// Below dimension 3 there are no
+// cavities, and incidence and flow are empty.
+struct CavityGround {
+  std::shared_ptr<const BallSet> balls;
+  std::shared_ptr<const Triangulation> triangulation;
+  Incidence incidence;
+  Flow flow;
+};
+
+// Works in the caller's task arena. Throws Cancelled.
+CavityGround make_cavity_ground(std::shared_ptr<const BallSet> balls,
+                                std::shared_ptr<const Triangulation> triangulation,
+                                FlowTies ties = FlowTies::perturbed,
+                                const RunContext& context = {});
+
+}  // namespace alphascope

@@ -1,0 +1,11 @@
+// The index of a ball.
+#pragma once
+
+#include <cstdint>
+
+namespace alphascope {
+
+// Index of a ball in its BallSet; simplices are tuples of these.
+using BallIndex = std::uint32_t;
+
+}  // namespace alphascope

@@ -1,0 +1,71 @@
+// The parts of a ViewState, and errors that follow one another.
+#include "ui/panels/view_state.hpp"
+
+#include <tuple>
+
+#include "ui/panels/whole_state.hpp"
+
+namespace alphascope {
+
+SettingsParts::SettingsParts(Settings& s)
+    : all(s),
+      open(s.open),
+      request(s.request),
+      display(s.display),
+      selection(s.selection),
+      clip(s.clip),
+      views(s.views),
+      appearance(s.appearance),
+      annotations(s.annotations),
+      cavity_settings(s.cavity_settings) {}
+
+ViewState::ViewState(const ViewValues& values, ViewParts& parts)
+    : ViewValues(values),
+      settings(parts.settings),
+      window(parts.window),
+      playback(parts.playback),
+      lessons(parts.lessons),
+      steps(parts.steps),
+      cavities(parts.cavities),
+      sandbox(parts.sandbox),
+      molecule(parts.molecule),
+      ours(parts.ours),
+      cgal(parts.cgal),
+      cgal_parallel(parts.cgal_parallel),
+      badge(parts.badge),
+      benchmark_settings(parts.benchmark_settings),
+      benchmark(parts.benchmark),
+      jobs(parts.jobs),
+      background(parts.background),
+      viewport(parts.viewport),
+      gpu(parts.gpu),
+      program(parts.program),
+      expression(parts.expression),
+      expression_error(parts.expression_error),
+      session_problem(parts.session_problem),
+      palette(parts.palette),
+      context(parts.context),
+      dialogs(parts.dialogs),
+      browser(parts.browser),
+      saving(parts.saving),
+      record(parts.record),
+      save_table(parts.save_table),
+      number(parts.number),
+      keys(parts.keys),
+      mouse(parts.mouse),
+      scroll(parts.scroll) {}
+
+void ViewState::show_error(const std::string& title, const std::string& text) {
+  const std::pair<std::string, std::string> news{title, text};
+  if (error.empty()) {
+    std::tie(error_title, error) = news;
+  } else if (error != text && (more_errors.empty() || more_errors.back() != news)) {
+    more_errors.push_back(news);
+  }
+}
+
+bool has_gpu(const ViewState& state) {
+  return state.gpu && state.gpu->usable;
+}
+
+}  // namespace alphascope

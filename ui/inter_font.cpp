@@ -1,24 +1,10 @@
-// Puts the font files into the program by the assembler's .incbin. C++ arrays of the same bytes
-// took seconds to compile.
+// Puts the font files into the program.
 #include "ui/inter_font.hpp"
 
-#define ALPHASCOPE_BYTES_OF(name, file)                       \
-  asm(".pushsection .rodata\n"                                \
-      ".balign 16\n"                                          \
-      "alphascope_" #name                                     \
-      "_begin:\n"                                             \
-      ".incbin \"" ALPHASCOPE_FONTS "/" file                  \
-      "\"\n"                                                  \
-      "alphascope_" #name                                     \
-      "_end:\n"                                               \
-      ".byte 0\n"                                             \
-      ".global alphascope_" #name "_begin, alphascope_" #name \
-      "_end\n"                                                \
-      ".popsection\n");                                       \
-  extern "C" const unsigned char alphascope_##name##_begin[], alphascope_##name##_end[]
+#include "ui/embedded_file.hpp"
 
-ALPHASCOPE_BYTES_OF(inter_regular, "Inter-Regular.otf");
-ALPHASCOPE_BYTES_OF(inter_semibold, "Inter-SemiBold.otf");
+ALPHASCOPE_EMBEDDED_FILE(inter_regular, ALPHASCOPE_FONTS "/Inter-Regular.otf");
+ALPHASCOPE_EMBEDDED_FILE(inter_semibold, ALPHASCOPE_FONTS "/Inter-SemiBold.otf");
 
 namespace alphascope {
 

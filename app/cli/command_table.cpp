@@ -2,6 +2,7 @@
 #include "app/cli/command_table.hpp"
 
 #include "app/cli/option_groups.hpp"
+#include "app/options/manual_entries.hpp"
 #include "app/options/option_values.hpp"
 #include "app/session/version.hpp"
 #include "core/document/export/complex_export.hpp"
@@ -79,6 +80,7 @@ OptionProgram command_table(CommandOptions& options) {
   program.notes = notes(options.commands);
   program.usage_exit_code = static_cast<int>(ExitCode::usage);
   add_standard_options(program);
+  add_manual_entries(program);
   return program;
 }
 

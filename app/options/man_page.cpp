@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "app/options/help_text.hpp"
+#include "core/text/text_parts.hpp"
 
 namespace alphascope {
 namespace {
@@ -44,6 +45,36 @@ std::string upper(std::string text) {
   return text;
 }
 
+constexpr std::size_t kLineBytes = 80;  // more is bad style in a page's source
+
+// Bytes of a text in the source that roff sees, with \[u00C5] for Å.
+std::size_t source_bytes(const std::string& text) {
+  std::size_t bytes = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) ++bytes;
+    if (byte >= 0xC0) bytes += 8;
+  }
+  return bytes;
+}
+
+// Divides an escaped text into lines, at blanks. `end` stands at the end of all lines but the last.
+std::string wrapped(const std::string& text, const std::string& end = "") {
+  std::string lines, line;
+  bool begun = false;
+  for (const std::string& word : parts_of(text, ' ')) {
+    if (begun && source_bytes(line + " " + word + end) > kLineBytes) {
+      lines += line + end + "\n";
+      // The next line must not begin as a command of roff.
+      line = (word.starts_with('.') ? "\\&" : "") + word;
+    } else {
+      line += (begun ? " " : "") + word;
+    }
+    begun = true;
+  }
+  return lines + line;
+}
+
 std::string section(const std::string& heading) {
   return ".SH " + escaped(upper(heading)) + "\n";
 }
@@ -61,7 +92,29 @@ std::string entry(const Option& option) {
   std::string text = option.text;
   if (option.required && !option.is_argument()) text += " (required)";
   if (!option.fallback.empty()) text += " (default: " + option.fallback + ")";
-  return ".TP\n" + head + "\n" + escaped(text) + ".\n";
+  return ".TP\n" + head + "\n" + wrapped(escaped(text) + ".") + "\n";
+}
+
+std::string entries(const std::string& heading, const std::vector<ManualEntry>& entries) {
+  if (entries.empty()) return {};
+  std::string text = section(heading);
+  for (const ManualEntry& entry : entries) {
+    text +=
+        ".TP\n\\fB" + escaped(entry.name) + "\\fR\n" + wrapped(escaped(entry.text) + ".") + "\n";
+  }
+  return text;
+}
+
+// "alphascope(1)", with a bold name.
+std::string see_also(const std::vector<std::string>& pages) {
+  if (pages.empty()) return {};
+  std::string text = section("See also");
+  for (const std::string& page : pages) {
+    const std::size_t end = page.find('(');
+    text += ".BR " + escaped(page.substr(0, end)) + " " + page.substr(end) +
+            (&page == &pages.back() ? "\n" : " ,\n");
+  }
+  return text;
 }
 
 std::string entries(const std::vector<Option>& options) {
@@ -73,26 +126,30 @@ std::string entries(const std::vector<Option>& options) {
 }  // namespace
 
 std::string man_page(const OptionProgram& program) {
-  std::string text = ".\\\" -*- coding: utf-8 -*-\n.TH " + escaped(upper(program.name)) +
-                     " 1 \"\" \"" + escaped(program.name + " " + program.version) + "\"\n";
+  std::string text = ".\\\" -*- coding: utf-8 -*-\n.TH " + escaped(upper(program.name)) + " 1 \"" +
+                     program.date + "\" \"" + escaped(program.name + " " + program.version) +
+                     "\"\n";
   text += ".ad l\n";  // left-aligned, without stretched blanks
-  text += section("Name") + escaped(program.name + " - " + program.text) + "\n";
+  text += section("Name") + wrapped(escaped(program.name) + " \\- " + escaped(program.text)) + "\n";
   text += section("Synopsis");
   if (program.commands.empty()) text += escaped(usage_line(program, nullptr)) + "\n";
   for (const OptionCommand& command : program.commands) {
-    text += escaped(usage_line(program, &command)) + "\n.br\n";
+    text += (&command == &program.commands.front() ? "" : ".br\n") +
+            escaped(usage_line(program, &command)) + "\n";
   }
   text += section("Options") + entries(program.options);
   if (!program.commands.empty()) text += section("Commands");
   for (const OptionCommand& command : program.commands) {
-    text += ".SS " + escaped(program.name + " " + command.name) + "\n" + escaped(command.text) +
-            ".\n" + entries(command.options);
+    text += ".SS " + escaped(program.name + " " + command.name) + "\n" +
+            wrapped(escaped(command.text) + ".") + "\n" + entries(command.options);
   }
   for (const OptionNotes& notes : program.notes) {
     text += section(notes.heading) + ".nf\n";
-    for (const std::string& line : notes.lines) text += escaped(line) + "\n";
+    for (const std::string& line : notes.lines) text += wrapped(escaped(line), " \\") + "\n";
     text += ".fi\n";
   }
+  text += entries("Environment", program.environment) + entries("Files", program.files);
+  text += see_also(program.see_also);
   return text;
 }
 

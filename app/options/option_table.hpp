@@ -54,11 +54,20 @@ struct OptionNotes {
   std::vector<std::string> lines;
 };
 
+// A file or a variable of the environment, for the manual page.
+struct ManualEntry {
+  std::string name, text;  // `text`: sentences without the last full stop
+};
+
 struct OptionProgram {
   std::string name, text, version;
   std::vector<Option> options;          // of the program itself
   std::vector<OptionCommand> commands;  // if not empty, one of them must be named
   std::vector<OptionNotes> notes;
+  // For the manual page only; each may be empty.
+  std::string date;  // of this version: "2026-11-27"
+  std::vector<ManualEntry> files, environment;
+  std::vector<std::string> see_also;  // such as "alphascope(1)"
   int usage_exit_code = 2;
 
   const OptionCommand* find(const std::string& command) const;

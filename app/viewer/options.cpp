@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/options/exit_code.hpp"
+#include "app/options/manual_entries.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/parse_arguments.hpp"
 #include "app/viewer/script/script.hpp"
@@ -219,6 +220,7 @@ OptionProgram table(ViewerOptions& o) {
         "alphascope --lesson union_of_balls --record union_of_balls.mp4   (needs no display)"}},
       {"Exit codes", exit_code_lines()}};
   add_standard_options(program);
+  add_manual_entries(program);
   return program;
 }
 

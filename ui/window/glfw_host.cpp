@@ -15,6 +15,7 @@
 #include "ui/window/egl_context.hpp"
 #include "ui/window/host.hpp"
 #include "ui/window/software_context.hpp"
+#include "ui/window/window_icon.hpp"
 
 namespace alphascope {
 namespace {
@@ -108,6 +109,9 @@ class GlfwHost final : public Host {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, 0);
+    // Desktops find the program's entry by this name: StartupWMClass in resources/desktop.
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "alphascope");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "alphascope");
     window_ = glfwCreateWindow(pixels(options.width, scale), pixels(options.height, scale),
                                options.title.c_str(), nullptr, nullptr);
     if (window_ == nullptr) {
@@ -122,6 +126,7 @@ class GlfwHost final : public Host {
       }
     }
     glfwSetWindowUserPointer(window_, this);
+    set_icon();
     if (const float dense = density(); dense > 1) {  // GLFW measures this window in points, not in
                                                      // pixels
       resize(pixels(options.width, scale), pixels(options.height, scale));
@@ -225,6 +230,16 @@ class GlfwHost final : public Host {
   void swap() override { glfwSwapBuffers(window_); }
 
  private:
+  void set_icon() {
+    std::vector<IconPicture> pictures = window_icon();
+    std::vector<GLFWimage> images;
+    images.reserve(pictures.size());
+    for (IconPicture& picture : pictures) {
+      images.push_back({picture.width, picture.height, picture.rgba.data()});
+    }
+    glfwSetWindowIcon(window_, static_cast<int>(images.size()), images.data());
+  }
+
   static int pixels(int at_scale_1, float scale) {
     return static_cast<int>(std::lround(static_cast<float>(at_scale_1) * scale));
   }

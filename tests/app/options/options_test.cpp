@@ -243,5 +243,27 @@ TEST(Options, TextIsEscapedForManualAndShells) {
   }
 }
 
+TEST(Options, ManualPageHasShortLinesAndItsSections) {
+  Values v;
+  OptionProgram program = table(v);
+  program.text =
+      "A text with many words " + std::string(48, 'x') + " .Dot behind the end of a line";
+  program.date = "2026-11-27";
+  program.environment = {{"A_VARIABLE", "Å Å Å Å Å Å Å Å Å Å Å Å Å Å Å Å Å Å Å Å Å"}};
+  program.files = {{"~/a-file", "A file"}};
+  program.see_also = {"one-two(1)", "three(7)"};
+  program.notes = {{"Notes", {"  two blanks " + std::string(70, 'y') + " z"}}};
+  const std::string page = man_page(program);
+  EXPECT_NE(page.find(".TH PROG 1 \"2026-11-27\" \"prog 1\"\n"), page.npos) << page;
+  EXPECT_NE(page.find("x\n\\&.Dot behind"), page.npos) << page;
+  EXPECT_NE(page.find(".SH ENVIRONMENT\n.TP\n\\fBA_VARIABLE\\fR\nÅ Å"), page.npos) << page;
+  EXPECT_NE(page.find(".SH FILES\n.TP\n\\fB\\(ti/a\\-file\\fR\nA file.\n"), page.npos) << page;
+  EXPECT_NE(page.find(".SH SEE ALSO\n.BR one\\-two (1) ,\n.BR three (7)\n"), page.npos) << page;
+  // Lines of notes stay lines, because \ joins their parts.
+  EXPECT_NE(page.find("  two blanks \\\n" + std::string(70, 'y') + " z\n"), page.npos) << page;
+  // troff sees \[u00C5] for each Å.
+  EXPECT_EQ(page.find("Å Å Å Å Å Å Å Å Å Å"), page.npos) << page;
+}
+
 }  // namespace
 }  // namespace alphascope

@@ -1,0 +1,64 @@
+// The list of files, variables and pages. tests/manuals/check compares the variables with those
+// that the sources read.
+#include "app/options/manual_entries.hpp"
+
+namespace alphascope {
+namespace {
+
+enum class Read { by_both, by_window, by_command_line };
+
+struct Entry {
+  ManualEntry entry;
+  Read read = Read::by_both;
+};
+
+// Paths in the installation have no / at the beginning.
+std::vector<Entry> all_files() {
+  return {{{"~/.config/alphascope/preferences.json",
+            "Preferences and recent files. XDG_CONFIG_HOME replaces ~/.config"},
+           Read::by_window},
+          {{ALPHASCOPE_GPU_FOLDER "/alphascope-gpu.so",
+            "The GPU engines, below the folder of the installation, such as /usr. Without this "
+            "file the CPU engine computes the same results"}},
+          {{ALPHASCOPE_RESOURCES_FOLDER,
+            "Sample molecules, lessons and presets of the sandbox, below the same folder"}},
+          {{ALPHASCOPE_DOCS_FOLDER,
+            "User guide, formats of files and licences, below the same folder"}}};
+}
+
+std::vector<Entry> all_variables() {
+  return {
+      {{"ALPHASCOPE_GPU_LIBRARY",
+        "Absolute path of the file with the GPU engines, in place of the installed one. Empty: "
+        "no GPU is used"}},
+      {{"DISPLAY, WAYLAND_DISPLAY",
+        "The display for the window; not needed with --shot, "
+        "--script and --record"},
+       Read::by_window},
+      {{"HOME", "The user's folder: ~ in typed paths, and the place of .config"}, Read::by_window},
+      {{"LIBGL_ALWAYS_SOFTWARE", "1: Mesa's OpenGL draws on the CPU"}},
+      {{"PATH", "Where ffmpeg is looked for, which writes movies"}},
+      {{"TERM", "A line of progress is shown on terminals, but not on one that is \"dumb\""},
+       Read::by_command_line},
+      {{"XDG_CONFIG_HOME", "Folder of preferences, in place of ~/.config"}, Read::by_window}};
+}
+
+std::vector<ManualEntry> read_by(Read program, const std::vector<Entry>& all) {
+  std::vector<ManualEntry> entries;
+  for (const Entry& entry : all) {
+    if (entry.read == Read::by_both || entry.read == program) entries.push_back(entry.entry);
+  }
+  return entries;
+}
+
+}  // namespace
+
+void add_manual_entries(OptionProgram& program) {
+  const Read read = program.commands.empty() ? Read::by_window : Read::by_command_line;
+  program.date = ALPHASCOPE_DATE;
+  program.files = read_by(read, all_files());
+  program.environment = read_by(read, all_variables());
+  program.see_also = {read == Read::by_window ? "alphascope-cli(1)" : "alphascope(1)"};
+}
+
+}  // namespace alphascope

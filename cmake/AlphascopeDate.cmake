@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # ALPHASCOPE_DATE: the date of this version as YEAR-MONTH-DAY, for manual pages and metadata. It is
 # that of SOURCE_DATE_EPOCH, else of the newest dated heading in CHANGELOG.md, else of the commit.
 # It never depends on the day of the build. Empty: an archive of a version that is not released.

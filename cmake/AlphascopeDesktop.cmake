@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what a desktop knows a program by: its entry, icons, types of files, thumbnails and
 # metadata. They are the component `desktop`. resources/desktop/alphascope.xml has the only list of
 # types; the other files are made with it.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs core as a library for other programs, in the component devel: `cmake --install BUILD
 # --component devel`. Such a program includes <alphascope/engine/engine.hpp> for
 # core/engine/engine.hpp. It calls find_package(alphascope) and links alphascope::core. It gets none

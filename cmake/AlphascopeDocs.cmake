@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the documentation and the licences, in the component `data`. The docs are in a folder of
 # the program's own, because a program may not depend on share/doc: distributions compress or leave
 # out files there. share/doc has a link to them.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # alphascope_flags: the INTERFACE target with the compile flags of every target.
 add_library(alphascope_flags INTERFACE)
 target_include_directories(alphascope_flags INTERFACE ${PROJECT_SOURCE_DIR})

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Lists the folders of the tree in their order, and the sources in them. So nobody has to keep a
 # list of sources.
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/folders ALPHASCOPE_FOLDERS REGEX "^[a-z]")

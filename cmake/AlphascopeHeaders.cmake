@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # check_headers: compiles every header alone, so that none depends on includes before it. If a
 # header's first include is another header, compiling it also tests that other one. So only headers
 # that no header includes first are compiled here. The target is built on request only, right after

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Precompiled headers. Reading the standard library took a quarter of the compile time of core/,
 # app/ and ui/; now it is read once. No source may depend on it: scripts/check_includes and the
 # preset asan, which does not precompile, find such sources. Off by default with ccache, because

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # alphascope_add_suites: makes each suite of a GoogleTest program one test of CTest. A process for
 # each test would take longer: its start is a third of the time of a small window test. Run as a
 # script (-P), this file lists a program's suites. Included, it defines the function.

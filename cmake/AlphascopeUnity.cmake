@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles sources of a folder a dozen at a time. Most compile time goes into templates of the
 # standard library, which neighbouring sources share. So combining them halves the compile time of
 # core/, app/, ui/ and tests. Sources may then depend on each other unnoticed. check_headers,

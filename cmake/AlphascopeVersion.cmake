@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # alphascope_version: writes the program's version and commit, and a hash of the sources of core and
 # gpu, at each build when they have changed. Run as a script (-P), this file writes the source.
 # Included, it makes the target.

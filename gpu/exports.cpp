@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The symbols of the library alphascope-gpu.so. It exports nothing else.
 #include "gpu/gpu_library.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds and tests the device, and runs the pipeline as an executor
 // (core/engines/engine_of_executors.hpp).
 #include "gpu/gpu_engine.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The dual-edge engine on a CUDA device. This header is plain C++.
 #pragma once
 

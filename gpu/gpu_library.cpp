@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fills the table of the engines in this folder.
 #include "gpu/gpu_library.hpp"
 

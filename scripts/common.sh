@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Functions that several scripts share. Scripts source this file. It sets -euo pipefail, and changes
 # to the root of the repository.
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws measurements, marks, labels and the power diagram into a Layer, and writes measured
 // numbers.
 #include "ui/annotation_layer.hpp"

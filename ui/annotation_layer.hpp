@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes one layer of labels, distances, angles, marks and the power diagram, for the window and for
 // saved pictures. Also makes the texts of measured numbers. No ImGui, no VTK.
 #pragma once

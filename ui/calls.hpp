@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Calls from panels and commands to the program, as four small interfaces. A call made while a
 // frame is drawn is carried out after it, in the order of calls. A later call of the same function
 // replaces the earlier one; cancel() does so for the same job only. No call blocks: long jobs

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Words of a caption: one function for each part.
 #include "ui/caption.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Words of a caption, for the window and for saved pictures: facts of a complex, numbers with units
 // and true minus signs. Pure text.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Geometry of the clip's handle: its shape in the picture, and drags of it.
 #include "ui/clip_handle.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The handle by which the mouse moves and turns a clip in the picture. An arrow across the cut
 // moves it; a ring in the cut turns it. These functions compute where arrow and ring lie in the
 // picture, and how a drag changes the clip. Pure geometry: neither ImGui nor VTK.

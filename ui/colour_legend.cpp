@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes legends from the keys of balls and simplices.
 #include "ui/colour_legend.hpp"
 

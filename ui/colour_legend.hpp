@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The legends of a picture: meanings of the colours of its balls and simplices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the bytes of a file into the program by the assembler's .incbin. C++ arrays of the same
 // bytes took seconds to compile.
 #pragma once

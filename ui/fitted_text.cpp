@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shortens texts in their middle, at boundaries of UTF-8 characters.
 #include "ui/fitted_text.hpp"
 

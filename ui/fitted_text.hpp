@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shortens texts that are too long for their place. Pure text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the font files into the program.
 #include "ui/inter_font.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A layer is a panel's drawing in the view, beside balls and complex: simplices, balls, tubes and
 // labels. Plain data: panels fill it, the scene draws it.
 #pragma once

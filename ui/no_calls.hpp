@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Calls that do nothing. A list of commands that is only printed needs calls, but makes none.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Formats numbers with a fixed number of decimals, shortens them, and replaces minus signs.
 #include "ui/number_text.hpp"
 

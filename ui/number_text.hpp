@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers with a decimal point, as in window and pictures. Pure text.
 #pragma once
 

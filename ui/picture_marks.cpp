@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lays out legends, labels, scale bar and caption, in pixels.
 #include "ui/picture_marks.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Marks over a picture: the legend of its colours, the scale bar, the caption and labels. They are
 // laid out as boxes and texts, for the window and for saved pictures alike. Neither ImGui nor VTK.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Converts colours between Rgb8 (core) and Colour (window and pictures).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The jobs that run while the user works in the window, as plain data for the panels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The two palettes. Text colours have at least the contrast 4.5 : 1 of WCAG 2.1 on their panel.
 #include "ui/theme.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of the window, dark and light, for panels and scene. Knows neither ImGui nor VTK; panels
 // and scene convert a Colour into their libraries' types.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reasons why a view shows nothing useful although there are balls.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws each figure from the rows of a report.
 #include "app/bench/thesis_charts.hpp"
 

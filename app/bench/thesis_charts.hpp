@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The figures of the thesis' chapter 4, made from the suite's rows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the engines in turns, each with a deadline of its own.
 #include "app/bench/thesis_contest.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs engines in turns on one molecule at one alpha, each within its own time limit, and takes
 // medians. The caller, thesis_suite.hpp, chooses engines, molecules and alphas.
 #pragma once

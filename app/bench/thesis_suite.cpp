@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the suite and fills its rows. The thesis compares with gReg3d or sequential CGAL. This suite
 // always compares with CGAL, which runs in turns with each engine. Alphas ascend, since the work of
 // every engine grows with alpha. An engine that is too slow at one alpha is left out at larger

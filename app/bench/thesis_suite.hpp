@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the quantities of the thesis' chapter 4 for given molecules. These are times of stages,
 // speed-up over CGAL, and the largest alpha at which an engine is faster than CGAL. Others are the
 // share of the full triangulation, and the gain by each optimisation. Each timed result is also

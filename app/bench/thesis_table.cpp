@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of columns, and their values.
 #include "app/bench/thesis_table.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rows of the thesis' suite as one table for CSV, JSON and the window's export.
 #pragma once
 

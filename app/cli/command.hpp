@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A command of the command line. Each command has its own source, and command_list.cpp lists it.
 #pragma once
 

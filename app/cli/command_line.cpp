@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the command that the arguments name, and turns exceptions into messages and exit codes.
 #include "app/cli/command_line.hpp"
 

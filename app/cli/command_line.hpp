@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The command line's entry: parses the arguments and runs the command that they name.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of commands. A new command is a source that defines its function, and a line here.
 #include "app/cli/command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program's own options, and the notes of its help: formats, exit codes, examples.
 #include "app/cli/command_table.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes one table of the program's options and of all its commands.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fills in the inputs of derived results on the command line.
 #include "app/cli/derived_results.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Derived results on the command line. They have the same definitions as in the window, and are
 // evaluated at once.
 #pragma once

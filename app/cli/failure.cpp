@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Maps exceptions to messages and exit codes.
 #include "app/cli/failure.hpp"
 

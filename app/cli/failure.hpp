@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exceptions as messages and exit codes of the command line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a command on each model of each file, and completes its outputs.
 #include "app/cli/files_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The common part of commands that take many files: input names, outputs, and the loop over models.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opens molecules by the input options, and checks that the options fit them.
 #include "app/cli/input.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opens a molecule by the input options, and prepares its balls.
 #pragma once
 

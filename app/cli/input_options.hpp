@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The input options: the file, its format, and the atoms that become balls.
 #pragma once
 

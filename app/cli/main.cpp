@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The main function of alphascope-cli, which computes exact alpha complexes without a window.
 #include "app/cli/command_line.hpp"
 #include "app/cli/text/terminal.hpp"

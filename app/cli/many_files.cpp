@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads lists of names, and runs commands on many files.
 #include "app/cli/many_files.hpp"
 

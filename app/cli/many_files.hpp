@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files of commands that take many: their names, and a loop that continues after an error.
 #pragma once
 

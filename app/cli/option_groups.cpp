@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options of molecules, files and cavities' bodies. Options of alpha and engines are in
 // option_groups_engine.cpp.
 #include "app/cli/option_groups.hpp"

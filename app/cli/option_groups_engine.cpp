@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options of alpha and of engines.
 #include <stdexcept>
 #include <string>

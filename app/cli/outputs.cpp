@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opens outputs, and compares files by device and inode.
 #include "app/cli/outputs.hpp"
 

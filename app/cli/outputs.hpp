@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The output files of a command, or standard output in their place. They are opened before the
 // computation, so that an unwritable path fails at once.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // JSON objects of program, input and comparison.
 #include "app/cli/report_json.hpp"
 

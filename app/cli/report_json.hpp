@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The provenance of results: as JSON (docs/output-files.md), and as the header of text files.
 #pragma once
 

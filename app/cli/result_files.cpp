@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes results to CSV and JSON files one by one.
 #include "app/cli/result_files.hpp"
 

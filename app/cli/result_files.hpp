@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes results one by one, so that ten thousand take no more memory than one. The files belong to
 // Outputs, and are null if not requested. All functions throw WriteError.
 #pragma once

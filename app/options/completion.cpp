@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the scripts for bash, zsh and fish.
 #include "app/options/completion.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scripts with which shells complete commands, options and values, made from the table of options.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the nearest word by edit distance.
 #include "app/options/did_you_mean.hpp"
 

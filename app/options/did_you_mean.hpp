@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Proposes the nearest existing word for a mistyped one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of exit codes.
 #include "app/options/exit_code.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The exit codes of both programs, one table for scripts, help, manual pages and guide.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lays out the help in columns.
 #include "app/options/help_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the manual page in roff.
 #include "app/options/man_page.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of files, variables and pages. tests/manuals/check compares the variables with those
 // that the sources read.
 #include "app/options/manual_entries.hpp"

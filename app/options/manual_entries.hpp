@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the manual pages of both programs tell beside options: files, variables of the environment,
 // other pages. One list for both.
 #pragma once

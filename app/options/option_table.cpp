@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Derives names and choices of options, and adds the standard options.
 #include "app/options/option_table.hpp"
 

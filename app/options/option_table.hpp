@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options of a program as plain data. The parser, --help, the manual page and the shells'
 // completion are made from this one table.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes options by the kind of their value, and checks values.
 #include "app/options/option_values.hpp"
 

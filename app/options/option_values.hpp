@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes options by the kind of their value. Each option sets a variable, whose present value is the
 // default.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses arguments with CLI11, and replaces the texts of its errors.
 #include "app/options/parse_arguments.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses arguments and sets variables. Only the source of this header uses the parser CLI11.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Handlers of signals, of terminate and of exhausted memory.
 #include "app/session/clean_exit.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ends both programs cleanly after a signal, a fault, or exhausted memory. No temporary file and no
 // incomplete file stays.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds or makes the engine of a request, and hands results that cover all balls to their owner.
 #include "app/session/engine_cache.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps the engines of the last two settings, so a return to earlier settings needs no set-up. With
 // each engine it keeps the results for all its balls, unless another owner has them.
 #pragma once

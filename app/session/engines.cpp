@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the engines that this build has.
 #include "app/session/engines.hpp"
 

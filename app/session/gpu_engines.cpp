@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds and loads the library with the GPU engines, and refuses one of another build.
 #include "app/session/gpu_engines.hpp"
 

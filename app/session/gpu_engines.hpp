@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The GPU engines of the program. They are in a library of their own
 // (core/engines/gpu_library.hpp), so a program starts without CUDA and works without the library.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Asks the system for its processor and GPU.
 #include "app/session/machine.hpp"
 

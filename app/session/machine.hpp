@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Describes the machine in words, for panels and for results with times.
 #pragma once
 

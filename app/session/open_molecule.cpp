@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads, expands and prepares a molecule, and repeats only the changed steps under other options.
 #include "app/session/open_molecule.hpp"
 

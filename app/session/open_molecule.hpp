@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opens a file as balls: reads it, expands an assembly, selects atoms and gives them radii.
 #pragma once
 

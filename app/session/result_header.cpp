@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the header from molecule, request and answer.
 #include "app/session/result_header.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Describes where a result comes from, as lines for the head of its files. Window and command line
 // write the same lines.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the typed solvent radius with that on the lattice.
 #include "app/session/rounding_note.hpp"
 

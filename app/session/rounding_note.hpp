@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Notes on typed numbers that the lattice has rounded.
 #pragma once
 

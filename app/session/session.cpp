@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Moves files, requests and results between the main thread and the workers.
 #include "app/session/session.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One open molecule and its latest exact results, for a main thread that never waits. Holds no GUI
 // type and does not draw.
 #pragma once

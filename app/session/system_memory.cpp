@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads memory and its limits from /proc, control groups and the C library.
 #include "app/session/system_memory.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Memory that the program uses, and memory that it may still allocate.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The main function of alphascope: reads the arguments, runs the window, returns the exit code.
 #include <sys/stat.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Texts and rows about the open molecule: atoms used and dropped, radii and their evidence.
 #include "app/viewer/molecule_info.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Describes the open molecule for the panels. Pure functions: no window, no GL.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of the window's command-line options. app/options parses it.
 #include "app/viewer/options.hpp"
 

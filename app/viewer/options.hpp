@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The command-line options of alphascope, the program with the window.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds resources by their place relative to the running program.
 #include "app/viewer/resources.hpp"
 

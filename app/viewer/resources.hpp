@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the files that come with the program: samples, presets of the sandbox, lessons.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Texts about the pending complex and about its comparison with CGAL.
 #include "app/viewer/session_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Texts of the panels that follow from the session's state. Pure functions: no window, no GL.
 #pragma once
 

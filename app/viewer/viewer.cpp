@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Composes the parts of the window. Takes results of the session into the state, and sends changed
 // settings to session and scene.
 #include "app/viewer/viewer.hpp"

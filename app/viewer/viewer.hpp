@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The running window: one host, one session, one scene, and the loop that connects them with the
 // panels.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The calls of panels and commands (ui/calls.hpp), queued while a frame is drawn.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The frames of the window: when each is drawn, and in what order its work is done.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shows failures. If a single request of the user fails, a dialog opens. A slider may ask in each
 // frame for computing or changing the model. If that fails, a line in the window says so.
 #include <cmath>

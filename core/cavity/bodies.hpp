@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The connected components of K_alpha that a cavity touches.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the cavities of one K_alpha: joins empty tetrahedra across open triangles, then lists
 // mouths, sinks and Betti numbers.
 #include "core/cavity/cavities.hpp"

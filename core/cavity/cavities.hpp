@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The voids and pockets of K_alpha: the tetrahedra of which they consist, and the mouths through
 // which they open. Definitions: docs/algorithm.md, Cavities.
 #pragma once

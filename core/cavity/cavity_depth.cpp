@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the depth of a pocket: distances of its lining atoms from the triangles of its openings.
 #include "core/cavity/cavity_depth.hpp"
 

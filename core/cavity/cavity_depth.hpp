@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The depth of a pocket: how far its lining is from its mouths.
 #pragma once
 

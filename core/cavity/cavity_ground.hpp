@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The part of a search for cavities that does not depend on alpha: incidences and flow of the
 // triangulation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the intervals of alpha in which cavities exist, by joining tetrahedra while alpha falls.
 #include "core/cavity/cavity_lives.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The interval of alpha in which each cavity exists, for all alphas at once. A cavity is identified
 // by its deepest sink. As alpha grows, cavities split and shrink and never join. So each sink is
 // the deepest of a cavity in at most one interval of alpha.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measures cavities: sums over their tetrahedra in fixed point, so that no order of summation
 // changes a bit.
 #include "core/cavity/cavity_measures.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Areas and volumes of cavities as CASTp defines them (T. A. Binkowski et al., Nucleic Acids Res.
 // 31, 2003). They exist for the region of probe centres and for the region that the probe reaches.
 #pragma once

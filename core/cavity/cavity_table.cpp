@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the table of all cavities of one K_alpha, and clips its pockets on request.
 #include "core/cavity/cavity_table.hpp"
 

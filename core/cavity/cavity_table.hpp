@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All cavities of one K_alpha with their measures, in the order of a table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measures cavities by clipping each of their tetrahedra against the balls.
 #include <tbb/task_arena.h>
 

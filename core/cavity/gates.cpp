@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds when a triangle enters K_alpha, and orders triangles by it exactly.
 #include "core/cavity/gates.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The triangles of a triangulation as gates between cavities. Each is closed from some alpha on. A
 // falling alpha opens them in a definite order.
 #pragma once

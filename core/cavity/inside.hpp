@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Properties of a tetrahedron that follow from the flow, at every alpha at which it is empty.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts the mouths of all descendants of a network while alpha falls. As alpha falls, tetrahedra
 // join into larger cavities, and triangles into larger mouths; neither ever splits.
 #include "core/cavity/mouth_counts.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The number of mouths of a network's descendants at every alpha above its own. One pass covers all
 // alphas, as in cavity_lives.hpp. It uses alpha values that are rounded to floats.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Groups the triangles of a cavity's openings into mouths, by shared edges and vertices that are
 // not in K_alpha.
 #include "core/cavity/mouths.hpp"

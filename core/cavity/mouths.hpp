@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The mouths of cavities, from the triangles through which they open.
 #pragma once
 

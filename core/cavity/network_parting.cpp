@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Searches the alpha at which a network falls apart: tries multiples of a step in the ranges where
 // counts of mouths, with rounded alpha values, show no network.
 #include "core/cavity/network_parting.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The alpha at which a network falls apart, found without a new triangulation.
 #pragma once
 

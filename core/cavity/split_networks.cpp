@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Replaces networks by their parts and gives the parts all that a cavity has: mouths, passages,
 // atoms, sinks.
 #include "core/cavity/split_networks.hpp"

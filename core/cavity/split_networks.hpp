@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Networks listed as their parts. The parts are what the network falls into as alpha grows, but
 // with its present alpha and tetrahedra. Definition: docs/algorithm.md, Networks.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An order of tetrahedra by the positions of their centres, which does not depend on the order of
 // the balls. It breaks all ties. So the same balls have the same cavities, numbers and names in
 // whatever order a file lists them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measures one tetrahedron outside the balls and the offsets of its arcs and corners, and one
 // triangle of a mouth.
 #include "core/cavity/tetrahedron_outside.hpp"

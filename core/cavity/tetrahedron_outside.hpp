@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The part outside the balls of one tetrahedron not in K_alpha, and of one triangle of a mouth.
 // Computed by angle-weighted inclusion-exclusion over the faces that are in K_alpha. If balls poke
 // through faces, only the sum over all tetrahedra around them is right. Lengths are in lattice

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Assigns tetrahedra of a network to its parts: joins them through gates in the order of opening.
 #include "core/cavity/watershed.hpp"
 

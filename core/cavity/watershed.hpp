@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The assignment of a network's tetrahedra to its parts.
 #pragma once
 

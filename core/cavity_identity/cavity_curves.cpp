@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Samples the cavities along an axis of alpha, solvent radius or model. Links the cavities of a
 // table to the samples.
 #include "core/cavity_identity/cavity_curves.hpp"

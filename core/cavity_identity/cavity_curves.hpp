@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cavities at other alphas, with other solvent radii and in other models. The curves consist of
 // samples. Links tell which cavity of a sample is which cavity of a table.
 #pragma once

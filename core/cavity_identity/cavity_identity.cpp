@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Matches the cavities of two tables: by deepest sinks in one triangulation, else by shared volume
 // in exact integers.
 #include "core/cavity_identity/cavity_identity.hpp"

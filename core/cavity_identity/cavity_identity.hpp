@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Matches the cavities of two tables of the same atoms.
 //
 // In one triangulation, at two alphas, a cavity is identified by its deepest sink. With another

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gives cavities numbers that stay while alpha or the solvent radius changes.
 #include "core/cavity_identity/cavity_numbers.hpp"
 

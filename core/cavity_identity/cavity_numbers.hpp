@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers that cavities keep while alpha or the solvent radius changes. Colours, labels and the
 // selection follow them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the cavity of each given point.
 #include "core/cavity_identity/cavity_of_points.hpp"
 

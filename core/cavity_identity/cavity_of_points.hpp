@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The cavity that contains a point, such as the centre of an atom that is no ball.
 #pragma once
 

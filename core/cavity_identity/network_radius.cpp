@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Searches the solvent radius at which a network falls apart: a guess from alpha, then strides and
 // halving.
 #include "core/cavity_identity/network_radius.hpp"

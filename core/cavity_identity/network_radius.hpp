@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The solvent radius at which a network falls apart, found with new triangulations.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Locates points by walking through tetrahedra, with exact tests and a grid of starts.
 #include "core/cavity_identity/point_location.hpp"
 

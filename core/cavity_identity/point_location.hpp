@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the tetrahedron of a triangulation that contains a point, exactly. A point on a triangle,
 // edge or vertex counts as if moved by an infinitesimal along x. The move along y is infinitely
 // smaller, and the move along z again. So every point is in one tetrahedron or outside the hull.

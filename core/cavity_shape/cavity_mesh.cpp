@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the mesh of a cavity from its outer faces without mouths and passages.
 #include "core/cavity_shape/cavity_mesh.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The surface of a cavity's tetrahedra as a mesh, for programs that draw meshes.
 #pragma once
 

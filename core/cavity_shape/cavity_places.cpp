@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the widest places: in a cavity by ascent from a sink, in a mouth by refined grids.
 #include "core/cavity_shape/cavity_places.hpp"
 

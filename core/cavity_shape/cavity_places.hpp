@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The places of a cavity and of its mouths that are farthest from all balls. They can be ends of
 // channels.
 #pragma once

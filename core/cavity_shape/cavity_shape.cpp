@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists the faces, rims and a place of a cavity for drawing.
 #include "core/cavity_shape/cavity_shape.hpp"
 

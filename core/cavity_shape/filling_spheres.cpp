@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fills a cavity with spheres around orthocentres, and thins them out if there are too many.
 #include "core/cavity_shape/filling_spheres.hpp"
 

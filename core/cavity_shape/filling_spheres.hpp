@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A cast of a cavity: spheres that fill it and touch the atoms around it.
 #pragma once
 

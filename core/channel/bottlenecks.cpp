@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the bottlenecks of many places with one search for each. All searches share each
 // triangulation of the grown balls.
 #include "core/channel/bottlenecks.hpp"

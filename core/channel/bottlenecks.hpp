@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds where the widest way out of a molecule is narrowest, for many places at once. The result is
 // that of channel.hpp in coarser steps. Each triangulation of the grown balls serves all places.
 #pragma once

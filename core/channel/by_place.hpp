@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An order of balls by position, then radius. It does not depend on the order in the file. Rounded
 // computations use it, so that their result is the same for every order of the input.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Moves a curve to the middle of a channel. It is cut off at its ends and straightened; then its
 // places rise to maxima of clearance.
 #include "core/channel/centre_line.hpp"

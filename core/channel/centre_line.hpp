@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The centre line of a channel. A curve outside all balls is moved until its clearance has a local
 // maximum in the planes normal to it.
 #pragma once

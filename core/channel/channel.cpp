@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds a channel: exact bottleneck, then a curve through it, then the centre line.
 #include "core/channel/channel.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Channels by true clearance: which sphere can just move from one place to another outside all
 // balls. They also tell where larger spheres get stuck, and how wide the way is. Clearance at x is
 // min |x - c| - r over all balls (Å). Radii are used as they are, without a solvent radius. The

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds a channel's tube: a circle of corners around each sample, joined by triangles.
 #include "core/channel/channel_tube.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Clearance of points by grids. Balls of similar size share a grid, and a search visits its cells
 // in growing shells.
 #include "core/channel/clearance.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Clearance: how far a point is from the nearest surface of a ball, min |x - c| - r (Å). Negative
 // inside a ball. This is the true distance, not the power distance of the alpha complex.
 #pragma once

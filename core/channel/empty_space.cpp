@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Searches through the empty tetrahedra of a triangulation: widest and cheapest ways, and the gaps
 // on them.
 #include "core/channel/empty_space.hpp"

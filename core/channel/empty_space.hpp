@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The space that a union of balls leaves empty. It consists of those tetrahedra and triangles of
 // the regular triangulation that alpha complex K of alpha 0 lacks. Two points outside the balls are
 // connected by a curve outside them iff such tetrahedra and triangles connect them. The reason: the

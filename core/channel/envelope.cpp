@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the envelope of a ball set and tests points against it.
 #include "core/channel/envelope.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A polyhedron around the centres of balls, nearly their convex hull. Points outside it are in the
 // open.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Solves for the place of equal clearance: in closed form between three balls, by bisection between
 // two in a plane.
 #include "core/channel/equal_clearance.hpp"

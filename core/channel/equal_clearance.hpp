@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The place that is equally far from the surfaces of three balls. A passage between them is
 // narrowest there. A second function finds the like place between two balls in a plane.
 #pragma once

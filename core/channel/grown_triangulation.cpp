@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the grown balls of a passage with their helping balls, and chooses the lattice for them.
 #include "core/channel/grown_triangulation.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Balls that have all grown by one length, with helping balls. The helping balls stand for the
 // ends, a plane and infinity, so that these are parts of the triangulation.
 #pragma once

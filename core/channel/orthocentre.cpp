@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes an orthocentre by Cramer's rule.
 #include "core/channel/orthocentre.hpp"
 

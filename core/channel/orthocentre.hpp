@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The orthocentre of a tetrahedron: a corner of the power diagram.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Searches the largest growth that leaves a passage open, and draws a curve through it.
 #include "core/channel/passage.hpp"
 

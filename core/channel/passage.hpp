@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The widest passage between two places outside a set of balls. Its width is how far all radii can
 // grow before the places are separated. The answer is exact. Each tested growth takes a
 // triangulation of all grown balls.

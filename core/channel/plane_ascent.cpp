@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ascends in a plane to a local maximum of clearance, by small linear programs.
 #include "core/channel/plane_ascent.hpp"
 

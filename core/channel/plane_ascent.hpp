@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ascent in a plane to a local maximum of clearance. A sphere that may move only in the plane is
 // caught there, nearly always between three balls.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the graph of empty tetrahedra and finds crossings and routes in it.
 #include "core/channel/way_graph.hpp"
 

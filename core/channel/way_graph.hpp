@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The empty space of a molecule as a graph of tetrahedra. Ways lead through it from outside to
 // outside along an axis. The decision which ways are open is exact; all else is rounded.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the ways through a molecule: candidates along each axis of each part, then the best as
 // channels.
 #include "core/channel/ways_through.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The ways through a molecule from outside to outside, found without a given place. Each way is a
 // channel with its bottleneck and line.
 #pragma once

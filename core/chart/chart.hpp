@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Charts as plain data. layout.hpp lays them out; svg.hpp and the window draw them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Colour maps as straight lines between entries of published tables.
 #include "core/chart/colour_map.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of quantities and of categories: published maps that colour-blind people can read.
 #pragma once
 

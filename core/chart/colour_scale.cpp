@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Converts values to shares of a colour map and back, and makes round ranges.
 #include "core/chart/colour_scale.hpp"
 

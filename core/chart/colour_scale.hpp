@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The scale from values of a quantity to colours, and to the numbers beside them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads and writes colours as text.
 #include "core/chart/colour_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Colours as text, such as "#5aa9e6".
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A drawing of a chart or plot: boxes, lines, curves, dots and texts at positions, for any program
 // that draws them, and for SVG.
 #pragma once

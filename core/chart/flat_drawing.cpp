@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the shapes of a flat drawing: circles, power cells and simplices.
 #include "core/chart/flat_drawing.hpp"
 

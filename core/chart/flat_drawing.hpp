@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings of balls whose centres are all in the plane z = 0. Circles, power diagram and complex
 // become shapes for the window and for files. Only the picture is computed in doubles; membership
 // in the complex is decided elsewhere.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a flat drawing as SVG, and defines the colours of its shapes.
 #include "core/chart/flat_svg.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A flat drawing as SVG 1.1, and the colours of its shapes there and in the window.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lays out charts: title, legend, axes, bars and curves.
 #include "core/chart/layout.hpp"
 

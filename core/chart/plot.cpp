@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lays out plots: frame, ticks, numbers and labels, then all that is over the axes.
 #include "core/chart/plot.hpp"
 

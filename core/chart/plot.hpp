@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A plot as plain data: curves, boxes and dots over two axes, and the place where it is drawn. Its
 // layout becomes a ChartDrawing. The window's mouse and its SVG use the same places.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Formats numbers for people.
 #include "core/chart/readable_number.hpp"
 

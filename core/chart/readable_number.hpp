@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers in the form that people read, made from the output of printf().
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes charts and plots as SVG.
 #include "core/chart/svg.hpp"
 

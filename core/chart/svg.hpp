@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Charts and plots as SVG 1.1, readable in browsers and word processors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes round numbers on an axis.
 #include "core/chart/ticks.hpp"
 

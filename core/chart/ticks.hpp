@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Round numbers on an axis or a legend: their distance, their places and their text.
 #pragma once
 

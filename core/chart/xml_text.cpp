@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Escapes text for XML.
 #include "core/chart/xml_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Escapes text so that it can stand in an XML file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the hash of a complex and the bytes that it holds.
 #include "core/complex/alpha_complex.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The immutable result of every engine: the simplices of K_alpha with their alpha values and
 // classes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares two complexes by one merge of their sorted lists in each dimension.
 #include "core/complex/compare.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Comparison of two complexes as sets of simplices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Limits on the numbers of balls and simplices, which the program's 32-bit indices set. A larger
 // number is an error with a message before any index wraps around. Each function takes counts, so a
 // test needs no memory.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The engine that made a result, and what it counted.
 #pragma once
 

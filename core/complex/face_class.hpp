@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rules by which a face follows from its cofaces: whether it is in K_alpha, its alpha value,
 // its class, and the alphas from which on the class holds. Every engine uses these rules, and reads
 // the cofaces from its own data. Host and device.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Codes that name a face of a tetrahedron by one 32-bit number.
 #pragma once
 

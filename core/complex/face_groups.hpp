@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The faces of a sorted list of simplices, each with its cofaces. A coface of a face has one vertex
 // more. (core/triangulation/incidence.hpp has the faces of a triangulation with their indices.)
 #pragma once

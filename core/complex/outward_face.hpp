@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The outward orientation of a face of a tetrahedron.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Classes of a complex whose centres are in a plane, on a line or at a point, by counting cofaces.
 #include "core/complex/own_dimension.hpp"
 

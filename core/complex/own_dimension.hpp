@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The classes of a complex in its own dimension. If all centres are in a plane, on a line or at one
 // point, the largest simplices are triangles, edges or vertices. Engines give the classes of space,
 // where nothing in a plane is ever interior. Areas and volumes are measured in space, and engines

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of complex_hash(), for host and device: a sum over the simplices of each dimension,
 // which does not depend on their order.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The arrays in which results are stored: without initialisation, with large pages, or in the
 // memory of another object.
 #pragma once

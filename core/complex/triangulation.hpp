@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The regular triangulation of a set of balls as plain arrays. core/triangulation makes it, and
 // core/verify proves it.
 #pragma once

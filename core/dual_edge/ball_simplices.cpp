@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of neighbours of one ball: loaded, culled and turned into rows of bits. The templates
 // that find its simplices are in ball_simplices_body.hpp.
 #include "core/dual_edge/ball_simplices.hpp"

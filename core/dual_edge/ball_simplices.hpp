@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds all simplices, or only the tetrahedra, of one ball on the CPU: by filters first, and
 // exactly where a filter cannot decide. One object is the scratch memory of one thread. The kernel
 // bodies are dual_edge.hpp, facet_disc.hpp and triangle_faces.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The templates by which BallSimplices finds all simplices of one ball, for any sink.
 // ball_simplices.cpp instantiates them with the empty sink, ball_simplices_recorded.cpp with a real
 // one. The two sources are separate so that compilers optimise the engine's code as if the other

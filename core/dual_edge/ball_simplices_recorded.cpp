@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // BallSimplices with a sink that records its steps. This is a source of its own so that the
 // engine's code stays as it is without a sink.
 #include "core/dual_edge/ball_simplices_body.hpp"

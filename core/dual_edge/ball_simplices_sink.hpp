@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The interface through which BallSimplices reports how it finds the simplices of a ball. The
 // engine itself uses an empty sink (core/predicates/recording.hpp). Balls are named by their slot
 // in the list of neighbours of the ListNote.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Kernels I to III of the dual-edge engine on the CPU, over blocks of balls, and the prefix sum
 // that orders the simplices.
 #include "core/dual_edge/cpu_dual_edges.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The kernels of the dual-edge engine on the CPU (oneTBB): from balls to K_alpha in the stages of
 // the stage table. core/engines/cpu_engine.cpp chooses between this and other routes.
 #pragma once

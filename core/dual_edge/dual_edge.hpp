@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The dual edge of a triangle ijk: the part of the line { x : pi_i = pi_j = pi_k } that is left
 // when the bisectors of i and its other neighbours have cut it. Its ends are the orthocentres of
 // the tetrahedra ijkl. One template body serves single and double precision. Single precision is

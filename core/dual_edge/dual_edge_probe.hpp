@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A test whether cuts certainly leave nothing of a dual edge. It takes half the work of
 // DualEdge::clip(), which also finds the ends. Most triangles of three balls that meet are no
 // simplices, and this test rejects them early. Host and device, but only the CUDA executor calls

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Dual edges in exact integers, for the triangles that dual_edge.hpp leaves undecided. Host and
 // device.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The disc in which the radical plane of i and j meets the grown ball i: { 2 d_j·x = c_j, |x|² <=
 // w_i + alpha }. The facet ij of the power cell of i, where pi_i <= alpha, is the part of the disc
 // that the other bisectors leave. In long lists of neighbours most discs are covered by a single

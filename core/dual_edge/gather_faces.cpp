@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Edges and vertices of the complex, completed from their cofaces in parallel.
 #include "core/dual_edge/gather_faces.hpp"
 

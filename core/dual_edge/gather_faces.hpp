@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Completes edges and vertices from their cofaces: the least alpha value of the cofaces they are
 // attached to, their class, and whether they are in K_alpha at all. This is for the CPU;
 // gpu/dual_edge/gather_kernels.cuh is for the GPU.

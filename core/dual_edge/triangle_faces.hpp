@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides a triangle ijk of ball i and two neighbours, and the tetrahedra at the ends of its dual
 // edge. One template body serves the CPU and the CUDA executor.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tells a cold run from a warm one, by the stages and the route that an answer reports.
 #include "core/engine/cold_and_warm.hpp"
 

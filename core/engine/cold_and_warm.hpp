@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Times of one engine for one set of balls, with its set-up and without.
 #pragma once
 

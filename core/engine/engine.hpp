@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The interface that every engine implements. An engine is made once per set of balls (setup) and
 // then asked for one alpha after another.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of engines that every program offers, and searches in it by id, choice and suite.
 #include "core/engine/engine_choice.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The engines that every program offers. A new engine is an enumerator here and a line of the
 // table. make_engine() in the session makes them, because only the session sees the GPU's engines.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Properties of the GPU that engines may use. The folder gpu/ looks for it.
 #pragma once
 

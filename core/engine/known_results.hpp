@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Results of earlier requests for a set of balls, which later requests can use. The caller of an
 // engine owns them; an engine keeps none.
 #pragma once

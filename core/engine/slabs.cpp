@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cuts the balls into slabs with halos, computes each, and joins the results. A halo that is one
 // neighbourhood wide suffices. Let v be an own ball of a slab. Only balls that meet v when grown
 // decide which simplices contain v, whichever vertex of a simplex is the lowest

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // K_alpha of a set of balls, computed slab by slab for executors that cannot hold the whole set at
 // once. The result is exactly that of the whole set, in the same order.
 #pragma once

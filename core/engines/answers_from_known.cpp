@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks known results, counts their bytes, and answers by thresholds of them.
 #include "core/engines/answers_from_known.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Answers from known results of the balls (core/engine/known_results.hpp), the same for every
 // engine.
 #pragma once

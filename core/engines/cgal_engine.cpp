@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The reference engine. It makes CGAL's triangulation once, and takes every alpha from it while the
 // caller keeps it. cgal_triangulation.cpp makes the triangulation, filtration.hpp the alpha values.
 #include <cmath>

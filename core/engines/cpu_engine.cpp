@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The CPU engine. It clips dual edges while alpha is small, and uses CGAL's triangulation where
 // that is faster (route.hpp). Where a filtration is known, it takes a threshold.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An engine made of executors: the whole set, then slabs, then the CPU engine.
 #include "core/engines/engine_of_executors.hpp"
 

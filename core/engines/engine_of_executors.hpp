@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Engines made of executors, which compute on a device. Only this code decides what happens when an
 // executor fails or its memory is short. First the set is cut into ever more slabs, then the CPU
 // engine computes. An executor knows nothing of this. It computes its balls, or says that it

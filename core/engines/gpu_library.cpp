@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes engines of the executors of a GPU library.
 #include "core/engines/gpu_library.hpp"
 

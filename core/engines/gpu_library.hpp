@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The boundary between the programs and the library with the GPU engines: one table of functions.
 // The library, alphascope-gpu.so, has kernels and the parts of core that their callers use. It is
 // loaded when a program first asks for a GPU (app/session/gpu_engines.hpp).

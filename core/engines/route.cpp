@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Estimates the cost of clipping and of triangulating, in microseconds of one thread per ball. The
 // constants are fits to 1K4C (16,068 balls) on one core of an AMD EPYC. Alpha was 0 to 14 Å² and
 // the solvent radius 1.4 Å, with 5.8 to 88 neighbours a ball.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the CPU engine computes a complex for which it has no filtration. Only this file knows the
 // costs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds a step, a count of a step, and the ball after which a dual edge no longer changes, in the
 // steps of one ball.
 #include "core/explain/ball_steps.hpp"

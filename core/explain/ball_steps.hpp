@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The steps in which an engine finds the simplices of one ball, as data: numbers, and the simplices
 // kept and dropped. Sentences are made of them in core/document/explain/steps_text.hpp.
 #pragma once

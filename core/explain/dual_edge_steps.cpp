@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of one ball in the dual-edge engine. They run the engine's own code (core/dual_edge)
 // with a sink. The engine finds a simplex at its ball of the lowest index. So it runs for the
 // chosen ball and for those neighbours of lower index. Only simplices that contain the chosen ball

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts and lists what the dual-edge engine reports about one ball's simplices.
 #include "core/explain/dual_edge_trace.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects reports of BallSimplices about the simplices of one ball. Inner header of core/explain.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Explains one simplex from the regular triangulation of a few balls around it.
 #include "core/explain/explanation.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Facts that explain why a simplex is in the alpha complex or not.
 // core/document/explain/explanation_text.hpp makes sentences of them. Only the neighbourhood of the
 // simplex is computed.

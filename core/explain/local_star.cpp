@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds balls whose triangulation has the simplex' true surroundings. First the chosen balls are
 // triangulated. Every tetrahedron around the simplex, and every hull facet there, is tested against
 // all other balls. Balls that cut one off are chosen too, until there are none.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A triangulation of a few balls that has the same simplices around a given simplex as that of all
 // balls.
 #pragma once

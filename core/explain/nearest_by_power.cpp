@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds balls of least power distance by one pass with a heap for each point.
 #include "core/explain/nearest_by_power.hpp"
 

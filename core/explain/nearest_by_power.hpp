@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The balls of least power distance at a point, found in one pass over all balls.
 #pragma once
 

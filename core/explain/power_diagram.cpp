@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cuts the faces of a power diagram as polygons out of planes.
 #include "core/explain/power_diagram.hpp"
 

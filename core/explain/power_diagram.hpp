@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The power diagram of a few balls as polygons: the borders between cells, cut off at a box. It is
 // computed in double precision for pictures only and decides no membership.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Repeats an engine's comparison in each arithmetic and records the steps.
 #include "core/explain/recorded_steps.hpp"
 

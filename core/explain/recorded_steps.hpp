@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An engine's comparison, made in one arithmetic after another and recorded. The order is single
 // precision (as on a GPU), double precision, integers, perturbation. The first step that decides is
 // the last one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counters and lists that steps fill while an engine's code runs. Inner header of core/explain.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The engines whose work on one ball can be shown step by step.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of one ball in the tuple engine. They use the engine's own templates in the engine's
 // order, with sinks. All tuples that contain the ball are made from its list of neighbours. The
 // engine itself makes at a ball only those in which the ball has the lowest place. These are

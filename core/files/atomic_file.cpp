@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a temporary file beside the target, and gives it the target's name in one step.
 #include "core/files/atomic_file.hpp"
 

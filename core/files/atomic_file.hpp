@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a file so that its name never shows an incomplete file, and never replaces a file that was
 // read.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a file in pieces and hashes them.
 #include "core/files/file_hash.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // SHA-256 of a file on disk (compressed, if it is), of any content and size.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of files that were read. A file is identified by its inode number, and by the folder and
 // name that the system gives it. Numbers are reused after a file is removed, so a number alone
 // proves nothing.

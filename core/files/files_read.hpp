@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files that this process has read, under all of their names. No output may replace them.
 // RegularFile adds files to the list, and AtomicFile checks it.
 #pragma once

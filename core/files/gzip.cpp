@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Inflates gzip data by zlib, and refuses data that are damaged, followed by other data, or a gzip
 // bomb.
 #include "core/files/gzip.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the lines and fields of a loaded text, with line numbers for messages.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the ending of a name with those of its format.
 #include "core/files/output_ending.hpp"
 

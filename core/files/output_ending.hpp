@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks whether the name of an output has an ending of its format. A PNG file named a.jpg would
 // mislead its readers.
 #pragma once

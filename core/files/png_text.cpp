@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes text chunks and inserts them behind the header of a PNG file.
 #include "core/files/png_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Texts inside a PNG picture, which image programs show among its properties.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The exception of all readers: the file, the line, the fault and the remedy.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opens a regular file, and refuses folders, pipes and devices with a message.
 #include "core/files/regular_file.hpp"
 

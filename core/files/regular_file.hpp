@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A regular file, open for reading. Pipes and devices are refused, because they could block for
 // ever.
 #pragma once

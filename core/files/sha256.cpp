@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // SHA-256 by FIPS 180-4, sections 4.1.2, 5.1.1 and 6.2.2, with the names used there.
 #include "core/files/sha256.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // SHA-256 (FIPS 180-4). With it a result can name the exact file that it came from.
 #pragma once
 

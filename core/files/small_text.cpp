@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a small text from a file, a pipe or standard input.
 #include "core/files/small_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a small text of commands or names at once: a script, a list of files.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names temporary files by process, and removes those of processes that have ended.
 #include "core/files/temporary_names.hpp"
 

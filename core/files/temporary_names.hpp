@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The names of temporary files beside outputs, and the removal of those that killed processes left
 // behind.
 #pragma once

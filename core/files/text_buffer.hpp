@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A buffer that grows without copying or clearing. It is for texts of gigabytes, for which
 // std::string would hold two copies while growing and write every byte twice.
 #pragma once

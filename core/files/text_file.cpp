@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a text file or descriptor to its end, unpacks it and normalises its line ends.
 #include "core/files/text_file.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loads a whole text file, compressed with gzip or not. Each common fault has its own message.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Messages for a text or a line that is too long.
 #include "core/files/text_limits.hpp"
 

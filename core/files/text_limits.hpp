@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Limits on the sizes of texts with coordinates, and the messages for texts beyond them.
 #pragma once
 

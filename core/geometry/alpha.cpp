@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reading and writing alpha as a decimal, without rounding.
 #include "core/geometry/alpha.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Alpha as people write it, in Å²: a decimal number with at most 18 digits behind the point, kept
 // exactly. Lattice::alpha_on_lattice() converts it into the threshold that decides membership.
 #pragma once

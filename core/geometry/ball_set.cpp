@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Balls on finer lattices, and balls grown by a solvent radius.
 #include "core/geometry/ball_set.hpp"
 

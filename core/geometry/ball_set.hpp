@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The input of every engine: balls on the lattice. Later steps know no files or elements.
 #pragma once
 

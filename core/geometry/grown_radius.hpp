@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The radius of a ball grown by solvent radius and alpha.
 #pragma once
 

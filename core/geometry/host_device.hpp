@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Marks functions that both the CPU executor and the CUDA executor compile.
 #pragma once
 

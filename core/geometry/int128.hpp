@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Integers of 128 bits, on host and device.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Conversion of alpha to square lattice units and back.
 #include "core/geometry/lattice.hpp"
 

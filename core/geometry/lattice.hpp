@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The decimal lattice on which all geometry is exact: coordinates and radii are integers, in units
 // of 10^-digits Å. This file has the unit and the conversion of alpha; lattice_point.hpp has the
 // bounds. core/read reads text onto the lattice.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Alpha on the lattice between two doubles: splitting, rounding and text.
 #include "core/geometry/lattice_alpha.hpp"
 

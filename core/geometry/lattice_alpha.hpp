@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Alpha in square lattice units, exactly: the threshold for ortho-radii in every engine. Filters
 // compare with the doubles on both sides of it, integers with the number itself. Host and device.
 #pragma once

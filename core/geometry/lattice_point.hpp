@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A point of the decimal lattice, and the bounds of the lattice. lattice.hpp has its unit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Eigenvectors of the spread of the centres, and the axes that follow from them.
 #include "core/geometry/principal_axes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The directions in which a set of points spreads most and least. The results are rounded, for
 // views and defaults.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A point or a vector in double precision, for inexact results: curves, lengths, positions. Signs
 // are decided on the lattice.
 #pragma once

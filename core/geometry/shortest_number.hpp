@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers with the fewest digits that read as the same number. They are for programs that read
 // them, and for people who type them again.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Distances and angles from exact dot and cross products. Coordinates are below 2^29 units, so
 // differences have 30 bits, their cross and dot products 62, and a triple product 93.
 #include "core/measure/angles.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Distances and angles between points of the lattice, such as people measure between atoms.
 // Integers decide whether an angle is defined, and its sign. The values are doubles, correct to the
 // last digit but one.

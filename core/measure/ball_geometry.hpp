@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms for one, two and three balls, and the angles of tetrahedra. All lengths are in one
 // unit. Differences of lattice points are exact as doubles. No formula divides by the radius of a
 // circle in which two spheres meet, so tangent balls lose no digits. Host and device.

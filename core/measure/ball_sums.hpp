@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sums of the terms that simplices add to a ball: integer multiples of a unit that follows from
 // its radius. So neither the order nor the number of threads changes a bit. Host and device.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The part of a tetrahedron of balls that belongs to each ball: where its power is the least of the
 // four. It consists of six orthoschemes for each ball. Their corners are the ball's centre and the
 // orthocentres of an edge, a triangle and the tetrahedron. The volume of an orthoscheme is a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The intersection of three balls. Source: H. Edelsbrunner, P. Koehl, "The geometry of biomolecular
 // solvation" (2005). Cap heights and spherical excess replace angles of corners, so that tangent
 // balls lose no digits. Host and device.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cuts a convex polyhedron by planes, and integrates a ball around the origin over its faces.
 #include "core/measure/convex_piece.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A convex polyhedron that planes cut smaller, and its intersection with a ball around the origin.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds an edge or triangle in the sorted lists of a complex.
 #pragma once
 

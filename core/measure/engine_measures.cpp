@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the measures on CPU or device, times them, and falls back to the CPU.
 #include "core/measure/engine_measures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Areas and volumes, measured where the engine has the complex: on its device or on the CPU.
 #pragma once
 

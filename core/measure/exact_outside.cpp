@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cuts tetrahedra into the power cells of the balls that reach into them, and subtracts each ball's
 // part.
 #include "core/measure/exact_outside.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The exact part of tetrahedra of a regular triangulation that is outside all balls, as for
 // pockets. The angles of their faces are not enough where balls reach through a mouth. Each
 // tetrahedron is cut into the power cells that it meets, and the ball of each cell is subtracted.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sums that do not depend on the order of their terms, nor on the threads that add them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds an edge in the sorted edges of one ball. Host and device.
 #pragma once
 

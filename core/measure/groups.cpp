@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Connected components, sums by group and areas of single balls.
 #include <stdexcept>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The quantities that a measurement of a union of balls gives, for each ball and in total. Sums,
 // kernels, copies and totals loop over this list; the terms of each quantity are in
 // simplex_terms.hpp. Host and device.

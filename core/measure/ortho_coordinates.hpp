@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Barycentric coordinates of orthocentres, the points of equal power, of two, three and four balls.
 // All lengths, areas and volumes without an angle follow from these pure numbers. Numerators that
 // would cancel in flat simplices are computed exactly, with the widths of lattice.hpp: vectors

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The terms that each simplex adds to the derivatives of the union's area and volume, by the
 // centres and grown radii of its balls. When a sphere moves, the arcs C_ij in which it meets others
 // move (R. Bryant, H. Edelsbrunner, P. Koehl, M. Levitt, "The area derivative of a space-filling

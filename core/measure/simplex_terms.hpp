@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The terms that each simplex of an alpha complex adds to the area and volume of its balls. They
 // are those of angle-weighted inclusion-exclusion (H. Edelsbrunner, "The union of balls and its
 // dual shape", 1995), summed over the simplices with an open side. A simplex that is filled on all

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The squared distance of the origin from a segment or a triangle, in double precision.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sums the terms of all simplices in private sums of the threads, and turns them into measures in
 // Å.
 #include "core/measure/union_measures.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact area and volume of a union of balls, grown by alpha, from its alpha complex alone: the
 // totals, those of each ball in its power cell, and their derivatives. Balls may be of any
 // dimension, hidden, tangent or equal. Results have the same bits for any number of threads.

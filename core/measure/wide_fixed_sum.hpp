@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sums on one thread that do not depend on the order of their terms.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chooses among alternative locations: groups atoms into residues, even where numbers repeat, then
 // keeps one location of each atom.
 #include "core/molecule/altlocs.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The choice of one of several alternative locations of a residue's atoms.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Expands assemblies and parses their operator expressions.
 #include "core/molecule/assembly.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Biological assemblies: copies of chains under rotations and translations, as PDB's BIOMT records
 // and mmCIF's pdbx_struct_assembly tables describe them.
 #pragma once

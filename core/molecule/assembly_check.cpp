@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks whether the operators of assemblies move a molecule, mirror it, or distort it.
 #include <algorithm>
 #include <cmath>

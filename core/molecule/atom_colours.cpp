@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of elements and chains.
 // Colours follow the Corey-Pauling-Koltun tradition: carbon grey, nitrogen blue, oxygen red,
 // sulphur yellow. They are softened so that they show on light and dark backgrounds.

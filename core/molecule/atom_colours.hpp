@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of atoms, in pictures and in files for other programs.
 #pragma once
 

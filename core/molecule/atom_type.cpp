@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Derives the chemical type of an atom from the names of its residue and itself.
 #include "core/molecule/atom_type.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chemical types of the heavy atoms of proteins and nucleic acids, by residue and atom name.
 // United-atom radii sets use them. Hydrogens and ligands have no type.
 #pragma once

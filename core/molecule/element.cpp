@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Symbols of the elements and their look-up.
 #include "core/molecule/element.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chemical elements as atomic numbers. Radii are in radii_set.hpp.
 #pragma once
 

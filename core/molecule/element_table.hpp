@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables with one number per element, written as lists of elements and numbers.
 #pragma once
 

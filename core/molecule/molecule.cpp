@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names of atoms, and the way from copies to deposited atoms and back.
 #include "core/molecule/molecule.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A molecule as its file describes it: atoms of all models on the decimal lattice, with their
 // names. core/selection/prepare_balls.hpp chooses the atoms that become balls, and their radii.
 #pragma once

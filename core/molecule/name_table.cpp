@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Interns names, with a small cache for short ones.
 #include "core/molecule/name_table.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names of a molecule's atoms, residues and chains. Each is stored once and known by a number, so
 // that an atom stays small.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Classes of residues with their names and colours.
 #include "core/molecule/residue_class.hpp"
 

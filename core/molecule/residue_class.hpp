@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The class of an atom's residue. Amino acids have Lesk's classes (Introduction to Bioinformatics,
 // Oxford University Press, 2002); other residues have further ones.
 #pragma once

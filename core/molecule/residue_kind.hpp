@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The kinds of residues: polymer, water, ligand, ion and dummy.
 #pragma once
 

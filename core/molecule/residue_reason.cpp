@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Texts and identifiers of the reasons for a residue's kind.
 #include "core/molecule/residue_reason.hpp"
 

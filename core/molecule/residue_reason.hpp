@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The evidence or guess that decided whether a residue is polymer, ligand, ion, water or dummy. It
 // is decided once, after reading, by core/read/residues/decide_residues.hpp.
 #pragma once

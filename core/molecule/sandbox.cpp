@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Edits the balls of a sandbox and keeps them on the lattice and within its bounds.
 #include "core/molecule/sandbox.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A few balls set by hand in place of a file's atoms: their centres and radii on the lattice.
 // core/chart/flat_drawing.hpp draws flat ones.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds balls with equal centres by hash tables, in groups that fit the cache.
 #include "core/neighbours/coincident.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Balls with exactly the same centre. All but one of them are hidden, and belong to no simplex.
 #pragma once
 

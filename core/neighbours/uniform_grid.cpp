@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the uniform grid: chooses the width of the cells and sorts the balls into them.
 #include "core/neighbours/uniform_grid.hpp"
 

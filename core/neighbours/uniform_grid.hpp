@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Balls sorted into cubic cells, for neighbour search.
 #pragma once
 

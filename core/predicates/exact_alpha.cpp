@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact decisions about ortho-radii: the bracket in double precision first, then wide integers.
 #include "core/predicates/exact_alpha.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact decisions about ortho-radii of simplices of a BallSet. These are plain functions for the
 // host. The predicates themselves are templates for host and device, in orthosphere.hpp,
 // exact_rho.hpp and foot_predicate.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ortho-radii as fractions of wide integers: comparison with alpha and with each other, and
 // rounding to float. Host and device; notation of lifted.hpp.
 #pragma once

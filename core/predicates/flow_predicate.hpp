@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides through which of its faces a tetrahedron flows out: on which side of each face its
 // orthocentre is. The orthocentre is strictly beyond a face iff the opposite ball is strictly
 // inside the face's smallest orthosphere. So this is also the test whether the triangle is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides whether another ball cuts off the orthocentre of an edge or triangle: the foot of ball
 // i's centre on the radical plane or line. The simplex is attached iff some ball does. Host and
 // device; notation and bounds of lifted.hpp.

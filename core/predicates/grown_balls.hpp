@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The test whether two balls, each grown by alpha, may meet. Every neighbour search uses it, on
 // host and device. It never misses a pair that meets; it may accept a pair that only just does not
 // meet.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The balls of a simplex relative to its first one, ball i. Every other ball k has a lifted vector
 //   d = p_k - p_i,   c = |d|² + w_i - w_k.
 // The bisector of i and k is { x : 2 d·x = c } with x measured from p_i. Ball k has less power

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ortho-radii of simplices of one to four balls on the lattice, bracketed in double precision with
 // certified errors. exact_rho.hpp has them in wide integers. Host and device; notation of
 // lifted.hpp. Comments at products state the bits that they need.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rule for five balls of equal power at a point: the symbolic perturbation of the weights that
 // CGAL's Regular_triangulation_3::side_of_oriented_power_sphere uses. The balls are ordered
 // lexicographically by centre. Each ball's weight is decreased by infinitely more than those of all

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fast reciprocals and square roots for bounds and filtered values, within 4 u (u = 2^-24, 2^-53)
 // of the true value; also |x| and the larger of two numbers. Devices have an instruction for them;
 // hosts divide. The last bits differ between machines, so a reported result may depend only on the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Unit roundoffs for certified error bounds, in single and double precision.
 #pragma once
 

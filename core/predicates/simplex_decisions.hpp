@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides for an edge, triangle or tetrahedron of ball i and its neighbours whether rho <= alpha,
 // and with which alpha value. Decides as well whether an edge is attached. One template body serves
 // the CPU and the CUDA executor, filtered or exact.

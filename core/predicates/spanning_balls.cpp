@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the spanning balls by exact cross products and determinants.
 #include "core/predicates/spanning_balls.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The affine space that the centres of a set of balls span: a point, a line, a plane or all of
 // space. Exact.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Signed integers of fixed width beyond 64 bits, for exact predicates on host and device. They have
 // only sums, products, signs, shifts and an approximate double. Overflow wraps. The widths are
 // proven sufficient where they are chosen (exact_rho.hpp, exact_dual_edge.hpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // AMBER's radii of atoms. The values are R*, in 10^-3 Å, of the types in parm94 (W. D. Cornell et
 // al., J. Am. Chem. Soc. 117 (1995) 5179). parm99 (J. Wang, P. Cieplak, P. A. Kollman, J. Comput.
 // Chem. 21 (2000) 1049) and ff14SB keep them. AMBER's residue libraries (all_amino94,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // AMBER's van der Waals radii R* (parm99) of proteins, nucleic acids, their caps, water and ions,
 // for RadiiSet::amber. AMBER types an atom by its bonds, which names do not always tell. A few
 // other atoms of its residue do.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Radii by element for atoms that the chosen set does not have.
 #include "core/radii/fallback_radii.hpp"
 

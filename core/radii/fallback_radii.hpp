@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The radius of an atom for which the chosen radii set has no value, with its source.
 #pragma once
 

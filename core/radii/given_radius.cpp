@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts given radii on a lattice, and refines the lattice if that avoids rounding.
 #include "core/radii/given_radius.hpp"
 

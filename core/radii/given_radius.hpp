@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Radii on the lattice of the balls. Sets, tables and users give them in 10^-6 Å.
 #pragma once
 

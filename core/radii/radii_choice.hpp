@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sets of radii from which a user chooses.
 #pragma once
 

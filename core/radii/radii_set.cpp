@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of the radii sets, and the look-up of an atom's radius.
 #include "core/radii/radii_set.hpp"
 

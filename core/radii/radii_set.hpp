@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets of van der Waals radii with their sources, and the look-up of an atom's radius.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides from the lines of a table of balls which columns hold x, y, z and r.
 #include "core/read/ball_columns.hpp"
 #include "core/text/printable.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the columns x, y, z and r of a table of balls. Programs write a number, a name or both
 // before or behind them, without a heading.
 #pragma once

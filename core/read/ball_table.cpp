@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of balls, one "x y z r" (Å) per line:
 //   XYZR       x y z r [name…]; blank lines and lines starting with # are skipped
 //   CRD        the same after a line with the number of balls (ParallelAC), or without (AlphaMol)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // CHARMM's coordinate cards: title lines with *, the number of atoms, then one line per atom in
 // columns. Columns are narrow: I5 I5 1X A4 1X A4 3F10.5 1X A4 1X A4 F10.5. After "EXT" or from
 // 100,000 atoms on they are wide: I10 I10 2X A8 2X A8 3F20.10 2X A8 2X A8 F20.10. The last number

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses and rounds exact decimal numbers.
 #include "core/read/decimal.hpp"
 

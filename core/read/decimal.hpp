@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact decimal numbers of text files. No binary floating point lies between file and lattice.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Classifies the fields of a line as integers, other numbers and words.
 #include "core/read/field_kinds.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Kinds of the fields of a line, by which formats of plain columns are told apart.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The formats of coordinate files. Each is one entry, made beside its reader and listed in
 // file_formats.cpp only.
 #pragma once

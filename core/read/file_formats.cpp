@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of formats, and how the format of a file is recognised. A new format needs a source with
 // its reader and entry, and a line here.
 #include <algorithm>

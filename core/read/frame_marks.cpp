@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds repeated atoms behind END and TER records and makes models of them.
 #include "core/read/frame_marks.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Frames of a file without MODEL records. VMD and others write trajectories so: the same atoms in
 // the same order again behind each END or TER.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // GRO, the coordinates of GROMACS: a title, the number of atoms, a line for each atom, the box.
 // Further frames follow in the same way and become models. Columns are fixed:
 //   residue number (5) residue name (5) atom name (5) atom number (5) x y z [velocities]

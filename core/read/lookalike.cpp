@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Marks of files that are not coordinates, and their remedies.
 #include "core/read/lookalike.hpp"
 #include "core/text/printable.hpp"

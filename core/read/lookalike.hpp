@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Recognises files that are not molecules in our formats but that people take for one, or keep
 // beside one.
 #pragma once

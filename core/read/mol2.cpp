@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // MOL2 of Tripos: sections that begin with "@<TRIPOS>", of which these are read:
 //   MOLECULE      name; number of atoms; further molecules become models
 //   ATOM          number name x y z type [substructure-number [substructure-name …]]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts collected atoms on a decimal lattice and finishes the molecule.
 #include "core/read/molecule_builder.hpp"
 

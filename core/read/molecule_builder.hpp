@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the atoms that a reader finds, with exact decimal coordinates. Puts them on the coarsest
 // decimal lattice that holds all of them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // PQR as PDB2PQR and APBS use it. ATOM and HETATM lines have fields between blanks:
 //   serial name residue [chain] residue-number x y z charge radius [element]
 // Where coordinates run into one another, the columns of the PDB format count. Charges are not

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Searches remarks, titles and metrics for signs of a predicted model.
 #include "core/read/predicted_model.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides from the file's own statements whether B factors are confidences (pLDDT) of a predicted
 // model.
 #pragma once

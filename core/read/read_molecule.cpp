@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loads a file, recognises its format, and reads and hashes it.
 #include "core/read/read_molecule.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opens a molecule from a file of any known format, plain or packed with gzip.
 #pragma once
 

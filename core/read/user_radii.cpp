@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses tables of radii that users write.
 #include "core/read/user_radii.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // XYZ: a line with the number of atoms, a comment, then "symbol x y z …". Further frames follow in
 // the same way and become models. The comment of extended XYZ describes the columns. Tinker's files
 // have the same ending, but no comment, and they number their atoms.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cancels long work from another thread, and reports its progress.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Starts, feeds and ends a child program. Input goes through a socket: writing to a socket whose
 // other end is closed returns an error, while a pipe raises a signal.
 #include "core/run/child_program.hpp"

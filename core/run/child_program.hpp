@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs another program and writes to its standard input. The program never outlives this object.
 #pragma once
 

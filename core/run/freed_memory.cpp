@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Returns freed memory by malloc_trim() of glibc.
 #include "core/run/freed_memory.hpp"
 

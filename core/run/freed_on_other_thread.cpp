@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The thread that frees large objects, and its queue.
 #include "core/run/freed_on_other_thread.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Frees large objects on a separate thread. Returning some hundred megabytes to the system takes
 // tens of milliseconds, and a window must not freeze for so long.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An exception for faults of the program itself: something that must exist is missing. It is thrown
 // instead of continuing with a wrong result.
 #pragma once

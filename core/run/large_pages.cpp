@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Allocates memory that is aligned to large pages, and asks the kernel to use them.
 #include "core/run/large_pages.hpp"
 

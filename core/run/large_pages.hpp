@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Memory for large arrays. The system provides a page at its first write. For an array of a hundred
 // megabytes that takes longer than filling it; with large pages there are few such steps.
 #pragma once

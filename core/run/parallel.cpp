@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The loops of parallel.hpp, by oneTBB.
 #include "core/run/parallel.hpp"
 

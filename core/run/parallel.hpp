@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loops whose parts run in parallel, on the threads of the caller's task arena. A body may be
 // called on any of them. If it throws, the caller gets the exception, and parts that have not begun
 // are skipped.

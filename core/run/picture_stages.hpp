@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The stages of a picture of a complex. They follow the stages of the engine.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Wall time of the named stages of a computation. Users see these labels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets the priority of a thread on Linux.
 #include "core/run/thread_priority.hpp"
 

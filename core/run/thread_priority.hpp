@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Low priority for threads whose work can wait.
 #pragma once
 

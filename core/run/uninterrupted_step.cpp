@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Blocks signals during a step, and counts the steps that are in progress.
 #include "core/run/uninterrupted_step.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Steps that no signal interrupts halfway: a file is made and its name noted for removal, several
 // files get their names, or a program is started and its process noted.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // WorkThreads as a oneTBB arena. oneTBB itself gives it no more threads than the machine has.
 #include "core/run/work_threads.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A number of CPU threads for one kind of work. Several callers share them and together never use
 // more.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The worker's thread and the hand-over of results under its lock. No job runs while the lock is
 // held.
 #include "core/run/worker.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A thread that runs one job at a time for a main thread that must never wait. The latest request
 // wins.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads and writes addresses of atoms. An address is turned into a selection expression, so that
 // names, numbers and ranges mean the same in both.
 #include "core/selection/atom_address.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Addresses of atoms: "A:HIS 87:NE2" is chain, residue and atom. The program shows them for the
 // atom under the mouse and understands them as input.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Applies the options of a selection to atoms.
 #include "core/selection/atom_filter.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The choice of those atoms of a model that become balls. It does not consider radii.
 #pragma once
 

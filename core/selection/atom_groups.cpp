@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Groups balls by atom, residue or chain.
 #include "core/selection/atom_groups.hpp"
 

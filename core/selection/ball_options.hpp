@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options that decide which atoms become balls, and with which radii.
 #pragma once
 

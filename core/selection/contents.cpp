@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts the atoms of a molecule by chain and kind.
 #include "core/selection/contents.hpp"
 

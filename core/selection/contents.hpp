@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The contents of a molecule in numbers, for lists from which people choose.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Marks of atoms in the picture that words of an expression mean.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes balls of the selected atoms, and counts all that was dropped, guessed or rounded.
 #include "core/selection/prepare_balls.hpp"
 

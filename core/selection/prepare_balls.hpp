@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The way from atoms to balls: which atoms are used, and with which radii. A report lists all that
 // was left out or guessed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the provenance of a set of balls as texts.
 #include "core/selection/provenance.hpp"
 #include "core/geometry/lattice_alpha.hpp"

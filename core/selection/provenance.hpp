@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The provenance of a set of balls as short texts. They are written with results: in headers of
 // files, columns of tables, and pictures.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Groups residues by name and decision, and finds expressions that name each group.
 #include "core/selection/residue_groups.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of a molecule's residues by name and decision, from which people choose what to set by
 // hand. A treatment is a text that names residues and sets their kind; a group has texts for its
 // residues.

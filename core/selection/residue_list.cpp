@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists residues for people, alone or in groups.
 #include "core/selection/residue_list.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of a molecule's residues with their kinds and reasons, for people.
 #pragma once
 

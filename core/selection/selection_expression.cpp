@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the program of a selection expression over a molecule's atoms. Words that depend on more
 // than one atom (zones, whole residues, kinds of polymers) are computed for all atoms beforehand.
 #include "core/selection/selection_expression.hpp"

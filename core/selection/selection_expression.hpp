@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A small language that selects atoms, with the words of other programs:
 //   chain A,B     resi 10-20,35,-3,12A     resn ALA,G*     name CA,C?     element C,Zn     altloc A
 //   residue HEM   residue 10-20            index 12,20-30  copy 2         b > 40  occupancy < 1

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the words of selections that depend on several atoms.
 #include "core/selection/selection_masks.hpp"
 

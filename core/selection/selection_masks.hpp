@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Words of selection expressions that depend on more than one atom. Results have one value for each
 // atom of the molecule.
 #pragma once

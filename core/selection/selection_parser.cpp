@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A recursive descent parser (or, and, not, primary) that writes the program of a selection. Only
 // parentheses and words before a selection are recursive.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program of a selection expression. The parser writes it and SelectionExpression runs it. No
 // other code needs it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one-line summary of what was used of a molecule.
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Applies treatments, which set kinds of residues by hand.
 #include "core/selection/treatments.hpp"
 

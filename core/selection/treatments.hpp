@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Kinds of residues that a user sets, whatever the file and its evidence say.
 #pragma once
 

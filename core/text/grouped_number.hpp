@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whole numbers with commas between thousands, as in all text for people: "16,445".
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Upper and lower case of names, keywords and file endings. Only ASCII letters change, whatever the
 // locale; bytes of other letters stay as they are.
 #pragma once

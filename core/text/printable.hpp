@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes text from files safe to show on a terminal, in a window or in a table. A title may hold
 // escape sequences that change colours, the window's title or earlier output. Names may hold bytes
 // that are no UTF-8.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers with at most six digits, for sentences: "1.4", "0.333333".
 #pragma once
 

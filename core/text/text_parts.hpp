@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Splits a text at separators, or into words at blanks. Streams are not used: a stream that runs
 // out of memory behaves as if the text ended, and the rest would be lost without a message.
 #pragma once

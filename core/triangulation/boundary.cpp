@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The boundary is followed through the solid: from a triangle, around a side, through tetrahedra,
 // to the next triangle of the boundary. So two sheets that touch along an edge stay separate, and
 // each encloses its own side.

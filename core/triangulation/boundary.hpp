@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The boundary of the union of the tetrahedra of an alpha complex, as closed surfaces for programs
 // that need solids: printers, Blender, CGAL. Singular triangles, edges and vertices enclose nothing
 // and are left out.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The triangulation by CGAL, and its copy into our own arrays. This is the only source of the core
 // that includes CGAL. CGAL gets the lattice integers as doubles, which is exact. Its kernel filters
 // and then decides exactly.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a regular triangulation with CGAL's Regular_triangulation_3. Only cgal_triangulation.cpp
 // includes CGAL; alpha values are in filtration.hpp.
 #pragma once

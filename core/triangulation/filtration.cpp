@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The complex at one alpha as a threshold of a filtration. The float of an alpha value decides,
 // except where alpha itself rounds to the same float. Those simplices are the ties, and they are
 // decided exactly.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The filtration of alpha complexes up to some alpha_max. It is computed once; then the complex at
 // any smaller alpha is a threshold. Engines and CGAL are elsewhere.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Building a filtration: alpha values of all simplices of a triangulation, and the levels at which
 // their classes change.
 #include <cmath>

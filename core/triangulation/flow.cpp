@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The flow of a triangulation: alpha value and outflow of each tetrahedron, and whether a flow path
 // reaches a sink or infinity.
 #include "core/triangulation/flow.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The discrete flow of a triangulation: a tetrahedron flows out through each face beyond which its
 // orthocentre lies. Ortho-radii never fall along the flow. Source: H. Edelsbrunner, M. Facello, J.
 // Liang, On the definition and the construction of pockets in macromolecules, Discrete Appl. Math.

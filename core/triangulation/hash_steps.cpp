@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the steps: quantiles of the alpha values, and the hash sums up to each.
 #include "core/triangulation/hash_steps.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Hash sums of all simplices of one dimension up to some alpha values, the steps. A threshold then
 // hashes only the simplices between the last step and alpha. If it hashed all, this would take two
 // thirds of its time.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the triangles and edges of a triangulation from its tetrahedra, sorted by their first ball
 // in parallel.
 #include "core/triangulation/incidence.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The triangles and edges of a triangulation of dimension 3, and which simplex is a face of which.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The indices of the chosen elements of a long list, in order, found by all threads.
 #pragma once
 

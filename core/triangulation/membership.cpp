@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Membership in K_alpha by a threshold of the filtration, or directly from flow and incidence.
 #include "core/triangulation/membership.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Marks the simplices of a triangulation that are in K_alpha, without alpha values or classes. The
 // answer is exact and equals that of threshold().
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Estimates of memory from numbers of simplices, and the numbers of simplices in a triangulation.
 #include "core/triangulation/memory_need.hpp"
 

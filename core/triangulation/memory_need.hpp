@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The memory that a triangulation and a filtration will need. Callers use it to decide whether
 // there is room before they make them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorts tetrahedra in lexicographic order, renumbers their neighbours and makes the facets of the
 // hull.
 #include "core/triangulation/order_tetrahedra.hpp"

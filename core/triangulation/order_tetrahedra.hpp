@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts tetrahedra, given in any order, into the one order of a Triangulation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds outer faces: by the regular triangles of a complex, whose tetrahedra are looked up, or by
 // sorting the faces of tetrahedra.
 #include "core/triangulation/outer_faces.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The faces that belong to one tetrahedron only: the outer boundary of a set of tetrahedra.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the ties of a filtration and decides them by exact predicates, from tetrahedra down to
 // vertices.
 #include "core/triangulation/ties.hpp"

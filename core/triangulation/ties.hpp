@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ties: the simplices of a filtration whose alpha value and alpha itself round to the same float.
 // Only for these the float does not tell whether they are in K_alpha.
 #pragma once

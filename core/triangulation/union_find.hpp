@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Disjoint sets that many threads unite at once, without locks. The root of a set is its least
 // member, whatever the order of calls.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The kernels of the tuple engine: neighbours, tuples (kernel I), filtered validity (kernel II),
 // exact validity (kernel III), and the output of valid simplices. Each function object does the
 // work of one item, for the CPU and the CUDA executor. tuple_pipeline.hpp has their order.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorts the simplices that are valid by themselves, and merges them with the faces of their
 // cofaces, from tetrahedra down to vertices.
 #include "core/tuples/tuple_closure.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Completes the alpha complex from the simplices that are valid by themselves: adds their faces,
 // alpha values and classes.
 #pragma once

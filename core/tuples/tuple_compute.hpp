@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The part that the tuple engines of both executors share: from a request to its complex.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tuple engine on the CPU: the executor of tuple_pipeline.hpp over oneTBB.
 #include "core/tuples/tuple_engine.hpp"
 

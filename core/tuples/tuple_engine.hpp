@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pipeline of the thesis as an engine: grid, tuples of neighbours, filtered and exact validity.
 // It is exact, as every engine is. It shows the thesis' own algorithm and the effect of its
 // optimisations, and is not meant to be fast. gpu/tuples/tuple_engine.hpp is the engine of the CUDA

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact decisions about tuples: conflicts with ties broken, ortho-radii, alpha values. Kernel III
 // uses them, and they decide every case that a filter leaves open. Host and device; the balls are
 // lifted from the tuple's first one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The orthocentre of a tuple in single precision with a certified error. It is the epsilon band of
 // kernel II, proven instead of tuned: outside the band a sign is certain, and inside it integers
 // decide (tuple_exact.hpp). Single precision is used because laptop GPUs have few units for double

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chooses the cells of the tuple engine's grid and sorts the balls into them.
 #include "core/tuples/tuple_grid.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The grid of the tuple engine: arrays of balls sorted by cell. The host makes it, as in the thesis
 // (section 3.2.2).
 #pragma once

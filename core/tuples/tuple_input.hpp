@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The input of the tuple engine's kernels: balls sorted into a grid, the cube of neighbours of a
 // ball, and tuples of neighbours. Host and device; the kernels are in tuple_body.hpp. Source: N. P.
 // Ranjanikar's thesis, sections 3.2.2 to 3.2.5.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options of the tuple engine. None changes the result; each changes the work that is done for
 // it.
 #pragma once

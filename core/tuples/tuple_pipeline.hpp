@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The order in which the kernels of the tuple engine run, in batches that bound its memory: balls
 // with their neighbours, pairs with their triples, triples with their 4-tuples. The items of each
 // batch are counted, summed up and then written. One template for both executors, which provide:

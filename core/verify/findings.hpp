@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts the verifier's checks and collects its messages, from many threads at once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of verify.hpp, each in its own function. Conflicts are searched among all near balls,
 // in integers. The complex itself is never trusted to name the near balls. verify_missing.cpp finds
 // missing simplices.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks a complex against the definition of K_alpha, without computing K_alpha in another way.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The verifier's search for near balls. Let a and b be the squared radii of two grown balls with a
 // common point. Then the distance of their centres is at most sqrt(a) + sqrt(b), whose square is at
 // most 2 (a + b). This is an integer comparison in units of 2^-20. Alpha is rounded up to such a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The balls that could touch a grown ball: the verifier's own search, in integers. It may find too
 // many, never too few. It shares no code with the engines' grid, since it must find the faults of
 // that grid.

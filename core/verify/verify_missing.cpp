@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds missing simplices. This is why it is enough to test one more ball with each known simplex.
 //
 // T is the regular triangulation with ties broken: that of the weights w - e for all small enough e

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The simplices of K_alpha that a complex lacks, found from the definition alone (proof in
 // verify_missing.cpp).
 #pragma once

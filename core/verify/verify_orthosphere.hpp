@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides from the definition whether a simplex is in the regular triangulation, in integers
 // without any floating point: its orthosphere, the balls in conflict with it, and the ties.
 //

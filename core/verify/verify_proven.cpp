@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Marks the simplices of a proven triangulation that are in K_alpha, from their cofaces. This is
 // why the cofaces of a simplex s in the triangulation are enough. The dual face V_s is the part of
 // the flat of equal power of its balls that no other ball cuts off. V_s is a convex polytope, and

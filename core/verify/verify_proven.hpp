@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // K_alpha from a regular triangulation that is proven first. It is for alphas at which so many
 // balls are near each other that a search among them takes too long. It uses only integers, like
 // the whole verifier.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The loop of the verifier: in parallel, with progress, and cancelled after a few simplices.
 #pragma once
 

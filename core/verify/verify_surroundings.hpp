@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the balls near a simplex, and those in conflict with its orthosphere. Each thread has an
 // object of its own, which keeps memory between calls.
 #pragma once

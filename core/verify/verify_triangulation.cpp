@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Proves a triangulation. This is why the checks are enough, in dimension d, where a cell has d + 1
 // balls and a facet has d of them:
 //

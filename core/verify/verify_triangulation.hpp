@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks a triangulation against the definition, without computing one in another way.
 #pragma once
 

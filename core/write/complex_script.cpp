@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes scripts that show a complex in other programs.
 #include "core/write/complex_script.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scripts that show a complex in ChimeraX, PyMOL and VMD. The balls appear as atoms, with the
 // boundary of the tetrahedra. Both are read from files beside the script.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes tables as CSV and protects cells from spreadsheets.
 #include "core/write/csv.hpp"
 

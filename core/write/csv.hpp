@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables as comma-separated values (RFC 4180), for pandas, R and spreadsheets.
 #pragma once
 

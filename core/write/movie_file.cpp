@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sends frames to ffmpeg. An MP4 file is not written from front to back. So ffmpeg writes to the
 // temporary file of an AtomicFile.
 #include "core/write/movie_file.hpp"

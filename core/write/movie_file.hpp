@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A movie made of pictures by the program ffmpeg. The file appears under its name only when it is
 // complete.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes file names, colours and comments in the languages of other programs.
 #include "core/write/script_words.hpp"
 

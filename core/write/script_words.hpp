@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // File names, colours and comments in the languages of ChimeraX, PyMOL and VMD.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Text and bytes for a file, passed on in pieces of a megabyte. So files of gigabytes need little
 // memory.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes scripts that show cavities or channels in ChimeraX and PyMOL.
 #include "core/write/viewer_script.hpp"
 

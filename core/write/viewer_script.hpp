@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scripts that show cavities or a channel in ChimeraX (.cxc) and PyMOL (.pml). They open the
 // molecule and colour the atoms that line each cavity. They also open files of spheres and
 // surfaces, if there are any.

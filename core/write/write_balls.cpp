@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes balls as XYZR and PQR files.
 #include "core/write/write_balls.hpp"
 

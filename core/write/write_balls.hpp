@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The balls of a complex as tables, for programs that compute with balls or draw atoms.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes complexes in the layouts of Alphascope and ParallelAC.
 #include "core/write/write_complex.hpp"
 

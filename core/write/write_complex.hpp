@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An alpha complex as text with all its simplices (docs/output-files.md), in the layouts of
 // Alphascope and ParallelAC. Other formats are in other files.
 #pragma once

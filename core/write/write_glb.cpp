@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes binary glTF 2.0: a head in JSON that describes all data, then the data. The head follows
 // from sizes and bounds alone, so the data need not be in memory at once.
 #include <algorithm>

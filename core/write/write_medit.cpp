@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes Medit's sections: vertices, edges, triangles and tetrahedra.
 #include "core/write/write_medit.hpp"
 

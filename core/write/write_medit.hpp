@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A complex as a mesh for finite elements: Medit's text format, read by Gmsh, MMG, TetGen and CGAL.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes meshes as PLY, OBJ, OFF and STL. GLB is in write_glb.cpp.
 #include "core/write/write_mesh.hpp"
 

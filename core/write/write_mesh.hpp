@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Coloured triangle meshes for programs that draw, print or compute with them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes filling spheres as a PQR file.
 #include "core/write/write_spheres.hpp"
 

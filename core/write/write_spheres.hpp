@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Spheres that fill cavities or channels as a PQR file. Programs for molecules open it as atoms.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes VTK's XML files. The XML names the arrays and their offsets; their bytes follow in one
 // piece ("appended, raw"). VTK's own writers are not used. They want the whole data set in memory
 // once more, and core does not depend on VTK. Tests read the files with VTK's readers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A complex as VTK's XML files, for ParaView, PyVista and others. VTU is an unstructured grid of
 // all simplices. VTP has vertices, edges and triangles as polygonal data.
 #pragma once

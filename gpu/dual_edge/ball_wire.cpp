@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Packs balls for the copy to the device.
 #include "gpu/dual_edge/ball_wire.cuh"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The packed form of balls for the copy to the device, without loss. The bus limits the copy, so a
 // smaller form is faster. A group is 32 consecutive balls, which are close together in a molecule.
 // It has its own lowest corner and its own widths of x, y and z above it. Radii are indices into a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One block of the dual edge kernels: its problem, shared memory and ordered neighbour lists. Rows
 // of bits tell which neighbours meet.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The CUDA executor of the dual-edge engine. A block takes a run of balls through kernel I: lists,
 // neighbours that meet, candidate triangles ijk. Then kernel II clips dual edges in single
 // precision with certified errors. The block writes the simplices whose lowest vertex is one of its

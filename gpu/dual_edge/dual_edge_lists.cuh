@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Kernel I: makes the ordered neighbour lists of a block's balls. Neighbours without a facet are
 // left out of long lists (facet_disc.hpp explains which and why).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The order and places of the simplices that a block writes, from the triangles that it found.
 #pragma once
 

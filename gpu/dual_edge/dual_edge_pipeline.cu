@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts sets of balls on the device: the plan of a run and its grid. The run itself is in
 // dual_edge_run.cu.
 #include "core/geometry/lattice_point.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the clipping kernels for one set of balls and any alphas. Results arrive in pinned host
 // memory. gpu_engine.cu has the engine, fallbacks and the test of the device.
 #pragma once

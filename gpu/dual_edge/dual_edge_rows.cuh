@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rows for the later neighbours j of a block's balls: the balls that meet both (a row of bits). It
 // also decides whether edge ij can be in K_alpha, attached or not.
 #pragma once

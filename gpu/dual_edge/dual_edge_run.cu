@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the dual-edge engine on the device: dual edges, then the result in lexicographic order. A
 // run with too little room is repeated with the room that it needed.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Turns the output of blocks into the result in lexicographic order. Tetrahedra and triangles move
 // to their places. Edges get values and classes from triangles, and vertices from edges. The CPU's
 // version is core/dual_edge/gather_faces.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorts the balls into the cells of the grid by counting.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Floats as unsigned numbers in the same order, for atomicMin.
 #pragma once
 

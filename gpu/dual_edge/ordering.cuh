@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Launches the kernels that order the simplices of a chunk of balls (gather_kernels.cuh).
 #pragma once
 

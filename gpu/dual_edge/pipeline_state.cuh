@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Data shared by the runs for one set of balls: device buffers, the plan of the grid, event timing.
 // Only the pipeline's sources include it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Data and code that all kernels of a request share: the problem, the balls in cell order, the
 // neighbour search.
 #pragma once

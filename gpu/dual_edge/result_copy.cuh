@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Copies a result to the host, whole or in parts, and lays out its arrays there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides how blocks of a run use their shared memory, and how much memory the result gets. The
 // decision follows from earlier runs of the same balls.
 #pragma once

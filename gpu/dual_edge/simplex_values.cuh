@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ortho-radii of simplices as the nearest floats: the alpha values of unattached simplices.
 #pragma once
 

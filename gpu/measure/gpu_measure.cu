@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measures areas and volumes on the device: memory, copies and the order of kernels.
 #include "gpu/measure/gpu_measure.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Areas and volumes of unions of balls (core/measure/union_measures.hpp) on a CUDA device. This
 // header is plain C++.
 #pragma once

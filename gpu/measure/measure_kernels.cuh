@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Kernels for areas and volumes: one pass over the simplices of each dimension, with the bodies of
 // core/measure. The sums of balls are integers. So threads may add to them in any order, and the
 // bits are the same each time.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the kernels of core/measure for one complex after the other. This header is plain C++;
 // gpu_measure.hpp is the public interface.
 #pragma once

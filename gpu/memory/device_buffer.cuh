@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Device memory and pinned host memory that grows and is kept. Errors become exceptions.
 #pragma once
 

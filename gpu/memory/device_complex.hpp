@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An alpha complex and its balls in device memory. Plain C++.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Owners of CUDA streams and events, which release them even after an exception.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The only code with CUDA's launch syntax. All other code in kernels and their callers is plain C++
 // for a host compiler. So tests run it without a device (tests/gpu/emulated).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Allocates page-locked memory from large pages, and registers it with CUDA.
 #include "gpu/memory/page_locked.hpp"
 

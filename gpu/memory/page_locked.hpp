@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Page-locked (pinned) host memory, with which copies to and from a device run at full speed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exclusive prefix sums on the device.
 #pragma once
 

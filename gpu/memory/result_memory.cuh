@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned memory in which results arrive and stay. Copying a result to other arrays would take about
 // as long as its way to the host. When a result is gone, a later one gets its memory.
 #pragma once

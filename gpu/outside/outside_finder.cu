@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the outer faces of tetrahedra on the device: memory, copies and the order of kernels.
 #include "gpu/outside/outside_finder.hpp"
 

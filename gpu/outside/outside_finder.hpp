@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds on the device the same faces as core/triangulation/outer_faces.hpp on the CPU. Plain C++.
 #pragma once
 

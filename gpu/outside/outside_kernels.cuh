@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The kernels of OuterFaceFinder. Each face of each tetrahedron finds itself among the triangles of
 // its first vertex. If the triangle is regular, the face is stored as its owner.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the tuple engine on a CUDA device.
 #include "gpu/tuples/tuple_engine.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The CUDA executor of core/tuples/tuple_pipeline.hpp: streams, staging memory, textures and
 // events.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Kernels from the bodies of core/tuples/tuple_body.hpp, and their reading of balls through
 // textures. Streams, memory and timing are in tuple_executor.cuh.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares cavities with the tables of an independent program, and times each of our steps.
 //
 //   alphascope_cavity_check FOLDER [THREADS [INPUT [REPETITIONS]]]

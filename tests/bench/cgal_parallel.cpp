@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs CGAL's own parallel triangulation.
 #include "tests/bench/cgal_parallel.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // CGAL's own parallel triangulation. It is not in tests/support/reference/cgal_reference, which
 // every engine test needs, because it takes equally long to compile.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares our CGAL engine with CGAL used directly, on one file. It shows whether our reference is
 // as fast as CGAL. Prints medians in ms.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Prints one channel: its bottleneck, its profile, and the time to find it.
 //
 //   alphascope_channel_bench FILE.balls|FILE.xyzr between X Y Z X Y Z

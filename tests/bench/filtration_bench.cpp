@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measures a whole triangulation, its filtration, and moves of alpha on it: times and reserved
 // memory. Prints least, quartiles and most of all moves, for use on a shared machine.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks and times the CUDA engine on a machine with a GPU. It first checks that results equal the
 // CPU engine's byte for byte, then prints medians. Usage: alphascope_gpu_bench DATA WORDS. WORDS
 // are any of check, time, huge, cgal (with time), only (no whole complex), drag:NAME, samples:NAME,

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the inputs of gpu_bench.cpp: make_balls.py DATA_FOLDER OUT_FOLDER.
 
 A .balls file holds three int32 (lattice digits, balls, operators), then per ball four int32 (x, y, z and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares areas and volumes with the tables of an independent program, and times them. The tables
 // are not in the repository: reference.tsv, traps.tsv, inputs/, traps/ and NAME_sSOLVENT.tsv.gz.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares areas and volumes on a device with the CPU's: first equality, then medians of times.
 //
 //   alphascope_measure_gpu_bench [--solvent S] [--alpha A] [--runs N] [--no-cpu] FILES…

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares every CPU engine with the oracle in rationals on small sets, and with CGAL's engine on
 // larger ones. It runs for the given time. Sets are degenerate, random, lattices, grazing, and at
 // the bounds of the lattice, with 3 to 6 digits (tests/support/random_balls.hpp). Prints how much

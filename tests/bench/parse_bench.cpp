@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the speed of our readers with gemmi's, in one process: parse_bench [RUNS] FILE...
 //
 // In memory: the unpacked text becomes a molecule. MB are 10^6 bytes of text. From disk: opening a

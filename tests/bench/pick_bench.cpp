@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Times picking under the mouse, and making the boxes for it:
 //   alphascope_pick_bench FILE [ALPHA [ASSEMBLY [all]]]
 // Lines of sight go through all parts of a picture of the whole molecule. Times are of lines that

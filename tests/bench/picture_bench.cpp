@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Times pictures:
 //   alphascope_picture_bench FILE [ALPHA [WIDTH HEIGHT [OPACITY]]]
 // Balls have 0.3 of their radius, beside tetrahedra, singular triangles and edges. The view turns

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares every predicate and filter with GMP on random, nearly degenerate and extreme balls
 // (tests/support/reference/predicate_check.hpp). Prints the numbers of calls, undecided filters and
 // ties, and the first wrong answer with its balls. Exit status 1 if there is one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads balls for programs that measure, without the readers' libraries: .balls files
 // (make_balls.py) and plain .xyzr tables.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks and times the tuple engine on a machine with a GPU. Usage:
 //   alphascope_tuple_gpu_check [FILE.balls|FILE.xyzr]...
 // Random and degenerate sets come first, then each file. Every combination of switches must equal

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A program that uses the installed library: the complex of a file, its areas and its volumes.
 //   user FILE ALPHA    (ALPHA in Å²)
 #include <alphascope/engine/engine.hpp>

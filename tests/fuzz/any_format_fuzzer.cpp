@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes any bytes as a file. The first byte chooses one of our endings. Either the format is
 // recognised and its reader keeps its promises, or a ReadError says what the file looks like.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks the promises of every reader on its molecules. A broken promise ends the program.
 #pragma once
 

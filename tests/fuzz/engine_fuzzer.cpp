@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer target: bytes become a few balls on a small lattice and some alphas. Dual edges, the
 // CPU engine and CGAL must give the same complex, which must meet the definition.
 //

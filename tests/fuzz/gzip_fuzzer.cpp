@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes any bytes as gzip data. The result is a text within the limit, or a ReadError.
 #include "core/files/gzip.hpp"
 #include "core/geometry/ball_set.hpp"

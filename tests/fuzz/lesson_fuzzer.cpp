@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes any bytes as a lesson. The result has at least one step and only known facts, or is a
 // ReadError.
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes any text as a selection expression, as addresses of atoms, and as operators of an assembly.
 #include <cstdlib>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes any bytes as a session file. The session is the same after writing and reading it, or there
 // is a ReadError.
 #include <cstdlib>

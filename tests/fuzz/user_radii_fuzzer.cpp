@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes any bytes as a user's table of radii. Radii are above 0 and at most 60 Å, or there is a
 // ReadError.
 #include "core/geometry/ball_set.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the packed form in which balls are sent to a device.
 #include "gpu/dual_edge/ball_wire.cuh"
 #include "core/geometry/lattice_point.hpp"

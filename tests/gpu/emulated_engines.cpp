@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Engines of the emulated device, which is slow, for the suites that every engine must pass.
 #include "gpu/tuples/tuple_engine.hpp"
 #include "tests/support/device_engine.hpp"

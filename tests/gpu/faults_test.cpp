@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests an emulated device that is full or lost at any moment. The answer must be the same and name
 // its origin, and the engine must work as before afterwards. Also tests messages for impossible
 // results of the device.

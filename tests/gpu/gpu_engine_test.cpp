@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that the CUDA engine equals the CPU's byte for byte on a machine with a device. Also tests
 // messages where there is none.
 #include "gpu/gpu_engine.hpp"

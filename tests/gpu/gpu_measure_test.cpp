@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that areas and volumes on the device equal the CPU's up to rounding, with the same bits
 // each time.
 #include "gpu/measure/gpu_measure.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sizes of tests for a device. Those for the emulated device are smaller, since it is slow.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests areas and volumes on the emulated device: for a complex that is still there from its run.
 // The device may be full or lost at any moment.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the search for outer faces when the emulated device is full or lost at any moment. Then
 // there is no result, and the engine goes on.
 #include <gtest/gtest.h>

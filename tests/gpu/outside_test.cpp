@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that the device finds the same outer faces of tetrahedra as the CPU.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests pinned memory on the emulated device, which counts it: for results, and for registered
 // pages of the program.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that the tuple engine on the GPU equals the CPU's dual-edge engine byte for byte, with any
 // switches. Also tests messages without a device.
 #include "gpu/tuples/tuple_engine.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the tuple engine on an emulated device that is full or lost at any moment. It reports the
 // fault, and computes again once there is room or the device is back.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lifted vectors and orthocentres of any size in GMP's integers, for comparison with predicates.
 #pragma once
 

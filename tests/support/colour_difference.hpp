@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How different two colours look, with usual sight and with colour blindness.
 #pragma once
 

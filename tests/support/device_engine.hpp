@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The GPU engine without its replacement by the CPU.
 #pragma once
 

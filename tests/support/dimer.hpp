@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The start of a PDB file with one half of a dimer as chain A, turned about z.
 #pragma once
 

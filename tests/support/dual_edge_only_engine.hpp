@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Clips dual edges at every alpha, even where the CPU engine would choose a faster route.
 #pragma once
 

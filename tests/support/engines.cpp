@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides which sets an engine can afford, and sets up suites.
 #include "tests/support/engines.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Engines for suites that every engine must pass.
 #pragma once
 

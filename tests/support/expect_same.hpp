@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Expects two complexes to be the same to the last bit: simplices in order, classes, alpha values,
 // hash.
 #pragma once

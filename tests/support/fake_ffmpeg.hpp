@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A stand-in for ffmpeg in front of PATH, for tests that must not depend on the installed ffmpeg.
 #pragma once
 

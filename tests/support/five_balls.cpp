@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes five balls of each kind.
 #include "tests/support/five_balls.hpp"
 

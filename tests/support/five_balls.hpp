@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Five balls with distinct centres for predicates: random, nearly degenerate, and at the proven
 // bounds of filters and integer widths.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A file of balls whose empty space is a network of cubes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The engines of the host, on one thread and on as many as their parallel code needs.
 #include <string>
 #include <utility>

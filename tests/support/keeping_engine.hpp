@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An engine that keeps the results known of its balls, for tests with many requests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads molecules for tests and makes balls of them.
 #include "tests/support/molecules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Balls of the program's sample molecules, and of large test molecules outside the repository.
 #pragma once
 

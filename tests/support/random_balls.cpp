@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes random sets of balls that are hard on exactness.
 #include "tests/support/random_balls.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets of balls that are hard on exactness, for any suite. Coordinates are small integers. Without
 // digits the lattice unit is 1 Å, so alpha in Å² is alpha on the lattice.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tells whether this program is compiled with AddressSanitizer. GCC and clang define it
 // differently.
 #pragma once

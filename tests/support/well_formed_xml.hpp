@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks that a text is one well-formed XML element. It knows elements, attributes in double quotes
 // and the five entities, but no comments and no CDATA.
 #pragma once

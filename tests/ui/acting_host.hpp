@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A window without a display in which a user acts in real time. Events come while the program waits
 // or draws, waits take real time, and frames are drawn only when the program wants them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Records the calls of panels and commands, for tests without a program.
 #pragma once
 

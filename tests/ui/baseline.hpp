@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares pictures with those in tests/ui/baselines. Whoever changes one of these must look at it.
 // ALPHASCOPE_RENEW_BASELINES=1 in the environment writes them again. After a failure, the picture
 // and the difference are in tests/ui/pictures of the build folder.

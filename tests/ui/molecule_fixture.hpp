@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A small invented molecule for tests of the window: a rod of atoms in two colours. Making it needs
 // neither a file nor OpenGL.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The interface of a panel: a section, a page or a column of the window. A panel owns what it
 // remembers between frames.
 #pragma once

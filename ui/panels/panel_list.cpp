@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of all panels, in the order in which the window shows them.
 #include "ui/panels/panel_list.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of panels. A new panel is a source of its own and one line in panel_list.cpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of the window that are not in panel_list.hpp. Each draws from the state, and writes
 // settings and requests into it.
 #pragma once

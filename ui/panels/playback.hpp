@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Settings of playback: alpha and models that change by themselves.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plain data on the molecule and on running work, which the program fills and the panels show. Data
 // on the view are in viewport_info.hpp.
 #pragma once

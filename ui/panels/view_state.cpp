@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of a ViewState, and errors that follow one another.
 #include "ui/panels/view_state.hpp"
 

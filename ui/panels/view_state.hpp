@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All that panels and program exchange: what is shown, settings and requests. Panels know nothing
 // else of the program. Each part is plain data with a header of its own. So a panel compiles the
 // parts that it uses only. whole_state.hpp has the object that holds the parts.

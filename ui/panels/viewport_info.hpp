@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plain data on the view, which program and panels exchange: the picture, and the mouse on it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The object that holds all parts of a ViewState, for the program and for tests. Panels need
 // view_state.hpp and the headers of the parts that they use.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The arrangement of the window, and choices in its dialogs. Sessions and preferences keep them,
 // and undo leaves them alone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of sight, places of points in a picture, and distances at which balls fit into it. Also the
 // test for a view that shows nothing.
 #include "ui/scene/camera.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Geometry of a view as plain numbers: its angles, the distance that shows all balls, and whether
 // it shows anything. No VTK.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Converts viewpoints to the camera of session files and back.
 #include "ui/scene/camera_place.hpp"
 

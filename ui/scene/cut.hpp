@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The clip as half-spaces relative to BallGeometry::origin, for drawing and for picking. No VTK.
 #pragma once
 

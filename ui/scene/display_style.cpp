@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Translates the display controls into options for scene, mesh and balls.
 #include "ui/scene/display_style.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The display controls as options for scene and mesh. Window and command line both use these
 // functions.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chooses the quality of drawing from the times measured so far. Moving pictures are to be smooth.
 // Pictures at rest are to be as good as possible without delaying the next input. Pure logic.
 #pragma once

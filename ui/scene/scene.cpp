@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The public functions of Scene. VTK draws into framebuffers of its own in the current OpenGL
 // context. This file does not know where that context comes from.
 #include "ui/scene/scene.hpp"

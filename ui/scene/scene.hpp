@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The 3-D view: balls, tetrahedra, triangles, edges and boundary of an alpha complex. VTK draws it
 // into a texture of the OpenGL context that is current when the Scene is made. No ImGui, no window.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Contents of the scene in VTK's arrays. For a large complex they take long to make, so any thread
 // may make them. Once handed to the scene, by set_mesh() for instance, only the scene may use them.
 // This header needs no VTK.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Settings of Scene::Impl for the quality of a picture: transparency, occlusion, outlines, samples.
 #include <vtkProperty.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scene::Impl: makes the VTK objects, applies settings to them, and moves the camera.
 #include "ui/scene/scene_impl.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The VTK objects behind a Scene, and the functions that apply its settings to them. Only the
 // sources of Scene include this.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Renders opaque things, then translucent ones, by VTK's peeling or by TranslucentSum.
 #include "ui/scene/scene_renderer.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // VTK's renderer with a step of ours after the opaque things, and one after the translucent things.
 // It can also draw translucent things quickly. For sources of the scene only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Initialises the window although GLEW complains about the context.
 #include "ui/scene/scene_window.hpp"
 

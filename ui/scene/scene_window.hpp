@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The window that VTK draws into: framebuffers in the current OpenGL context.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes views from another side.
 #include "ui/scene/view_direction.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Views from another side: their direction, and which way is up. Plain numbers; no VTK.
 #pragma once
 

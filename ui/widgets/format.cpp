@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes times, bytes, shares and ratios.
 #include "ui/widgets/format.hpp"
 

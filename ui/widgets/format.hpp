@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Formats times, bytes, shares and ratios for reading. Pure text, no ImGui.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Follows the keyboard between fields and buttons. imgui.h of ImGui 1.86 has no function to press
 // an item by its id, so this uses imgui_internal.h.
 #include "ui/widgets/key_focus.hpp"

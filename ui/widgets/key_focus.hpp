@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Keyboard control of fields and buttons. Tab goes from one to the next, Space and Enter press
 // them, Alt and F10 open the menu bar. ImGui 1.86 leads Tab to text fields only, and its own
 // navigation would take the arrow keys from alpha. So that navigation is on in menus and lists

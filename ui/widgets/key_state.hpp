@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // State of the keyboard focus, in the window and in each of its dialogs. Plain data.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads key names and chords, and asks ImGui for them.
 #include "ui/widgets/keys.hpp"
 

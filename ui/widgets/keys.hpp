@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Keys that the panels use, as codes that reach ImGui 1.86, which has no names for them. They are
 // GLFW's codes; glfw_host.cpp checks that.
 #pragma once

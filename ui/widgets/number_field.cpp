@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fields and sliders for numbers: typing, refusal of invalid input, and the reason below the field.
 #include "ui/widgets/number_field.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fields for typed numbers. ImGui's own fields drop unknown characters, so that "1,4" would become
 // 14, and have no bounds.
 #pragma once

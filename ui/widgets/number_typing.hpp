@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The number that the user is typing, and texts that number fields refused. Plain data.
 #pragma once
 

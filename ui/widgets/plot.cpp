@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws plots with ImGui, and reads the mouse over them.
 #include "ui/widgets/plot.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plots and charts in the window, and the mouse over them. core/chart has their data and layout.
 #pragma once
 

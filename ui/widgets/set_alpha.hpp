@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets alpha within its bounds, for keys, buttons and playback that raise or lower it in steps.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets fonts, spacing and colours. Only this file has sizes in pixels without a scale; all others
 // multiply by the scale.
 #include "ui/widgets/style.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fonts, spacing and colours of the window for ImGui.
 #pragma once
 

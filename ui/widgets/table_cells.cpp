@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cells of tables: numbers at the right, and buttons in rows.
 #include "ui/widgets/table_cells.hpp"
 

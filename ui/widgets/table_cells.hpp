@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cells of tables of numbers, for all panels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rectangles of all named widgets in the last frame, in pixels. Plain data.
 #pragma once
 

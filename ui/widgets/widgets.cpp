@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws the common widgets, and records the rectangle of each by its name.
 #include "ui/widgets/widgets.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small building blocks that the panels share. They record where each named widget is, so that
 // scripts and tests find it.
 #pragma once

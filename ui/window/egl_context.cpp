@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes OpenGL contexts without X or Wayland, by EGL_MESA_platform_surfaceless.
 #include "ui/window/egl_context.hpp"
 

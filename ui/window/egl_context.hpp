@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An OpenGL context that needs no display (EGL on Mesa's surfaceless platform), for screenshots and
 // tests. It has no framebuffer; the caller must make one.
 #pragma once

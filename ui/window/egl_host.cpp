@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A window without a display: a framebuffer in an EGL context. Its input comes from scripts, or
 // from code that fills its queue.
 #define GL_GLEXT_PROTOTYPES

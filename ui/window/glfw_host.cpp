@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A window through GLFW, with its OpenGL context. VTK's GLEW needs GLX, which is GLFW's default on
 // X11.
 #define GLFW_INCLUDE_GLCOREARB

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The interface of a host, which shows the program's pictures and collects its input. A host is a
 // window (GLFW) or a framebuffer without a display (EGL). It knows nothing of the pictures'
 // content.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs ImGui's frames. ImGui's OpenGL backend loads OpenGL's functions by itself.
 #include "ui/window/imgui_frame.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ImGui in a host: its context, fonts, style and the drawing of frames. The caller describes the
 // frames' content.
 #pragma once

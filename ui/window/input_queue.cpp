@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Hands queued events to ImGui's frames.
 #include "ui/window/input_queue.hpp"
 

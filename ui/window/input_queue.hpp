@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Queues events of mouse and keyboard in their order, because frames can be slow. ImGui 1.86 looks
 // at the state of both once a frame. So a press and release between two frames would be lost. Here
 // events wait, and each frame gets as many as it can tell apart.

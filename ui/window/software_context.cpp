@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a context whose driver threads have a low priority.
 #include "ui/window/software_context.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An OpenGL context in software for background work of a window. Its threads give way to the
 // window's.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Unpacks the icon's PNG files.
 #include "ui/window/window_icon.hpp"
 

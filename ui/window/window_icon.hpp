@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program's icon in the sizes that window managers use, as part of the program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli cavities, which finds voids and pockets of each file or model as CASTp does.
 // It measures their areas and volumes, and lists their mouths and lining residues.
 #include "app/cli/cavities/cavity_answer.hpp"

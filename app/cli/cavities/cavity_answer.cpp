@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the cavities of a molecule, and writes the notes on its result.
 #include "app/cli/cavities/cavity_answer.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The cavities of one molecule with one radii set and one solvent radius, and facts about them. The
 // sources of alphascope-cli cavities use it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Matches the cavities of several answers, and prints them side by side.
 #include "app/cli/cavities/cavity_comparison.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The same cavities with several radii sets and solvent radii, side by side, and their spread.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes lives, spheres, surfaces and scripts of cavities.
 #include "app/cli/cavities/cavity_exports.hpp"
 

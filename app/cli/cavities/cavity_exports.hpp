@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files of alphascope-cli cavities besides its tables: lives of cavities and, for other programs,
 // spheres, surfaces and scripts.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON result of one answer, and its header.
 #include "app/cli/cavities/cavity_records.hpp"
 

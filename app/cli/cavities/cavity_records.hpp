@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Records of cavities for programs (docs/output-files.md), with the command line's additions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Prints the table of cavities for people.
 #include <algorithm>
 #include <iostream>

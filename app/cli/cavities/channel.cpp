@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli channel, which finds the largest ball that can move through a molecule, and
 // the radii along its way. The way may also start at a point or cavity, and end at another point or
 // a mouth.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The lists of columns, and their values.
 #include "app/cli/cavities/comparison_columns.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The columns of a comparison of cavities: variants, cavities side by side, and their counterparts.
 #pragma once
 

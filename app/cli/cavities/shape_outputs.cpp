@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Options and names of the files with shapes.
 #include "app/cli/cavities/shape_outputs.hpp"
 

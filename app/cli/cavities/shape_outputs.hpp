@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Options of commands that write the shapes of cavities or channels for other programs.
 #pragma once
 

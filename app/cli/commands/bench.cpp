@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli bench, which prints median times of our engine and of CGAL in one process,
 // cold and warm. Cold: a new engine is made and asked once, as after opening a molecule. CGAL's
 // cold time covers triangulation and filter. Warm: the same engine is asked again at a slightly

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli columns: lists the columns of the program's tables, with unit and meaning.
 #include <iostream>
 #include <span>

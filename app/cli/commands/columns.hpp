@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The columns of --csv of commands in this folder, without provenance, for `columns`.
 #pragma once
 

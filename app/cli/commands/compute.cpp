@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli compute: prints the numbers of each file's or model's complex, and writes its
 // simplices to a file.
 #include <cstdint>

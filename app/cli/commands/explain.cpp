@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli explain: says why a simplex is or is not in the alpha complex.
 #include <iostream>
 

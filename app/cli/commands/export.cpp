@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli export: writes a complex, its boundary or its balls for another program.
 #include <iostream>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli formats: lists the formats of files that the programs read and write.
 #include <iostream>
 

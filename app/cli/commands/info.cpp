@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli info: prints the contents of files, and the atoms that would be used.
 #include <algorithm>
 #include <cmath>

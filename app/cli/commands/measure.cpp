@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli measure: exact area and volume of the union of balls of each file or model.
 // Prints totals, components, and values by atom, residue or chain.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli steps: prints step by step how an engine finds the simplices of one ball.
 #include <algorithm>
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli bench --suite thesis for the named molecules on this machine. Writes the
 // thesis' Table 4.1 and the data of its figures. The suite, app/bench/thesis_suite.hpp, describes
 // the measurements.

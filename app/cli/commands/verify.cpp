@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli verify, which compares our complex with CGAL's, simplex by simplex. If our
 // complex comes from CGAL's triangulation as well, it is also checked against the definition of the
 // complex.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options of `verify`, and the comparison itself. Tests pass engines with deliberate errors.
 #pragma once
 

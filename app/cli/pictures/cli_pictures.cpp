@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Turns options or a session into the data of pictures.
 #include "app/cli/pictures/cli_pictures.hpp"
 

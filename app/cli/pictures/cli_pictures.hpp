@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pictures of the command line, of one complex or of several in turn. Options or a session set
 // their contents. Part of the program that start_screenshot.cpp starts.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli frames: draws a sweep of alpha or a turntable as numbered pictures or a
 // movie. Part of the program that start_screenshot.cpp starts.
 #include <iostream>

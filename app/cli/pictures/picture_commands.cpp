@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options of alphascope-cli screenshot and frames.
 #include <algorithm>
 #include <memory>

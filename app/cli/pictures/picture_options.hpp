@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options of `screenshot` and `frames`. run_screenshot() and run_frames() either draw, or start
 // the program that has the renderer.
 #pragma once

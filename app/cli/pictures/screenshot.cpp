@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli screenshot: draws a complex without a display. Part of the program that
 // start_screenshot.cpp starts.
 #include <sys/mman.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a session and opens its molecule.
 #include "app/cli/pictures/screenshot_session.hpp"
 

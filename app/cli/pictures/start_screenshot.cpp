@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Starts alphascope-cli-draw in place of this program, for screenshot and frames. It is the same
 // command line with the renderer, whose 60 libraries are loaded for pictures only.
 #include <unistd.h>

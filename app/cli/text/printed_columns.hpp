@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Prints columns of a table's list, aligned on the terminal.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds balls by address or index, and prints sentences in columns.
 #include "app/cli/text/sentences.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The common parts of explain and steps: finding balls by name or index, and printing sentences in
 // columns.
 #pragma once

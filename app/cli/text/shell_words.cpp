@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Quotes arguments for a shell.
 #include "app/cli/text/shell_words.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Aligns cells by their width on a terminal.
 #include "app/cli/text/table.hpp"
 

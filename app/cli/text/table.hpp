@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Prints rows under a heading, one at a time, in aligned columns.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Signals, the progress line, and a buffer of standard output that remembers errors.
 #include "app/cli/text/terminal.hpp"
 

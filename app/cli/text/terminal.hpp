@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Handles the terminal during long work. Signals cancel the work, one line of standard error shows
 // progress, and failed writes to standard output are noticed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Formats numbers, times and complexes for people.
 #include "app/cli/text/text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands for labels of atoms, distances and angles between atoms, and marks at places in space.
 #include <algorithm>
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that hide atoms in the picture or give them colours. They compute no new complex.
 #include <optional>
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that change the view, all but "Reset view".
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that cut the picture open.
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/export/program_name.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shared parts of the sources that register commands, and their functions.
 #pragma once
 

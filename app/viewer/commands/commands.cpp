@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands of the menus File, Edit, View and Help. A new command is one more add() here or in a
 // source beside this one.
 #include "app/viewer/commands/commands.hpp"

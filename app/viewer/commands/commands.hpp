@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The commands of the program, as one list. Menus, keys, the palette and scripts are made from it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands of the display: presets for the whole look, and one for each row of the table of
 // settings (display_fields.hpp).
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that open a lesson and go through its steps.
 #include "app/viewer/commands/command_parts.hpp"
 #include "ui/panels/lessons/lesson_state.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that show a page below the view or a section at its left. With synonyms, the palette
 // finds a panel by its content too.
 #include <functional>

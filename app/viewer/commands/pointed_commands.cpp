@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands on the item under the mouse, and the context menu.
 #include <algorithm>
 #include <utility>

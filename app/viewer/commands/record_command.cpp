@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The command that records a sweep of alpha, a turntable or the open lesson.
 #include <filesystem>
 #include <stdexcept>

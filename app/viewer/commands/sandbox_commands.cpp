@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that create and edit balls of the sandbox.
 #include "app/viewer/commands/command_parts.hpp"
 #include "app/viewer/resources.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that select by name or clear the selection, and that choose cavities.
 #include <utility>
 

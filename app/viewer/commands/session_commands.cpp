@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands of sessions and recent files, and of the scale of fonts and controls.
 #include <algorithm>
 #include <filesystem>

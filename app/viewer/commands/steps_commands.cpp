@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands of the page that shows an engine's steps for one ball.
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/explain/steps_results.hpp"

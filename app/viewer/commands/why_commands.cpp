@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands of the page that explains a simplex.
 #include "app/viewer/commands/command_parts.hpp"
 #include "ui/panels/window_settings.hpp"

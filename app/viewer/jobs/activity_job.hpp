@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists work that another class owns, such as the session, as a job.
 #pragma once
 

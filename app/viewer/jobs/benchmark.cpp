@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks the controls of the benchmark, runs the suite, and passes its rows to the main thread.
 #include "app/viewer/jobs/benchmark.hpp"
 

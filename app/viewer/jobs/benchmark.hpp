@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the thesis' suite for the window on a thread of its own. Its rows appear as they are
 // measured.
 #pragma once

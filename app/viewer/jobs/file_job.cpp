@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the job that writes files, and words its outcome.
 #include "app/viewer/jobs/file_job.hpp"
 

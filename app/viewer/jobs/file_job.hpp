@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a file, or several beside it, on a thread of its own. All of them appear complete, or
 // none.
 #pragma once

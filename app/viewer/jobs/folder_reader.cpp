@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides when to read a folder again.
 #include "app/viewer/jobs/folder_reader.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the folder of the file dialog on a thread of its own, and again when the folder has
 // changed. The latest query wins.
 #pragma once

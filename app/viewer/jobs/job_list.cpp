@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the outcomes of all jobs, and lists those that run.
 #include "app/viewer/jobs/job_list.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of jobs that run beside the window: each has a title, a share done, a way to cancel it
 // and an outcome.
 #pragma once

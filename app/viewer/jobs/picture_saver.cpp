@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the jobs of PictureSaver, each with an OpenGL context and a scene of its own. GLEW, through
 // which VTK calls OpenGL, must be set up on the main thread, so scenes are created there. After
 // that two scenes share nothing while they draw.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Saves pictures and recordings of the view in the background. A thread draws them in an OpenGL
 // context and a scene of its own, and writes the files.
 #pragma once

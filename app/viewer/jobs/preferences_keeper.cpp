@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads preferences, and delays their saving.
 #include "app/viewer/jobs/preferences_keeper.hpp"
 

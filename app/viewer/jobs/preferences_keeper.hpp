@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps the preferences of this window. They are read at its start, and saved on a thread of their
 // own soon after a change.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Starts the jobs that save pictures, recordings, tables and exports.
 #include "app/viewer/jobs/save_jobs.hpp"
 

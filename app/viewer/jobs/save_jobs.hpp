@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Saves pictures, recordings, tables and exports on request. At most one job of each kind runs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Jobs that read and write sessions, and messages about their missing or changed files.
 #include "app/viewer/jobs/session_files.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads and writes session files on threads of their own, and finds the molecules that sessions
 // name.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of a sweep in the window, and the exchange of alphas and pictures with the drawing
 // thread.
 #include "app/viewer/jobs/sweep_recorder.hpp"

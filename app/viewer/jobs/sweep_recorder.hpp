@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Records a sweep of alpha together with drawings of pages, such as cavities and channels. The
 // window makes these drawings only for the complex on screen. So it goes through the sweep itself,
 // and the thread that draws and writes requests each alpha.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Requests the text of a table as a derived result, and writes its file in a job.
 #include "app/viewer/jobs/table_saver.hpp"
 

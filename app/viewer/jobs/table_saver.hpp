@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Saves a table of a page in the background. Its text is a derived result. Another thread writes
 // the file, which appears complete or not at all.
 #pragma once

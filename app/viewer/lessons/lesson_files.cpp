@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists the lessons of the folders, and reads one by name or path.
 #include "app/viewer/lessons/lesson_files.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds and reads lessons on a thread of its own. They come with the program, lie in the user's
 // folder, or are named by a path.
 #pragma once

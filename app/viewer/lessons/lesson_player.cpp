@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The phases of a lesson's step, from the request of its molecule to its last command.
 #include "app/viewer/lessons/lesson_player.hpp"
 

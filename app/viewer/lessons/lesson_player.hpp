@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plays the open lesson: brings a step's molecule into the window, and runs its commands, one a
 // frame. At the end it restores the previous molecule. It sees the window only as a LessonStage.
 #pragma once

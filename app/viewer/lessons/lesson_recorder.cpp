@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes the steps of the recording in the window, and queues their pages for the thread that draws
 // and writes. That thread is mostly faster than the window, and waits for pages.
 #include "app/viewer/lessons/lesson_recorder.hpp"

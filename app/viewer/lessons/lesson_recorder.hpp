@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Records the open lesson: brings the window to each step and each answer. Another thread gets
 // their pictures and texts, draws and writes them. Each step and each answer is a picture file, or
 // some seconds of a movie.

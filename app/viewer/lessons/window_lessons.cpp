@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the window the LessonStage of the player. The previous molecule is kept as a session in
 // memory, and is restored like any session.
 #include "app/viewer/lessons/window_lessons.hpp"

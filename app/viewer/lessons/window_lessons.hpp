@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lessons in the window: their files, and the player whose stage the window is.
 #pragma once
 

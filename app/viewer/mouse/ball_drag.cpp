@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Moves a held ball of the sandbox: intersections of lines of sight with the plane of the drag.
 #include "app/viewer/mouse/ball_drag.hpp"
 

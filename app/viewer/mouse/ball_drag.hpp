@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A ball of the sandbox that the mouse holds in the 3-D picture. The ball moves in the plane
 // through its centre that is parallel to the screen. A sandbox in the plane z = 0 uses that plane
 // instead.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the current gesture from ImGui's state of mouse buttons and keys.
 #include "app/viewer/mouse/gestures.hpp"
 

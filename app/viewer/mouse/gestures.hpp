@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Groups changes into gestures: all changes between the press of a mouse button or key and its
 // release.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines and tooltips for balls, left-out atoms and simplices.
 #include "app/viewer/mouse/hit_text.hpp"
 

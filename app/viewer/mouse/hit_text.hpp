@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Describes the atom or simplex under the mouse in words. Pure functions: no window, no GL.
 #pragma once
 

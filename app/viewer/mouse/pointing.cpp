@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the item under the mouse, and selects it on a click. Drags the handle of the clip and balls
 // of the sandbox. The wheel resizes such a ball. Elsewhere mouse and wheel move the camera.
 #include "app/viewer/mouse/pointing.hpp"

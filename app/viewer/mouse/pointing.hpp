@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The mouse on the picture: the item under it, clicks, the context menu, and drags.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Replaces equal calls in place, and makes the calls of one run.
 #include "app/viewer/parts/call_queue.hpp"
 

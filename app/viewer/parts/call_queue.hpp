@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A queue of calls that panels and scripts make. They are carried out after the panels of a frame.
 #pragma once
 

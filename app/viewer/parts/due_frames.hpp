@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts the frames that are still to be drawn before the window may rest.
 #pragma once
 

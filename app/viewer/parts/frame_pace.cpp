@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Times of the window's frames.
 #include "app/viewer/parts/frame_pace.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Undo and redo of settings, and of the views that the program moved for a change.
 #include "app/viewer/parts/history.hpp"
 

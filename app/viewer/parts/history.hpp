@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The undo history of the open file. Each entry holds the settings of the panels, and the view if
 // the program moved it for that change. Undo brings both back.
 #pragma once

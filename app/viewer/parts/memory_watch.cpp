@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads amounts of memory from the system, and returns freed memory to it.
 #include "app/viewer/parts/memory_watch.hpp"
 

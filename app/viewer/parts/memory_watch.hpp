@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the memory of the program and of the machine, and gives freed memory back when nothing
 // runs.
 #pragma once

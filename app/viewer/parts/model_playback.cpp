@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Times of playback, from the time of the last request.
 #include "app/viewer/parts/model_playback.hpp"
 

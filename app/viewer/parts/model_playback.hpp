@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides when the next model of a molecule, or the next step of an algorithm, is due in playback.
 // Knows neither window nor session.
 #pragma once

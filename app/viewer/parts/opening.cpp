@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opens molecules and sessions, and describes the open molecule as a session.
 #include "app/viewer/parts/opening.hpp"
 

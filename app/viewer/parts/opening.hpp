@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opens molecules and sessions. A session that was read waits here until its molecule is open, so a
 // failure leaves the window unchanged.
 #pragma once

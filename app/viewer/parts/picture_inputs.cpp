@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes the picture on screen as the inputs of derived results.
 #include "app/viewer/parts/picture_inputs.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The inputs of derived results: balls and complex of the picture on screen. Also wants the results
 // of all balls in the background, and reports large objects to the store's budget.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plays alpha, models and steps: requests the next one when the last one is on screen.
 #include "app/viewer/parts/playing.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plays alpha, models (ui/panels/playback.hpp) and the steps of an engine. The next one is
 // requested when the last one is on screen, however long that took.
 #pragma once

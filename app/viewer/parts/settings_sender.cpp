@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides when changed settings are sent. A moving slider waits for the results of its earlier
 // values.
 #include "app/viewer/parts/settings_sender.hpp"

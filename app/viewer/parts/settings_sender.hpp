@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sends changed settings of the panels to session and scene.
 #pragma once
 

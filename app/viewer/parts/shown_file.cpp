@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Settings, colours, title and dialogs at the opening of a file.
 #include "app/viewer/parts/shown_file.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The file that the window shows: sets the state that begins with each new molecule.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws marks of the selection, labels, distances and angles, and keeps cameras by name. All follow
 // the picture on screen, not settings whose picture is still being made.
 #include "app/viewer/parts/shown_marks.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Marks selected items and draws labels in the picture. Items that the picture lacks get no mark.
 #pragma once
 

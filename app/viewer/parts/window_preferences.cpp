@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Applies preferences at the start, and notes the changes that the user makes in the window.
 #include "app/viewer/parts/window_preferences.hpp"
 

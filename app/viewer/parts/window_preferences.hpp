@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The user's preferences in the window: theme, scale, engine, size, recent files and last folder.
 #pragma once
 

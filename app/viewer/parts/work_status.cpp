@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Updates texts about work: the badge of CGAL's comparison, the line on background work, and the
 // picture's stages.
 #include "app/viewer/parts/work_status.hpp"

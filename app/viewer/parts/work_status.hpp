@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Describes the running work in words, and starts the comparisons with CGAL.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Paints the balls anew when only the paint has changed.
 #include "app/viewer/scene/ball_colours.hpp"
 

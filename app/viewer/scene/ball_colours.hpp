@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The colours of the balls on screen. Colours that depend on the complex come with its drawing, so
 // no picture mixes two alphas. If only the paint changes, a worker makes the colours, and the last
 // colours and their legend stay until these are ready.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides whether balls are left out of pictures while the view moves, because drawing them takes
 // too long. The complex then stands in for the balls. Pure logic.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the drawing of the atoms that are no balls.
 #include "app/viewer/scene/beside_atoms.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The drawn atoms that are not balls of the complex. A worker makes their drawing.
 #pragma once
 

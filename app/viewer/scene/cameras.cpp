@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Moves the camera, and keeps or fits the view when the balls change.
 #include "app/viewer/scene/cameras.hpp"
 

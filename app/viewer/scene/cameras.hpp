@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The camera of the picture: moves, named views, and the view that other balls get.
 #pragma once
 

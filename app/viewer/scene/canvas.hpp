@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The scene with the size of its picture in the window. It notes whether the picture must be drawn
 // again.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes caps when only the clip moves. Caps of a new mesh come with it.
 #include "app/viewer/scene/clip_caps.hpp"
 

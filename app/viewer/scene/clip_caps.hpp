@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The clip in the picture. A worker makes the caps that close cut tetrahedra. Plane and caps change
 // together, so that no picture shows open tetrahedra.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plans a drawing by the free memory, and makes its arrays.
 #include "app/viewer/scene/drawing_maker.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes drawings of a molecule and its complex on a worker, as far as memory allows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the geometry for drawing, and compares molecules.
 #include "app/viewer/scene/drawn_molecule.hpp"
 

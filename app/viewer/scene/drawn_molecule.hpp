@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The balls of a molecule, and the geometry made from them for drawing.
 #pragma once
 

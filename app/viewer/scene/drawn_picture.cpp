@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Describes the picture on screen for panels and for saved pictures.
 #include "app/viewer/scene/drawn_picture.hpp"
 

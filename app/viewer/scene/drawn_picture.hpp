@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The molecule and the complex on screen, with the parts of their picture. They change together,
 // and may be older than the molecule and complex that were set last.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chooses the quality of each picture, and draws it.
 #include "app/viewer/scene/pacing.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // When and how finely the picture is drawn: coarsely while something moves, finer at rest. Measures
 // the time of pictures.
 #pragma once

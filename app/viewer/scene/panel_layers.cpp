@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the drawings of layers, small ones at once.
 #include "app/viewer/scene/panel_layers.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The layers of panels in the picture. A worker makes large ones.
 #pragma once
 

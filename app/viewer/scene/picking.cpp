@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tries the line of sight through a pixel against balls, simplices and other layers.
 #include "app/viewer/scene/picking.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the thing under the mouse in the picture on screen.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes over answers and controls, has drawings made, and draws the picture.
 #include "app/viewer/scene/scene_controller.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the scene follow the session's answers and the controls. Workers make geometry and meshes,
 // and the last picture stays until these are ready. Pictures are drawn only after a change. A part
 // that does not fit into memory is left out with a message.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All settings that decide how the picture looks: display, theme, clip, and hidden or coloured
 // atoms.
 #pragma once

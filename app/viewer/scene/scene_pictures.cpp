@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures that are saved from the window, and the frames of recordings.
 #include <stdexcept>
 #include <utility>

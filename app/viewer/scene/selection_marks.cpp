@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws marks as balls a little larger than those that they mark.
 #include "app/viewer/scene/selection_marks.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exchanges the parts of the picture, and lets each follow the controls.
 #include "app/viewer/scene/shown_picture.hpp"
 

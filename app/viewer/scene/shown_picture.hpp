@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The picture on screen, and the classes that each keep one part of it up to date. A new drawing
 // replaces all of its parts in one step.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the lines of a script: commands of the menus, and verbs for mouse, keys, waiting and
 // pictures.
 #include "app/viewer/script/script.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drives the window by a script. It runs the commands of the menus (commands.hpp), and sends mouse
 // and keys through the same frames and widgets. `alphascope --script-help` lists both.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Repeats moves of alpha or of a ball in the window, and takes their times.
 #include "app/viewer/script/timed_moves.hpp"
 

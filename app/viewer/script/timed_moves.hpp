@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Times moves of alpha, or of a ball by hand. Each time ends with the first frame that shows the
 // move. Returns lines for scripts: median and maximum in ms, of the whole and of the engine.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scales of the slider and steps of playback, and ranges and histograms from a signature.
 #include "core/document/alpha/alpha_slider.hpp"
 

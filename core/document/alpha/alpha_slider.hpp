@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Maps positions on the alpha slider to alpha, and steps alpha in playback. Plain numbers, no
 // widget.
 #pragma once

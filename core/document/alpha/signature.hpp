@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The signature of a molecule: numbers of simplices of each dimension, and the Euler number, as
 // functions of alpha. It is made from the filtration, for all alphas at once.
 #pragma once

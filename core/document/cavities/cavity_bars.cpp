@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorts lives of cavities by length, and writes them as text and CSV.
 #include "core/document/cavities/cavity_bars.hpp"
 

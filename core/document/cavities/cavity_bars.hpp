@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bars of cavities for all alphas at once: from birth to filling, for drawing and as a table. A bar
 // covers the time as a pocket and the time as a void. The parts as voids are the bars of persistent
 // homology in dimension 2.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes charts of cavity curves, finds splits and joins on them, and writes them as CSV.
 #include "core/document/cavities/cavity_chart.hpp"
 

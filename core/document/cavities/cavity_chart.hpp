@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curves of cavities as a chart, for the window's plot and for tables.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of columns of the table of cavities, and how a row gives their values. Nested values of
 // JSON are in cavity_json.cpp.
 #include "core/document/cavities/cavity_columns.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The columns of the table of cavities, for window, command line, CSV, JSON and docs.
 #pragma once
 

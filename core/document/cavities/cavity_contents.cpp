@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Assigns left-out atoms to cavities, residue by residue.
 #include "core/document/cavities/cavity_contents.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Contents of cavities: ligands, ions and waters that are not balls of the body.
 #pragma once
 

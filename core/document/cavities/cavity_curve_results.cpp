@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Samples of the curves, their memory and keys, and balls of other models.
 #include "core/document/cavities/cavity_curve_results.hpp"
 

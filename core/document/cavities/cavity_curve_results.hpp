@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curves of cavities against alpha, solvent radius and model, as derived results.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes surfaces, spheres and scripts of cavities.
 #include "core/document/cavities/cavity_export.hpp"
 

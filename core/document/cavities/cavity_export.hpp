@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exports of cavities for other programs: surfaces, spheres that fill them, scripts. Window and
 // command line both use them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Converts CavityFacts into JSON.
 #include "core/document/cavities/cavity_json.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cavities as JSON (docs/output-files.md).
 #pragma once
 

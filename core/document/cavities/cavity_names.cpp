@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names cavities by their sinks, collects lining residues, and writes sentences on mouths and
 // networks.
 #include "core/document/cavities/cavity_names.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names of cavities, and the residues that line them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the CSV row, the header and derived facts of a cavity.
 #include "core/document/cavities/cavity_records.hpp"
 

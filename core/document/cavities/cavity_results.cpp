@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Definitions of the results on cavities, with their memory and keys.
 #include "core/document/cavities/cavity_results.hpp"
 

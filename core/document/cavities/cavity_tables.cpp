@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes cavities as CSV and JSON.
 #include "core/document/cavities/cavity_tables.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of cavities on screen as CSV or JSON text, equal to that of the command line.
 #pragma once
 

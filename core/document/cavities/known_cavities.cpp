@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes facts on a cavity from the results that KnownCavities holds.
 #include "core/document/cavities/known_cavities.hpp"
 

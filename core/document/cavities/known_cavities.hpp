@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The results on the cavities of one table, as far as they are known. Columns read them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects shapes, lining and contents of the selected cavities.
 #include "core/document/cavities/selected_cavities.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The selected cavities: shapes for the picture, lining and contents, as one derived result of
 // table and selection.
 #pragma once

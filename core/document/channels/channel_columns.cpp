@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The lists of columns of a channel's samples and of ways, and how a row gives their values. Nested
 // values of JSON are in channel_records.cpp.
 #include "core/document/channels/channel_columns.hpp"

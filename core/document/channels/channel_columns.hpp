@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The columns of a channel's samples, and of the ways through a molecule.
 #pragma once
 

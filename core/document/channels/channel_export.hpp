@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exports of a channel for other programs: its surface, spheres along its line, scripts. Window and
 // command line both use them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes channels as CSV and JSON; also the functions of channel_json.hpp.
 #include "core/document/channels/channel_records.hpp"
 

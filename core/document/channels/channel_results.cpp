@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Definitions of channels, bottlenecks and ends, with progress, memory and keys.
 #include "core/document/channels/channel_results.hpp"
 

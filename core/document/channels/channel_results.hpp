@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Channels, and the points where they may begin and end, as derived results.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes texts on channels: what passes, how much is covered, which atoms touch. Also the colours of
 // bands of width.
 #include "core/document/channels/channel_text.hpp"

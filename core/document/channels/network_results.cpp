@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The definition of the derived result on where a network falls apart, with its memory and key.
 #include "core/document/channels/network_results.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The solvent radius and alpha at which a network of the table on screen falls apart, as a derived
 // result.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ways through a molecule: parts to search, and the names of chains in the results.
 #include <algorithm>
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scores commands by the words that a user types.
 #include "core/document/commands/command_search.hpp"
 

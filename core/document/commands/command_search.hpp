@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds commands by typed text, for the command palette.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks commands, reads their arguments and runs them.
 #include "core/document/commands/commands.hpp"
 

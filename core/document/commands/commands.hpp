@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of all commands of the window. Menus, keyboard shortcuts, the cheat sheet, the command
 // palette and scripts are made from it. So a new command needs one call of add(). No GUI type.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads numbers and their units, and writes error messages with remedies.
 #include "core/document/commands/number_input.hpp"
 

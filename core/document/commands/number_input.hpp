@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers that users type, in the window and on the command line: one reader and one place for the
 // bounds. Pure text.
 #pragma once

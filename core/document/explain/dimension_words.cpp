@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the texts on complexes whose centres are in a plane, on a line or at one point.
 #include "core/document/explain/dimension_words.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Texts on complexes whose centres all lie in a plane, on a line or at one point. Triangles, edges
 // or vertices are the largest simplices there (core/complex/own_dimension.hpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sentences on the steps of the dual-edge engine. Steps that every engine has are in
 // steps_text.cpp.
 #include "core/document/explain/step_words.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Converts an Explanation into JSON.
 #include "core/document/explain/explanation_json.hpp"
 

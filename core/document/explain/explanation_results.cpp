@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Definitions of explained simplices, and the reading of a selection.
 #include "core/document/explain/explanation_results.hpp"
 

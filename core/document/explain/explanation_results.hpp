@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Explanations of selected simplices as derived results.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the sentences of an explanation: whether the simplex is there, why, and which arithmetic
 // decided.
 #include "core/document/explain/explanation_text.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An explanation (core/explain/explanation.hpp) in sentences, for readers who have never seen a
 // power diagram.
 #pragma once

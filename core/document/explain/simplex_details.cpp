@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects facts on a simplex from the lists of a complex.
 #include "core/document/explain/simplex_details.hpp"
 

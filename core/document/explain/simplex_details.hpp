@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Facts on an atom or a simplex and its surroundings in the complex on screen, as a derived result.
 // It takes one pass over the lists of simplices.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of names for counts, boxes and marks of steps.
 #include "core/document/explain/step_names.hpp"
 

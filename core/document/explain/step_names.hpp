@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names of the parts of a step (core/explain/ball_steps.hpp), for tables and legends: its counts,
 // and its drawn boxes and marks.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Words with numbers for sentences on steps. Internal header of core/document.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Converts BallSteps into JSON.
 #include "core/document/explain/steps_json.hpp"
 

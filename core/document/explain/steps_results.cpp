@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Definitions of steps, the reading of a selection, and sentences on the effect of optimisations.
 #include "core/document/explain/steps_results.hpp"
 

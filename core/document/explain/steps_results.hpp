@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of one ball (core/explain/ball_steps.hpp) with their sentences, as a derived result.
 // Also the ball and the engine to be shown.
 #pragma once

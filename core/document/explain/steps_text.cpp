@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sentences on the steps of the tuple engine, and on steps that every engine has.
 #include "core/document/explain/steps_text.hpp"
 

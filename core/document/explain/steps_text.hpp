@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of one ball (core/explain/ball_steps.hpp) in sentences, for readers who want to know
 // how the algorithm works. For window and command line.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of export formats, and the class Exporter with a function for each.
 #include "core/document/export/complex_export.hpp"
 

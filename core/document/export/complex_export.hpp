@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exports of a complex for other programs, for window and command line. The ending of the file's
 // name determines the format.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A function that writes files of a result, as a derived result. It is for formats that are not
 // text or need several files.
 #pragma once

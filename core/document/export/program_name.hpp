@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The name of the program, as files that it writes state it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Converts programs, inputs, requests and complexes into JSON.
 #include "core/document/export/record_json.hpp"
 

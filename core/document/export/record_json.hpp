@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // JSON of results with their provenance (docs/output-files.md), for window and command line.
 #pragma once
 

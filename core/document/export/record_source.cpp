@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The source of records, with the lattice of their results.
 #include "core/document/export/record_source.hpp"
 

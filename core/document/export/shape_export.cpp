@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names the files of an export of shapes, and checks whether a script could open the molecule.
 #include "core/document/export/shape_export.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Formats of shapes (cavities or channels) for other programs, and the files of each format.
 #pragma once
 

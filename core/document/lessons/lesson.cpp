@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads lessons line by line. The meaning of a line depends on the part that it belongs to.
 #include "core/document/lessons/lesson.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A lesson: steps that the window plays, written as a text (docs/file-formats.md). This reads such
 // texts; app/viewer/lessons plays them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses names of facts and writes their values.
 #include "core/document/lessons/lesson_facts.hpp"
 

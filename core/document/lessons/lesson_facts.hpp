@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Facts about the complex on screen that a lesson's text names instead of giving numbers:
 // {tetrahedra}, {n edges}, {alpha}. The program computes them, so the text is always right about
 // them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts the edges between chains.
 #include "core/document/measures/contact_results.hpp"
 

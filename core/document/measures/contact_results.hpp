@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Contacts between chains, as a derived result: atoms of two chains that share an edge of the
 // complex on screen. Such atoms are neighbours whose grown balls meet where no other atom comes
 // between.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of columns of the table of areas and volumes, and how a row gives their values.
 #include "core/document/measures/measure_columns.hpp"
 

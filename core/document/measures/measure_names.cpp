@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the name of a surface from alpha and solvent radius, and has the names of groups.
 #include "core/document/measures/measure_names.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names of surfaces, and the groups for which areas and volumes are listed.
 #pragma once
 

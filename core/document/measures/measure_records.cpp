@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes areas and volumes as CSV and JSON; also the function of measure_json.hpp.
 #include "core/document/measures/measure_records.hpp"
 

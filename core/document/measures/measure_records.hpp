@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Areas and volumes as records for programs (docs/output-files.md), written by command line and
 // window.
 #pragma once

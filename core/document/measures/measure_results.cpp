@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Definitions of measures and derivatives with their memory, and shares of exposed area.
 #include "core/document/measures/measure_results.hpp"
 

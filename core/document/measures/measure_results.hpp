@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Areas and volumes of the complex on screen, as derived results.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes rows of groups, filters and sorts them.
 #include "core/document/measures/measure_rows.hpp"
 

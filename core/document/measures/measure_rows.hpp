@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Areas and volumes as rows of a table, by component, chain, residue or atom. The window, CSV and
 // JSON use the same rows.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One function for each colour scheme of balls, and the colours of their values.
 #include "core/document/measures/paint_balls.hpp"
 

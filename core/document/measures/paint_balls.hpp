@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of balls for a paint, and their meaning, for the window, the command line and saved
 // pictures.
 #pragma once

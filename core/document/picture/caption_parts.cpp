@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of caption parts, and reading and writing of choices.
 #include "core/document/picture/caption_parts.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Choice of the parts of a picture's caption, by names. ui/caption.hpp makes their texts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses patterns of file names.
 #include "core/document/picture/frame_names.hpp"
 

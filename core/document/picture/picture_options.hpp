@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Choices for saved pictures and recordings, which sessions keep.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Frames of sweeps, turntables and lessons, and their texts on the command line.
 #include "core/document/picture/recording.hpp"
 

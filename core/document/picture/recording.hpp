@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Describes a recording: a sweep of alpha (each frame is another complex) or a turntable (one
 // complex from all sides). Plain numbers; knows neither engine nor renderer.
 #pragma once

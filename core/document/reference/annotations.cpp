@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads annotations from the words of a command line.
 #include "core/document/reference/annotations.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Annotations of a picture: labels of atoms, distances and angles between atoms, and marks at
 // points in space. They are a setting, so undo and session files include them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads hidden atoms and colours, and applies them to balls.
 #include "core/document/reference/appearance.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Atoms that the picture hides, and atoms with a colour of their own. Only the picture changes:
 // nothing is computed anew.
 #pragma once

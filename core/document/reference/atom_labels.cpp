@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets, counts and places labels of atoms.
 #include "core/document/reference/atom_labels.hpp"
 

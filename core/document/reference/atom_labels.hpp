@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Labels of atoms in the picture: atoms with labels, their texts, and their positions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads and computes measurements.
 #include "core/document/reference/atom_measurements.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Distances and angles between atoms that the user measures. The list keeps references, so it stays
 // valid under other options.
 #pragma once

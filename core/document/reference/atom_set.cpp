@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Joins, cuts and converts runs of atoms.
 #include "core/document/reference/atom_set.hpp"
 

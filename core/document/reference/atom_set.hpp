@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets of atoms of a file and its copies in an assembly, as runs. They are small for chains and
 // residues, which are mostly hidden or coloured as a whole. So each entry of the history can keep
 // one.

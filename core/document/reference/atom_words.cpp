@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Splits lists such as "resn HEM=#ff8800; chain A=#888", and reports errors in them.
 #include "core/document/reference/atom_words.hpp"
 

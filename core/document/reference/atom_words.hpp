@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of a command line that give a word to each group of atoms: "resn HEM=#ff8800; chain
 // A=#888".
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of columns of measured distances and angles, and how a row gives their values.
 #include "core/document/reference/measurement_columns.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The columns of measured distances and angles, for the window, CSV and docs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points and lines that the user draws at points in space, with texts beside them.
 #pragma once
 

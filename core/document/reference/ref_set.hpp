@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // References to atoms and simplices, sets of them, and the selection.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets of references, the order of selection, and lookups. Balls have the order of their atoms, so
 // an atom's ball is found by bisection.
 #include "core/document/reference/reference.hpp"

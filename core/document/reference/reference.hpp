@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // References to atoms and simplices that stay valid under other options. The index of a ball does
 // not: it changes with hydrogens, alternative locations or the assembly. So data that outlive one
 // set of balls (selection, history, session files) hold references only.

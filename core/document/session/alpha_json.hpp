@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Alpha in JSON. It is a number if the shortest decimal of a double is exactly alpha. Otherwise it
 // is a text with all digits, because JSON readers convert numbers to double.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps the history of settings: notes changes, and carries out undo and redo.
 #include "core/document/session/editor.hpp"
 

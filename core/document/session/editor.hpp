@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The present settings and their history. Undo works with snapshots, so a new setting needs no code
 // here. Main thread only.
 #pragma once

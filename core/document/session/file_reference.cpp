@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes references to files, finds the files, and describes those not found.
 #include "core/document/session/file_reference.hpp"
 

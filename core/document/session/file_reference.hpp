@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A reference to a file by path and content. So a moved file is found, and a changed file is
 // noticed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads settings from JSON: FieldReader.
 #include "core/document/session/json_fields.hpp"
 

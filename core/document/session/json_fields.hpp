@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Settings as JSON. FieldWriter and FieldReader visit the fields of settings_fields.hpp. The reader
 // checks all bounds, because files come from anywhere. This header compiles slowly, so only sources
 // that read or write such files should include it.

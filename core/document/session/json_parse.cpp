@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses a file into one JSON object, and finds the line of an error.
 #include <set>
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scans JSON without recursion, so deep nesting cannot overflow the stack. Each function takes one
 // step a character.
 #include "core/document/session/json_place.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Places of values in a JSON text, for messages; parsers do not keep them.
 #pragma once
 

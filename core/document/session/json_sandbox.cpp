@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sandbox balls in session files. Their numbers are whole lattice units, so that nothing is
 // rounded.
 #include <array>

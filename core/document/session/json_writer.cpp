@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes settings as JSON: FieldWriter of json_fields.hpp.
 #include <charconv>
 

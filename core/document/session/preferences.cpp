@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads, merges and writes the file of preferences.
 #include "core/document/session/preferences.hpp"
 

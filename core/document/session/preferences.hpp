@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Preferences of a user for all windows, kept in a file in the configuration folder. Settings of a
 // molecule belong to a session instead.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes, reads and checks session files.
 #include "core/document/session/session_file.hpp"
 

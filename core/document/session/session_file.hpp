@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A session is a JSON file (docs/output-files.md). It has all settings, the state of the window,
 // and path and hash of the open molecule. It contains neither the molecule nor any result.
 #pragma once

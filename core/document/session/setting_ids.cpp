@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of words for the values of choices in session files and preferences.
 #include "core/document/session/setting_ids.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Words for the values of choices in session files and preferences, mostly those of the command
 // line.
 #pragma once

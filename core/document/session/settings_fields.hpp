@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of all settings in session files: name and bounds of each. Writer and reader
 // (json_fields.hpp) visit these lists, so a new setting needs one line here. Settings of the
 // display have theirs in display_fields.cpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets the options of the body that compare with CASTp's, and lists the differences of other
 // options.
 #include "core/document/settings/cavity_preset.hpp"

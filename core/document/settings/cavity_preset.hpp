@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Options for cavities that are comparable with CASTp's, and differences of the present options
 // from them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Choices for the table of cavities of the open file, as a part of its settings.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the half-spaces that a clip keeps, and reads and writes clips as text.
 #include "core/document/settings/clip.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The clip that cuts the picture open: a plane, or a slab between two planes. It is a setting of
 // the display, so nothing is computed anew. This also reads and writes clips as text.
 #pragma once

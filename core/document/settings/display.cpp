@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests which atoms are drawn beside the body.
 #include "core/document/settings/display.hpp"
 

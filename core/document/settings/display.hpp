@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The things that are drawn of balls and complex, and their look. A change needs a new picture
 // only.
 #pragma once

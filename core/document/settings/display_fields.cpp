@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of the settings of the display. display_values.cpp reads and sets their values.
 #include "core/document/settings/display_fields.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The settings of the display as one table. A row says all about a setting but its effect on the
 // picture, which display_style.hpp has. Panel, commands, session files, command line, Undo and the
 // docs come from the table.

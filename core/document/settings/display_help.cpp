@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Prints the table of the settings of the display.
 #include "core/document/settings/display_help.hpp"
 

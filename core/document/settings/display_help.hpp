@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The settings of the display as a text, for people and for the docs.
 #pragma once
 

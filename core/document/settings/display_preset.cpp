@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The titles, help and settings of each preset of the display.
 #include "core/document/settings/display_preset.hpp"
 

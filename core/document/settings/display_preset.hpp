@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Presets of the display: settings of a whole look at once.
 #pragma once
 

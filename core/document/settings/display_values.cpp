@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Access to the values of the settings of the display by the rows of their table.
 #include <charconv>
 #include <cmath>

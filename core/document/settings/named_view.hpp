@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A camera saved under a name. It is a setting, so undo and session files include it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Resets the options that belong to one file, for the next file.
 #include "core/document/settings/open_options.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options between a file and a BallSet: which atoms become balls, and their radii.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of colour schemes; reads and writes paints as text.
 #include "core/document/settings/paint.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A paint, the colouring of balls and simplices: a scheme, a colour map and a range of values. This
 // also reads and writes paints as text; paint_balls.hpp makes the colours.
 #pragma once

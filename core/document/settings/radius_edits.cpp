@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets, removes and finds radii that the user types for groups of atoms.
 #include "core/document/settings/radius_edits.hpp"
 

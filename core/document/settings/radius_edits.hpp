@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Radii that the user types for groups of atoms, in the order of typing (BallOptions::overrides).
 // They replace guessed or missing ones.
 #pragma once

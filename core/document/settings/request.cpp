@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets options that the request's engine does not use to their defaults.
 #include "core/document/settings/request.hpp"
 

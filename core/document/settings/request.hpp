@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The request for one complex: alpha, solvent radius and engine. It does not contain the choice of
 // atoms.
 #pragma once

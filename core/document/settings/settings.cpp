@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names the settings that differ, for "Undo" and "Redo".
 #include "core/document/settings/settings.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All values that a user sets for the open file. Undo restores them, and session files hold them.
 // The state of windows and dialogs is not included.
 #pragma once

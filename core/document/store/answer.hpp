@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The answer of an engine to a request. It does not change once it is handed over.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions that store and evaluator use of every definition: its key, and the text when memory is
 // short.
 #include "core/document/store/definition.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The definition of a derived result for the store: its inputs, its memory, and how it is made.
 #pragma once
 

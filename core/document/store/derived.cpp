@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The definitions of triangulation and filtration, and their way into and out of the store.
 #include "core/document/store/derived.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The derived results on which all others depend: triangulation and filtration.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a result after those that its definition is made of, each once a key.
 #include "core/document/store/evaluator.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes derived results at once, for the command line, which waits for them. The store makes the
 // same results in the background.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Wraps a text that exists already as a derived result, for code that writes any derived result.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Keys of inputs, and the results that inputs carry.
 #include "core/document/store/inputs.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The inputs of derived results, and keys that identify them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The key of a derived result: numbers that identify the inputs from which it is made.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The store: requests, the order in which results are made, and room for them.
 #include "core/document/store/store.hpp"
 

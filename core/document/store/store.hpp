@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The owner of all results that follow from balls: triangulation, filtration, tables, charts. It
 // makes each once a key, within one memory budget for all large objects of the program. A result
 // that does not fit is not made, and its state says so.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The store's jobs: how a result is made on a worker, and how the store takes it.
 #include <algorithm>
 #include <utility>

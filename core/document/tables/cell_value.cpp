@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes cells for CSV, the window and the terminal. Columns are in column.hpp.
 #include "core/document/tables/cell_value.hpp"
 

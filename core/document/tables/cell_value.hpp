@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The value of a table's cell at full precision, and its text in files and for people.
 #pragma once
 

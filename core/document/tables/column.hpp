@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A column of a table, written once: for CSV, JSON, the window, the terminal and the docs.
 #pragma once
 

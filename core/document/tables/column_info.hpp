@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a list of columns says about its columns, without their rows.
 #pragma once
 

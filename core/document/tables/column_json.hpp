@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Keys of a JSON object from a list of columns.
 #pragma once
 

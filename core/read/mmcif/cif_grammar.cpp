@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs gemmi's grammar with our own actions, so no document with a string per value is built.
 #include "core/read/mmcif/cif_grammar.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The grammar of CIF as events in file order. Readers interpret the tables. Plain C++17, because
 // gemmi's headers do not compile as C++20 with every compiler.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Removes quotes from CIF values, and reads coordinates.
 #include "core/read/mmcif/cif_value.hpp"
 #include "core/text/printable.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A raw value of a CIF file, and its meaning.
 #pragma once
 

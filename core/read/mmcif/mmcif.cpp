@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads mmCIF: the atom_site table, assemblies and the title. Numbers stay text until they go to
 // the lattice, and every value knows its line.
 #include <charconv>

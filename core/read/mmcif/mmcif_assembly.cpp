@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes assemblies from the rows of three mmCIF tables.
 #include "core/read/mmcif/mmcif_assembly.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the mmCIF tables that describe assemblies, row by row, while a file is read.
 #pragma once
 

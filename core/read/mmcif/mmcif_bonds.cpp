@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects rows of struct_conn and keeps the covalent bonds.
 #include "core/read/mmcif/mmcif_bonds.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the bonds of mmCIF's table struct_conn while a file is read.
 #pragma once
 

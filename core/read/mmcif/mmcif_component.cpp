@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a molecule of a chemical component.
 #include "core/read/mmcif/mmcif_component.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a chemical component with coordinates from a CIF file without atom sites. The wwPDB's
 // dictionary has such files, and programs that make ligands write them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects rows of the entity tables and derives the type of each entity.
 #include "core/read/mmcif/mmcif_entities.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the mmCIF tables on the types of molecules while a file is read.
 #pragma once
 

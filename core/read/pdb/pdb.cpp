@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The PDB format, version 3.3, and the dialects of other programs. Columns are counted from 1, as
 // in the format description. Coordinates come from the text itself, because gemmi's reader gives
 // binary doubles without line numbers. It also refuses old files with an identifier in columns

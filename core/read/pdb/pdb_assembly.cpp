@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses REMARK 350 and makes assemblies.
 #include "core/read/pdb/pdb_assembly.hpp"
 

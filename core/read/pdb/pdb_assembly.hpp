@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // REMARK 350 of PDB files, which gives assemblies as BIOMT matrices for lists of chains.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides from all lines of a PDB file whether column 21 belongs to residue names or to chains.
 #include "core/read/pdb/pdb_chain_columns.hpp"
 

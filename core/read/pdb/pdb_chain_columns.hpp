@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides what column 21 of a PDB file is. It is the fourth letter of a residue name (CHARMM), or
 // the first of two letters of a chain (big structures). One line does not show it, so the whole
 // file is read.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The entries of PDB and PDBQT in the list of formats, with their recognition.
 #include <algorithm>
 #include <iterator>

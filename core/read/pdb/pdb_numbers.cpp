@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses decimal, hybrid-36 and hexadecimal numbers of PDB files.
 #include "core/read/pdb/pdb_numbers.hpp"
 

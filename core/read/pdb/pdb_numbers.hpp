@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Serial and residue numbers of PDB files with more atoms or residues than the columns can hold.
 #pragma once
 

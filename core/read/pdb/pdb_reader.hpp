@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The readers of PDB files and of AutoDock's PDBQT.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Classifies the lines of PDB files, and the columns of atom names.
 #include "core/read/pdb/pdb_records.hpp"
 

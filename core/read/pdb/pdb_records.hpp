@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the atom lines of a PDB file: ATOM and HETATM, and lines that nearly are such records.
 #pragma once
 

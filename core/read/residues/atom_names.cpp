@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Guesses elements from atom names, and families of residues from residue names.
 #include "core/read/residues/atom_names.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of AutoDock's atom types.
 #include "core/read/residues/autodock_types.hpp"
 

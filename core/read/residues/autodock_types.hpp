@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The atom types of AutoDock and Vina, as PDBQT files have them in columns 78-79.
 #pragma once
 

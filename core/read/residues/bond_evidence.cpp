@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the residues of the atoms that recorded bonds name.
 #include "core/read/residues/bond_evidence.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Evidence of recorded bonds for deciding what residues are (decide_residues.hpp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds bonds of chains by the distances of atoms.
 #include "core/read/residues/chain_bonds.hpp"
 

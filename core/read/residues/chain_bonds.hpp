@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds by distances which residues of a model are bound in a chain. Bonds are C to N and O3' to P,
 // or CA to CA where a model has nothing else.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Weighs the evidence for each residue in a fixed order.
 #include "core/read/residues/decide_residues.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decides once for all formats what each residue is: polymer, ligand, ion, water or dummy. Evidence
 // has a fixed order. The entity table is first, then other records (bonds last). The residue's own
 // atoms and lists of names follow. The rest is guessed.

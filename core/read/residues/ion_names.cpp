@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables and patterns of ion names.
 #include "core/read/residues/ion_names.hpp"
 

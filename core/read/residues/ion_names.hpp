@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names of ions, which are alone in their residue. They are those of the chemical component
 // dictionary, CHARMM, AMBER, GROMACS and CNS. Case does not matter: AMBER writes "Na+" and GROMACS
 // "NA+".

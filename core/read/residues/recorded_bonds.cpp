@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads LINK and CONECT records of PDB files.
 #include "core/read/residues/recorded_bonds.hpp"
 

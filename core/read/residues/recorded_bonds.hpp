@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bonds that a file states: LINK and CONECT of PDB, struct_conn of mmCIF.
 #pragma once
 

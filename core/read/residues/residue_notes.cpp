@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts guesses and contradictions, and turns them into notes.
 #include "core/read/residues/residue_notes.hpp"
 

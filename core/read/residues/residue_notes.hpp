@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Notes on the residues of a file: guesses, and evidence that disagrees.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Records of a file about its residues, beside the names of atoms. Readers collect it, and
 // decide_residues.hpp uses it once the whole file is read.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Groups atoms into residues, and counts what their names and elements show.
 #include "core/read/residues/residue_table.hpp"
 

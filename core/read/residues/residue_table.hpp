@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The residues of a model, with the evidence of their atoms. decide_residues.hpp decides by it what
 // they are.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parses the element column of a file.
 #include "core/read/residues/stated_element.hpp"
 

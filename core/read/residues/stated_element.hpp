@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The meaning of a file's own element column: a symbol, perhaps with a charge, or something else.
 #pragma once
 

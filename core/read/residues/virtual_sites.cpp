@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds virtual sites by their names, their elements and their distance to an atom.
 #include "core/read/residues/virtual_sites.hpp"
 

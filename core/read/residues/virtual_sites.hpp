@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points that a file lists as atoms but that are none. They are virtual sites, lone pairs, Drude
 // particles, dummy masses, pseudo-atoms, and alpha spheres of fpocket.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the thesis' suite with engines of known speed, and once with the real ones.
 #include "app/bench/thesis_suite.hpp"
 

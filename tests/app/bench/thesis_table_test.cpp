@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the suite's table and figures with rows of known numbers.
 #include "app/bench/thesis_table.hpp"
 

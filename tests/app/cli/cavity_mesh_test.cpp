@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests surfaces that alphascope-cli cavities writes, with VTK's readers.
 #include <vtkCompositeDataIterator.h>
 #include <vtkFeatureEdges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests alphascope-cli cavities from files to numbers, and that the output names the choices. The
 // numbers of each cavity are compared with tables in tests/core/cavity.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the files that alphascope-cli cavities writes for other programs. Reads them back as those
 // programs would. Also tests cavities with several radii side by side.
 #include <cmath>

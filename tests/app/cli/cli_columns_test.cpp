@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that the command `columns` lists what the files of other commands have.
 #include "tests/app/cli/cli_fixture.hpp"
 

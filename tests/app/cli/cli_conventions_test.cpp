@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that alphascope-cli follows conventions of command lines: help, typing errors, manual,
 // completion.
 #include <pty.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests alphascope-cli explain on small files: sentences, JSON, and messages for wrong simplices.
 #include "tests/app/cli/cli_fixture.hpp"
 

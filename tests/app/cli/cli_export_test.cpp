@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests alphascope-cli export: every format is read back, mostly without other programs' libraries.
 // Tests with VTK, CGAL and gemmi are in separate files.
 #include <sys/resource.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the files of alphascope-cli when a system call fails or a signal arrives. All outputs of a
 // command must be complete, or all unchanged. The input must be unchanged, and no temporary file
 // may be left. ALPHASCOPE_ALL_FAULTS=1 tries every call of every command, instead of a sample.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the real alphascope-cli in a folder of its own, and reads its output.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests alphascope-cli frames: its files and its messages.
 #include <set>
 

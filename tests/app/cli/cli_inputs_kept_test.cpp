@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that inputs are never overwritten, and that an output's name must have its format's ending.
 #include <unistd.h>
 

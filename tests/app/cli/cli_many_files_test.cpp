@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests alphascope-cli on many files, on lists of them, and on standard input.
 #include <sys/resource.h>
 

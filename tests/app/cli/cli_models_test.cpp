@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests alphascope-cli on files of several models, and the provenance in every kind of output.
 #include "tests/app/cli/cli_fixture.hpp"
 

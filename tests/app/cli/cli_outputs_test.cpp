@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests files, standard output, exit codes and signals of alphascope-cli.
 #include <fcntl.h>
 #include <sys/stat.h>

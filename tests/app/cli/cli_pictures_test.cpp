@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests pictures of alphascope-cli: their overlays and their metadata.
 #include "tests/app/cli/cli_fixture.hpp"
 #include "tests/support/png_chunks.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests residues in alphascope-cli: what they are, why, and a user's treatments.
 #include "tests/app/cli/cli_fixture.hpp"
 

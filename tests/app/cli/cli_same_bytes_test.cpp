@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that a command always writes the same bytes, at any speed and with any number of threads.
 // Also tests results of files with unusual names.
 #include "core/geometry/alpha.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests alphascope-cli steps on small files: sentences, JSON, switches, and messages for wrong
 // balls.
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the real alphascope-cli on small files: results, exit codes, and messages for bad input.
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/app/cli/cli_fixture.hpp"

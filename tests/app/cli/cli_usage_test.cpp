@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that wrong input is refused with a remedy, and that the guide's command lines work.
 #include <algorithm>
 #include <regex>

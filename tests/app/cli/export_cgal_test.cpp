@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that CGAL reads boundaries of alphascope-cli export as solids.
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>

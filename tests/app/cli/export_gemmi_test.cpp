@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests PQR files of alphascope-cli export with gemmi, which reads their PDB columns.
 #include <gemmi/pdb.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the export of meshes for finite elements, Medit's format.
 #include <algorithm>
 #include <array>

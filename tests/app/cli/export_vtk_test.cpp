@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests files of alphascope-cli export with VTK's readers, against the complex.
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>

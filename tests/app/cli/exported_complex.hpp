@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The complex as `compute --out` writes it, for comparison with exported files.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A library that tests load before the C library (LD_PRELOAD). It makes the N-th call of one kind
 // fail, or sends a signal at that call. ALPHASCOPE_FAULT is "KIND N ACTION". KIND is open (for
 // writing), write, rename, fsync or malloc. ACTION is an errno below 1000, or 1000 + a signal,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the exit code of `verify`, on which calling programs rely, with engines that are wrong on
 // purpose.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the table of options: values, proposals, and parsing according to the table.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests which engines are kept, and what happens when one fails.
 #include "app/session/engine_cache.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests which engine settings the options set.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An engine for tests of the session. Its complex is one vertex for each ball. It waits and fails
 // on demand, and counts requests. It computes no geometry.
 #pragma once

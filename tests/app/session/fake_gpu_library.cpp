@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Stand-ins for the library with the GPU engines, for tests of its loading: a good one; with
 // FAKE_OLD_GPU one of another build; with FAKE_FOREIGN one without its symbols.
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the loading of the library with the GPU engines: where it is looked for, that it may be
 // absent, damaged or of another build, and that engines and exceptions cross its boundary.
 #include "app/session/gpu_engines.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that messages on short memory name options of their command.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the session as a window uses it. Calls never wait, the latest request wins, and a failure
 // keeps the previous molecule and results.
 #include "app/session/session.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests cavities of small sets against their definition, computed in rational numbers. Also tests
 // changes that must not affect cavities.
 #include "core/cavity/cavities.hpp"

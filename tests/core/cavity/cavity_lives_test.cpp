@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests lives of cavities: at each of many alphas, the living cavities are those of the complex
 // there.
 #include "core/cavity/cavity_lives.hpp"

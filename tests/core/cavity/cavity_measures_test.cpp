@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests numbers of cavities: changes that must not affect them, and sets with known numbers.
 #include "core/cavity/cavity_measures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares cavities and their numbers with the tables of an independent program, and with CASTp's
 // own.
 #include <gtest/gtest.h>

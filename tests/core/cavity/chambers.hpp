@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chambers in a row: cubes of balls with holes of known widths in their walls.
 #pragma once
 

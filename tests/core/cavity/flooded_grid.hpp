@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the widest walk between places of a fine grid by flooding it from above. It is a bound for
 // channels that needs no triangulation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gramicidin A, PDB entry 1GRM (A. S. Arseniev et al., NMR, CC0), the first model without
 // hydrogens. Also the radii of its pore by HOLE 2.2.003 (O. S. Smart, J. M. Goodfellow, B. A.
 // Wallace, Biophys. J. 65, 1993).

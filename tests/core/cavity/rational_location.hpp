@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the tetrahedra that contain a point by trying each in rationals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tubes made of rings of balls, with known widths.
 #pragma once
 

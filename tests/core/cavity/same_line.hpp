@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Expects two channels to have the same widths and samples, to the last bit.
 #pragma once
 

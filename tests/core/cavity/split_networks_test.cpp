@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests networks and their parts. Compares chambers with known openings, and slower algorithms that
 // follow the definitions. Also tests changes that must not matter.
 #include "core/cavity/split_networks.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests which cavities correspond at two solvent radii. Compares with shares in rationals, and with
 // sets where cavities split and merge.
 #include "core/cavity_identity/cavity_identity.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests points in triangulations by trying all tetrahedra in rationals.
 #include "core/cavity_identity/point_location.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests surfaces of cavities: oriented, closed around voids, open at mouths.
 #include "core/cavity_shape/cavity_mesh.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests spheres that fill cavities against their definition.
 #include "core/cavity_shape/filling_spheres.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests bottlenecks of many places at once, and the widest places of cavities.
 #include "core/channel/bottlenecks.hpp"
 

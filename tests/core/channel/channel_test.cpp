@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests channels with known bottlenecks: built of rings, found by flooding a fine grid, or
 // published.
 #include "core/channel/channel.hpp"

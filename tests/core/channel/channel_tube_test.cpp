@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the surface of a channel as a mesh.
 #include "core/channel/channel_tube.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests clearance, and functions built on it alone, against the definition.
 #include "core/channel/clearance.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that queries which search locally give the same answers as the whole complex.
 #include "core/channel/empty_space.hpp"
 

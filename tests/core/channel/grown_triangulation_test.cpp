@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests grown balls and the helping balls around them.
 #include "core/channel/grown_triangulation.hpp"
 

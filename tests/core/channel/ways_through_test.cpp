@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests ways through tubes with known bottlenecks: one in each tube and none elsewhere.
 #include "core/channel/ways_through.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests charts: the places of their parts, and their SVG.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that colours of chains and cavities can be told apart, also by colour-blind people. Units
 // are those of CIEDE2000, where about 1 is the least visible difference side by side.
 #include "tests/support/colour_difference.hpp"

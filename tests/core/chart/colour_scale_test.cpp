@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests colour maps, scales, and their round numbers.
 #include "core/chart/colour_scale.hpp"
 #include "core/molecule/rgb8.hpp"

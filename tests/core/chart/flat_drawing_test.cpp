@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests drawings in the plane: cells and circles against their definitions, edges by their
 // triangles, and well-formed files.
 #include "core/chart/flat_drawing.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the layout of plots and their SVG.
 #include "core/chart/plot.hpp"
 

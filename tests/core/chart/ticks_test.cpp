@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests round numbers on axes.
 #include "core/chart/ticks.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the hash of a complex, and the memory of its arrays.
 #include "core/complex/alpha_complex.hpp"
 

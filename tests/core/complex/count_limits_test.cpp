@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that counts beyond 32 bits are refused with a message, and counts within are accepted.
 #include "core/complex/count_limits.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests classes of faces against their definition, for every combination of cofaces.
 #include "core/complex/face_class.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests groups of simplices with a common face.
 #include "core/complex/face_groups.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests classes and counts in a plane, on a line and at a point against the definition in
 // rationals.
 #include "core/complex/own_dimension.hpp"

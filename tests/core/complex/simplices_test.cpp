@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests arrays of results: ordinary ones, and those that adopt existing content.
 #include "core/complex/simplices.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests dual edges and the cull of discs in single and double precision. All decisions must be
 // those of integers, on random and nearly degenerate neighbourhoods.
 #include "core/dual_edge/dual_edge.hpp"

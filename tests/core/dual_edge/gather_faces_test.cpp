@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that edges are found by their triangles. A missing edge is an error, and nothing is
 // overwritten.
 #include "core/dual_edge/gather_faces.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the table of engines: every enumerator has one entry, and lists follow from the table.
 #include "core/engine/engine_choice.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that slabs give the result of the whole set for all cuts. Simplices, values and classes are
 // the same, in the same order.
 #include "core/engine/slabs.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that engines answer from known results of their balls, report it, add new results, and keep
 // none.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests every engine against CGAL's Fixed_alpha_shape_3 and Regular_triangulation_3, used directly.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests what CPU engines report beside the complex: lattice, device, times and route.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests an engine whose executor has little memory, fails, or cannot compute. The executors here
 // compute with the CPU engine, and imitate only the limits of a device.
 #include "core/engines/engine_of_executors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that alpha is the typed decimal in every engine. Simplices have a decimal ortho-radius,
 // worked out by hand. They are in at that alpha, and out 10^-18 Å² below it.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests every engine on degenerate and random sets of balls against the definition in rationals.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that areas, volumes and cavities follow from the complex, so that every engine gives the
 // same.
 #include <gtest/gtest.h>

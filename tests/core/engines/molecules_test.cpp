@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests real molecules: known counts, and every engine against CGAL.
 #include <gtest/gtest.h>
 

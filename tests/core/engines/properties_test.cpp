@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests properties of K_alpha for every engine: invariance, growth with alpha, Euler's number,
 // agreement with the definition. Also tests cancelling, NaN and determinism.
 #include <gtest/gtest.h>

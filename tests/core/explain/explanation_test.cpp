@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests explanations against the definition in rationals, for every simplex of small hard sets,
 // whether in the triangulation or not.
 #include "core/explain/explanation.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the sentences of explanations: each number has a unit, and each kind of answer its text.
 #include "core/document/explain/explanation_text.hpp"
 

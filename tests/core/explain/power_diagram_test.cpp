@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests borders between cells: both balls have equal power there, and no ball has less.
 #include "core/explain/power_diagram.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the record of how a decision was made: by a filter, by integers, or by the perturbation.
 #include "core/explain/recorded_steps.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Expects the steps of a ball to end in its star, the simplices that contain it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests steps as a derived result: its ball, its key, and its texts beside the engine's numbers.
 #include "core/document/explain/steps_results.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the steps of one ball through the tuple engine. Summed over all balls, the numbers are
 // those of the engine, with any switches. The result is the star of the ball in CGAL's complex.
 #include <gtest/gtest.h>

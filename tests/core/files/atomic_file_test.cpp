@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests files that appear whole: links, modes, and the earlier content.
 #include "core/files/atomic_file.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests endings of outputs: unknown ones, unfitting ones, and their messages.
 #include "core/files/output_ending.hpp"
 

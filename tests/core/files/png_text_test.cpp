@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests texts in PNG files.
 #include "core/files/png_text.hpp"
 

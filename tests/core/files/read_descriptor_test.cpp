@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests molecules from an open descriptor, and of a named format.
 #include <gtest/gtest.h>
 #include <unistd.h>

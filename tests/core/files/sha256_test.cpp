@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests SHA-256 against vectors of the standard.
 #include "core/files/sha256.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests small texts read at once, and the limits of large ones.
 #include "core/files/small_text.hpp"
 

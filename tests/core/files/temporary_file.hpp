@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small input files that tests write, and the messages of refused ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests alpha as a decimal, and in square lattice units.
 #include "core/geometry/alpha.hpp"
 

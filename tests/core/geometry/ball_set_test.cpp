@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests solvent radii on the lattice: exact where the bounds leave room.
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/alpha.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the default direction of a pore.
 #include "core/geometry/principal_axes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests distances and angles: by hand, turned and moved, at the limits of the lattice, and where
 // there is none.
 #include "core/measure/angles.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the length of the arcs in which the spheres of a union meet, against closed forms and
 // against points sampled on circles without a complex.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the closed forms against 113-bit and rational arithmetic.
 #include <gmpxx.h>
 #include <gtest/gtest.h>

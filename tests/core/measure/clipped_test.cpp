@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests measures of the union clipped to tetrahedra.
 #include "core/measure/exact_outside.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets of balls and complexes for tests of measures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests areas and volumes of unions of balls.
 #include "core/measure/union_measures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the choice of alternative locations.
 #include "core/molecule/altlocs.hpp"
 

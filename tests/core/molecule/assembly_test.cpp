@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests assemblies: operators, products, copies and their names.
 #include "core/molecule/assembly.hpp"
 

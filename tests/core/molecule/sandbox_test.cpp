@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests balls set by hand: bounds, planes, and absurd numbers. Complexes stay exact through
 // thousands of changes, most of them with ties.
 #include "core/molecule/sandbox.hpp"

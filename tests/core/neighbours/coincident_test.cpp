@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests which of several balls with one centre are hidden.
 #include "core/neighbours/coincident.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests cells of balls: two balls that may meet are always in the same cell or in neighbouring
 // ones.
 #include "core/neighbours/uniform_grid.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests decisions and brackets of the predicates against rationals. Cases are random and
 // near-degenerate, from single lattice units to the bounds of the lattice.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the space that centres span: a point, a line, a plane or all of space.
 #include "core/predicates/spanning_balls.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests every atom of AMBER's residues against its type. The residue libraries are all_amino94,
 // all_aminont94, all_aminoct94 and all_nucleic94 (W. D. Cornell et al., J. Am. Chem. Soc. 117
 // (1995) 5179). parm99 keeps their types.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests radii of atoms in every set, with their types and the reasons for a guess.
 #include "core/radii/radii_set.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests every value of every radii set against tables copied from the sources in
 // docs/file-formats.md. The tables of the program are not used here.
 #include <gtest/gtest.h>

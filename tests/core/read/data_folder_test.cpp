@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that every file of the data folder opens with the atom counts in its README, or is refused
 // as listed below.
 #include <algorithm>

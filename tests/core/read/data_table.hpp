@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the table in the README of the data folder: a row for each file.
 #pragma once
 

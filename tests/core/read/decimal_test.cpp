@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests exact decimal numbers and their rounding.
 #include "core/read/decimal.hpp"
 

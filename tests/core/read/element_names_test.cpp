@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests elements from atom names: the same in every format, in whichever column names begin.
 #include <cstdio>
 #include <string>

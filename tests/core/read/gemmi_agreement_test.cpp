@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that atoms, hydrogens, classes and positions of every PDB and mmCIF file agree with gemmi's
 // readers, where these read the file.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests damaged, absurd or malicious input. The result is a message or the right molecule, never a
 // crash, a hang or a silently different molecule.
 #include <sys/resource.h>

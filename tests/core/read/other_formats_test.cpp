@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests PQR, the three kinds of XYZ, CHARMM cards, and the recognition of formats.
 #include <cstdio>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests PDB files as programs write them. They have frames without MODEL, lines that are nearly
 // records, chains of two letters and repeated residue numbers. PDBQT is tested as well.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests GRO, the coordinates of GROMACS.
 #include <cstdio>
 #include <string>

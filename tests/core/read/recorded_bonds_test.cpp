@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests recorded bonds (LINK, CONECT, struct_conn) as evidence of what residues are.
 #include <string>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests every file in the data folder's reports, which people had trouble with. Opening ends with
 // atoms, or with a message that names the file. The right result for each kind is tested in the
 // suite of that kind.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One sample of residues as different programs write it. Tests show with it that no dialect changes
 // what a residue is. Places are made up but possible.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests what residues are and why: evidence in its order, and the same answers in all dialects.
 #include <algorithm>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests columns of elements: symbols, charges, types of force fields.
 #include "core/read/residues/stated_element.hpp"
 

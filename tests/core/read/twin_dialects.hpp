@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One structure as programs write it in PDB, PDBQT, PQR and mmCIF, for tests that such twins agree.
 // It is the sample of residues, with a cage beside it that holds a void.
 #pragma once

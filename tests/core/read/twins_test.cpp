@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests twins of one structure by different programs and in different formats. All have the same
 // polymer, ligand, ion and water atoms, elements, radii and cavities.
 #include <gtest/gtest.h>

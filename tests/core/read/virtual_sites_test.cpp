@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests points that files list as atoms but that are none, element columns, and values in place of
 // B factors.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests programs that are fed: their input, output and exit status, and that none outlives its
 // owner.
 #include "core/run/child_program.hpp"

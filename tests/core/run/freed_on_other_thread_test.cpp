@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that objects are freed on another thread.
 #include "core/run/freed_on_other_thread.hpp"
 

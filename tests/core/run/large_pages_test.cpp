@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests memory on large pages.
 #include "core/run/large_pages.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests loops over indices and ranges, on the caller's threads.
 #include "core/run/parallel.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests threads that several callers share.
 #include "core/run/work_threads.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the worker's promises. The test holds and releases jobs by hand, so it never sleeps for
 // luck.
 #include "core/run/worker.hpp"

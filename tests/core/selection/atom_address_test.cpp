@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests addresses of atoms: written, read back, and refused.
 #include "core/selection/atom_address.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests groups of atoms, such as those of one residue or chain.
 #include "core/selection/atom_groups.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests which atoms are kept, dropped, guessed and set by hand, and that the report counts all of
 // them.
 #include "core/selection/prepare_balls.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests texts on how balls were made.
 #include "core/selection/provenance.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests residues by name and decision, and their names in treatments.
 #include "core/selection/residue_groups.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the selection language.
 #include "core/selection/selection_expression.hpp"
 

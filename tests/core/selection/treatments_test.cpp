@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests kinds of residues that a user sets.
 #include "core/selection/treatments.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that texts from files become printable.
 #include "core/text/printable.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests parts and words of texts.
 #include "core/text/text_parts.hpp"
 

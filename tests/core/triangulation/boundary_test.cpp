@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests boundaries of complexes: closed, oriented, separate for each solid, and around the volume
 // of its tetrahedra.
 #include "core/triangulation/boundary.hpp"

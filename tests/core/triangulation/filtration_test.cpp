@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests thresholds of a filtration, made from the whole triangulation or from a complex at
 // alpha_max.
 #include "core/triangulation/filtration.hpp"

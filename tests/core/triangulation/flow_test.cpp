@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests through which faces tetrahedra flow, and to which sinks, against rationals.
 #include "core/triangulation/flow.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests triangles and edges of a triangulation against a sort of all faces.
 #include "core/triangulation/incidence.hpp"
 

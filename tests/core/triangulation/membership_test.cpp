@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests marks of K_alpha, from a filtration and from the triangulation alone, against the complex.
 #include "core/triangulation/membership.hpp"
 

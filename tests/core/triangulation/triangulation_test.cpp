@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the triangulation of hard sets of balls. It is proved from the definition, and equals those
 // of rationals and of CGAL used directly.
 #include "core/complex/triangulation.hpp"

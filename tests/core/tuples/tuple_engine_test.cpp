@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the tuple engine's switches. The complex is the same byte for byte with all of them, and
 // work is really done or saved.
 #include "core/tuples/tuple_engine.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the epsilon band of kernel II. Decisions of single precision must be those of integers, on
 // random and nearly degenerate tuples.
 #include "core/tuples/tuple_float.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the cells of the tuple engine.
 #include "core/tuples/tuple_grid.hpp"
 

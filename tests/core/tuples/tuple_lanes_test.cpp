@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the order of the tuple pipeline on an executor with several lanes. They run as late as
 // possible, as streams of a device may. A missing wait gives a wrong complex.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that the verifier notices missing simplices in otherwise sound complexes, and wrongly
 // broken ties.
 #include <gtest/gtest.h>

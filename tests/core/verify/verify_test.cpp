@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that verifier and comparison notice every kind of damage.
 #include "core/verify/verify.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that the proof of a triangulation notices every kind of damage.
 #include "core/verify/verify_triangulation.hpp"
 

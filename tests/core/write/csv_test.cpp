@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that cells are quoted so that pandas, R and spreadsheets read tables back unchanged.
 #include "core/write/csv.hpp"
 

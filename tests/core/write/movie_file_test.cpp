@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests movies: whole or not at all, whatever ffmpeg does.
 #include "core/write/movie_file.hpp"
 

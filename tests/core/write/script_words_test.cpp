@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests names, colours and comments in other programs' languages. Hostile names stay names.
 #include "core/write/script_words.hpp"
 

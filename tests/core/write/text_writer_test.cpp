@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests text written in pieces: content, limited memory, and cancelling.
 #include "core/write/text_writer.hpp"
 #include "core/geometry/lattice_alpha.hpp"

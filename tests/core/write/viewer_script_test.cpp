@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests scripts for ChimeraX and PyMOL. Names in a file never become commands.
 #include "core/write/viewer_script.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A stand-in for CUDA's runtime. Device code is plain C++, and "device memory" is the host's. Grids
 // run on the CPU, block after block, with every thread of a block as a fiber. Streams are queues
 // whose work is put off until something waits for it. It is then done in an awkward order: the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Controls of the emulated device for tests. The program sees it through cuda_runtime.h only.
 // Faults are deliberate, and nothing fails unless a test says so.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The runtime of the emulated device: faults, streams, memory and textures. See cuda_runtime.h.
 #include <cuda_runtime.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs grids of the emulated device on the CPU, every thread of a block as a fiber. See
 // cuda_runtime.h.
 #include "tests/gpu/emulated/grids.h"

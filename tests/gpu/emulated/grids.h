@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a grid of the emulated device at once and to its end.
 #pragma once
 

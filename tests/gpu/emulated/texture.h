@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Textures over linear memory, for cuda_runtime.h. Unlike a device's they report wrong accesses. A
 // device reads zeros outside of them, and any value after they were destroyed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the reference tables and compares our cavities with them.
 #include "tests/support/reference/cavity_reference.hpp"
 

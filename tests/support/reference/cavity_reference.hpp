@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cavity tables by an independent program (see the README in its folder), and our comparison with
 // them. Used by tests and by a program run by hand.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Code shared by the direct uses of CGAL's triangulation. Only sources that may include CGAL
 // include it.
 #pragma once

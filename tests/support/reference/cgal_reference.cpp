@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes alpha shapes with CGAL alone.
 #include "tests/support/reference/cgal_reference.hpp"
 

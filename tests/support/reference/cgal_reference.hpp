@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // CGAL used directly, as its manual shows, without code of the program. Tests and benchmarks
 // compare our CGAL engine with it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares complexes with the oracle at interesting alphas.
 #include "tests/support/reference/oracle_check.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares an engine with the definition in rationals, for suites and for a program that runs for
 // hours.
 #pragma once

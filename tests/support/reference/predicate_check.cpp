@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares predicates and filters with GMP on five balls at a time.
 #include "tests/support/reference/predicate_check.hpp"
 

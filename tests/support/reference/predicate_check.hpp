@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares every predicate and its filters with GMP's integers and rationals, on five balls at a
 // time. Suites use it, and a program that checks a hundred million sets.
 #pragma once

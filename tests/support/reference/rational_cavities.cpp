@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes cavities from their definitions in rationals.
 #include "tests/support/reference/rational_cavities.hpp"
 

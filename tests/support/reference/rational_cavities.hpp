@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cavities straight from their definitions, in rational arithmetic, for a handful of balls. It
 // shares no code with the program. From rational_oracle.hpp it takes only the definition of the
 // triangulation.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the regular triangulation and K_alpha in rationals.
 #include "tests/support/reference/rational_oracle.hpp"
 

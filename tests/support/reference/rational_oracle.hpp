@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // K_alpha straight from its definition, in rational arithmetic (GMP), for a handful of balls. It is
 // slow on purpose, as it shares no predicate, triangulation or neighbour search with the program.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the benchmark page and the job behind it.
 #include "app/viewer/jobs/benchmark.hpp"
 

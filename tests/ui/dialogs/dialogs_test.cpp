@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests dialogs above one another, and where errors are shown.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests exports from the window: the same files as from the command line, of the complex on screen.
 #include <cstdlib>
 

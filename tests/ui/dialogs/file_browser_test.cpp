@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the file dialog: keys, typed paths, and its messages. There is no renderer and no worker.
 // The test lists folders itself; in the program another thread does so.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests listings of folders: order, filters and errors.
 #include "ui/panels/dialogs/folder_listing.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests recordings of the window: frames of sweeps and turntables, while the window goes on
 // working.
 #include <gtest/gtest.h>

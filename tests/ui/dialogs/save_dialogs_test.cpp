@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests common properties of dialogs that write a file: the path that they offer, Browse, and that
 // nothing in them moves.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the player of lessons on a stage that only records requests.
 #include "app/viewer/lessons/lesson_player.hpp"
 #include "core/document/store/answer.hpp"

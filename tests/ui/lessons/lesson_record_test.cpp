@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests recordings of a lesson: pictures and movies of each step with its text. Also tests what
 // happens to them when they are cancelled or disturbed.
 #include <gtest/gtest.h>

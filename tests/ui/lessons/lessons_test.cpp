@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests lessons in the whole window: every chapter from its first to its last step, and the file
 // that was open before.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the page of cavities in the whole window: the table, CASTp's choices, a cavity in the
 // picture.
 #include <chrono>

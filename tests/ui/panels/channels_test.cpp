@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the page of channels in the whole window. Clicks set ends, the bottleneck and its profile
 // are shown, and the tube is in the picture.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the page of contacts in the whole window: its table, selection by a click, and its command.
 #include <algorithm>
 

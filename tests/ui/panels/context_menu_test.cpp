@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the menu of the right mouse button in the whole window: its subject, its entries, and why
 // some are grey. A drag with the right button still zooms.
 #include <imgui.h>

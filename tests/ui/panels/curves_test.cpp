@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the page of curves in the whole window: totals, a chosen cavity, and clicks that set the
 // quantity of the horizontal axis.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the page Details in the whole window: facts of the selected atom or simplex, and lists that
 // lead to its neighbours.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the engine panel: the choice of engines, the thesis' switches, and texts on the device.
 #include <gtest/gtest.h>
 

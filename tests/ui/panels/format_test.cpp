@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests numbers as panels print them.
 #include "ui/widgets/format.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the window without a mouse. Tab leads to fields and buttons, Enter and Space press them,
 // dialogs take the keyboard, Alt and F10 open the menus.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the page of areas and volumes in the whole window, and balls coloured by exposed area.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the description of a molecule that panels get.
 #include "app/viewer/molecule_info.hpp"
 

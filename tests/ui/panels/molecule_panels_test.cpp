@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the molecule panel: every option for opening a file has a control, and each control has its
 // effect.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests typed numbers in the window and on the command line: no digit is dropped, and bounds hold.
 #include "core/document/commands/number_input.hpp"
 

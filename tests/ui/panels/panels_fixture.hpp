@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The panels without a renderer. ImGui builds draw lists that nobody draws.
 #pragma once
 

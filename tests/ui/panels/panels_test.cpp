@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the panels around the view: alpha, timings, dialogs, shortcuts.
 #include <cmath>
 #include <functional>

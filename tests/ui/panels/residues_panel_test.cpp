@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the list of residues in the molecule panel. A choice in it becomes a treatment.
 #include <algorithm>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the sandbox in the whole window: presets, and changes by command, typing and mouse. Undo
 // and sessions restore them, and every answer is CGAL's.
 #include "tests/ui/viewer_fixture.hpp"

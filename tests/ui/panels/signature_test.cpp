@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the signature panel in the whole window: curves, a click that sets alpha, marks in the
 // picture.
 #include <cmath>

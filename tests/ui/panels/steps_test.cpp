@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the page "Steps" in the whole window. It shows core's results for the same ball, alpha and
 // options. It goes forward, back and by itself, and draws the simplices that it describes.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the page "Why?" in the whole window: questions, sentences, drawings, and where its buttons
 // lead.
 #include <algorithm>

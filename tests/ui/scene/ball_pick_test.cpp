@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests picking of balls.
 #include "ui/scene/pick/ball_pick.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests balls seen from close by. Each pixel must show what the line of sight through its centre
 // meets. The test computes that from the ball, the eye and the angle of the view alone.
 #include <gtest/gtest.h>

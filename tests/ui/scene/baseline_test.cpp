@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares pictures of the scene with earlier ones (tests/ui/baseline.hpp).
 #include <gtest/gtest.h>
 #include <unistd.h>

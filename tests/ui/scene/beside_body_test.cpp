@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests atoms outside the body: they are drawn, named and selected, and never computed with.
 #include "ui/scene/mesh/beside_body.hpp"
 

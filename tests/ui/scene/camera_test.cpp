@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests from numbers alone what a view shows.
 #include "ui/scene/camera.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests how edges and faces look: rods, lines around faces, smooth light, shadows.
 #include <gtest/gtest.h>
 

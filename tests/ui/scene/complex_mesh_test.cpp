@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the arrays for drawing against their definition.
 #include "ui/scene/mesh/complex_mesh.hpp"
 

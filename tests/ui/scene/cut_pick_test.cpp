@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests picking in a cut scene. Nothing cut away is hit, kept parts are hit as before, and caps are
 // hit where they are drawn.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests pictures of a cut scene pixel by pixel. The part cut away is gone, balls and tetrahedra are
 // closed in their colours, and everything else is unchanged.
 #include <gtest/gtest.h>

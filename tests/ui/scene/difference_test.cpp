@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that differences from CGAL are visible in the picture. The test has an engine that errs.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests drawing with little memory: the plan, the command line's picture and the whole window.
 #include "ui/scene/mesh/drawing_memory.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests layers of panels as arrays, and as pixels of the scene.
 #include "ui/scene/mesh/layer_mesh.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests a slider that is dragged while meshes are slow. Text and picture of one frame belong to one
 // alpha, and new pictures keep coming.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares picking with brute force: every ball, triangle and line of a real complex, along many
 // lines of sight. Also tests the simplex that each cell of a mesh stands for.
 #include "ui/scene/pick/pick.hpp"

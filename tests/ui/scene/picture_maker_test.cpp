@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the recipe of pictures: colours that serve again, texts on what is missing, and pictures of
 // several complexes of the same balls. No OpenGL.
 #include "ui/scene/picture/picture_maker.hpp"

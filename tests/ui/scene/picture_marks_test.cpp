@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests legend and scale bar: their layout in the window, and their drawing in saved pictures.
 #include "ui/picture_marks.hpp"
 

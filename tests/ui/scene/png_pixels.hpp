@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decodes the pixels of a saved PNG picture.
 #pragma once
 

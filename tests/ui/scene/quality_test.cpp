@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the choice of a picture's quality by the times of earlier ones.
 #include "ui/scene/quality.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the balls of molecule_fixture.hpp as the command line would make them: half of the
 // balls red, half blue, without lines, haze and legend.
 #pragma once

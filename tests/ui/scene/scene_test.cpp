@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests contents of pictures of the scene on a software OpenGL context. baseline_test.cpp compares
 // whole pictures.
 #include "ui/scene/scene.hpp"

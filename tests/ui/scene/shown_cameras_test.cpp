@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the camera of the picture on screen: moves, named views, and views of other balls.
 #include <gtest/gtest.h>
 

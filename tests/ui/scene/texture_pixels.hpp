@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the texture into which the scene was drawn. Needs the OpenGL context of that drawing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests buffers that carry arrays to the GPU.
 #include "ui/scene/gl/upload_buffer.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests views from another side: no turn leaves the camera below the molecule or upside down.
 #include "ui/scene/view_direction.hpp"
 #include "core/geometry/alpha.hpp"

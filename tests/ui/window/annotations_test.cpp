@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests labels, distances and angles in the whole window: over the picture, in saved pictures, in
 // sessions, and on the command line. They can be undone and removed, and come back with their
 // atoms.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests hidden atoms and own colours in the whole window. Nothing is computed again, and the window
 // says what is missing. Undo, sessions and the command line keep them.
 #include "core/triangulation/outer_faces.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests texts of captions, and captions in saved pictures.
 #include "ui/caption.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that a ligand is visible in its cavity with the program's defaults. It is visible in the
 // window, in a saved picture and in a recording.
 #include <algorithm>

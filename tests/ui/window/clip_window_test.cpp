@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the clip in the whole window: its panel, its handle, commands, undo, and picking. Also
 // tests saved cameras and views along axes.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the list of commands in menus, keys, the palette, the cheat sheet and scripts.
 #include <gtest/gtest.h>
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests undo and redo in the whole window. Hash and picture come back, a drag is one entry, and
 // playback makes none.
 #include "tests/ui/viewer_fixture.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that no key, click or character is lost or reordered in slow frames. Texts that appear when
 // the mouse rests appear without further events.
 #include <gtest/gtest.h>

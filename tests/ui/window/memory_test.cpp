@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the memory that the window leaves behind when the same actions repeat. It is a separate
 // program, because llvmpipe reads its number of threads once, before the first context. With
 // threads, llvmpipe keeps the resources of up to 64 frames until it reuses their slots. Counts heap

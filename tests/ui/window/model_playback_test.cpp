@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests when the next model is due, with time set by the test.
 #include "app/viewer/parts/model_playback.hpp"
 

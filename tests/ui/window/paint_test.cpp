@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests colours in the whole window: schemes, legends, ranges, commands, sessions and the command
 // line.
 #include "tests/ui/scene/picture_difference.hpp"

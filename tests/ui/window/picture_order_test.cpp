@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that the picture depends only on molecule, answer and controls. These may change in any
 // order, and the jobs that follow may finish, be taken or be replaced in any order.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests when balls are left out while something moves, and the timings of a picture.
 #include "app/viewer/scene/ball_stand_in.hpp"
 

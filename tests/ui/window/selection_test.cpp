@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests hovering and selecting in the whole window: texts, clicks and drags, undo, and selections
 // that survive changes of options.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests sessions in the whole window. After saving, restarting the program and opening, picture and
 // hash are the same.
 #include "core/files/file_hash.hpp"

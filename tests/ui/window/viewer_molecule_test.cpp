@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests opening, selecting, expanding and playing in the whole window against the session's own
 // answers.
 #include <gtest/gtest.h>

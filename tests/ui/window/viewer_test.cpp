@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the whole window in process, without a display: opening, sliding, looking at pixels.
 #include <GL/gl.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests texts of the window during other work: messages over the view, tooltips, the progress of
 // saving. Also tests views that the program moved.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of cavities: totals, differences from CASTp, filters, and the table of voids and pockets
 // with the chosen ones beside it.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of cavities. The user chooses its columns, and only rows in sight are drawn.
 #include <algorithm>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chooses columns for the page, and sorts rows by a column. The columns themselves are in
 // core/document/cavities/cavity_columns.cpp.
 #include "ui/panels/cavities/cavity_columns.hpp"

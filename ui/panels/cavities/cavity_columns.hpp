@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The columns of the table of cavities that the page offers, and the order of its rows.
 #pragma once
 

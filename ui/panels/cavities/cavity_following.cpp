@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Follows cavities while alpha or the solvent radius moves, and finds the rows of the chosen ones.
 // The page of cavities and others that show chosen cavities use it.
 #include <algorithm>

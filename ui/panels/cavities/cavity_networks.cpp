@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The notes on networks: the solvent radius at which one falls apart, and the choice to list its
 // parts.
 #include <algorithm>

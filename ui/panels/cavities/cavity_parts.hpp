@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions that the sources of the page of cavities share with each other and with other pages.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the cavity page's state that other panels may see. Plain data.
 #pragma once
 

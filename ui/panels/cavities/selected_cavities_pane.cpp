@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pane on the chosen cavities: how rows are chosen, how cavities are drawn, and their lining
 // residues.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rows that choose where a channel begins and ends, and the question that follows from them.
 #include <algorithm>
 #include <cmath>

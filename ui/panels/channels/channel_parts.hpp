@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions that the sources of the page of channels share.
 #pragma once
 

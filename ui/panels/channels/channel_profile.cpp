@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The plot of a channel's radius against the length of its line.
 #include <algorithm>
 #include <iterator>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The channel in the view: a tube of spheres along its line, in the colours of the profile's bands.
 #include <algorithm>
 #include <utility>

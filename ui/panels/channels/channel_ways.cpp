@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of ways through a molecule.
 #include <span>
 #include <string>

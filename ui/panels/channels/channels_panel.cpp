@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of channels: both ends, the radius of the largest sphere that passes, the bottleneck,
 // and the profile.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The section on alpha: controls for alpha and the solvent radius, each with its unit, and the
 // grown radii.
 #include <algorithm>

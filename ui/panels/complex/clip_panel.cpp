@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The section on the clip: a plane or a slab, its position, and the handle in the picture that
 // moves and turns it.
 #include "ui/panels/complex/clip_panel.hpp"

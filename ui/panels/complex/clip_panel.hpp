@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions that the clip's panel, its commands and its handle in the picture share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sections “Display” and “Light”: which parts of the complex are drawn, and how.
 #include <string>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws check boxes and sliders of settings of the display.
 #include "ui/panels/complex/display_rows.hpp"
 

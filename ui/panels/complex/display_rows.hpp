@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The controls of single settings of the display: check boxes and sliders as the table of settings
 // (display_fields.hpp) describes them. A panel only decides their order.
 #pragma once

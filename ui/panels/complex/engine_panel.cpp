@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The section on the engine: the choice of engine, its device, the thesis' optimisations, and
 // whether CGAL compares each result.
 #include <algorithm>

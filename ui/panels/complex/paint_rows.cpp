@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rows for scheme, colour map, single colour and range.
 #include "ui/panels/complex/paint_rows.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of timings: our engine's times beside CGAL's, and whether both complexes are equal.
 #include <optional>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The texts of the page of timings, and the speed-up against CGAL.
 #include "ui/panels/complex/timings_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The waterfall of the timings. Each stage is one line and starts where the previous one ended. Our
 // engine is above CGAL, on one time axis.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The benchmark page: measures the open molecule, and shows the thesis' table and figures of it. It
 // is modal, so that no other work takes the cores meanwhile.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plain data of the benchmark page: the settings of a run, and its results so far.
 #pragma once
 

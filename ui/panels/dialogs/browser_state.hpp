@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The state of the file dialog between frames. Plain data.
 #pragma once
 

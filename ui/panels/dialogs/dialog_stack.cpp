@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists all dialogs. Opens, nests and closes them, and leads keys to the topmost one.
 #include "ui/panels/dialogs/dialog_stack.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The stack of dialogs: which are open, and in what order they lie. ImGui replaces a modal window
 // by the next one that opens beside it. So each dialog is opened inside the one below it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The dialogs that are open, and the texts typed into those without a state of their own. Plain
 // data.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The dialogs for errors, for “About”, and for the question whether to expand a large assembly.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog that writes a complex for another program. The ending of the name decides the format,
 // and choosing a format changes the ending.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The file dialog: opens a molecule, a session or a table of radii, or finds a place to save to. It
 // lists folders and suitable files, and has a field for a path.
 #include <imgui.h>

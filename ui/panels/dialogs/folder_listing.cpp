@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists folders, and chooses among dropped files.
 #include "ui/panels/dialogs/folder_listing.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists a folder for the file dialog, and chooses among files. Uses std::filesystem, no ImGui.
 #pragma once
 

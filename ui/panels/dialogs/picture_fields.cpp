@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rows for size, legend, scale bar and caption of a picture.
 #include "ui/panels/dialogs/picture_fields.hpp"
 

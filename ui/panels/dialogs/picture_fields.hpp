@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fields that several dialogs have for a picture: its size, and the marks drawn over it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Requests for saved pictures and recordings, and what the dialog for recordings remembers.
 #pragma once
 

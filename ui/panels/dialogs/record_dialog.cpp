@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog that records a sweep of alpha, a turntable or the open lesson. The ending of the name
 // decides whether pictures or a movie are written.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Prepares tables for saving: their dialog, the origin of their numbers, and their file names.
 #include "ui/panels/dialogs/save_parts.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions with which pages ask for a table to be saved.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The state that all dialogs which write a file share. Plain data.
 #pragma once
 

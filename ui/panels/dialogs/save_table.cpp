@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog that saves the table of a page, as CSV, JSON or a format for another program.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The row for a file's path, its proposal, and the notes on whether and where it can be written.
 #include "ui/panels/dialogs/save_target.hpp"
 

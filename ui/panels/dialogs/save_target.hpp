@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rows that dialogs share for the file that they will write: its path, and notes below it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Two dialogs on sessions: one saves a session, and one asks what to do if its files are missing or
 // have changed.
 #include <imgui.h>

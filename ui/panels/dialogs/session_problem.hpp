@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A session whose files have changed since it was saved. Plain data.
 #pragma once
 

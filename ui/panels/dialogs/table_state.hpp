@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The state of the dialog that saves a table, and the request that it makes. Plain data.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of a page that is to be saved, as derived results.
 #pragma once
 

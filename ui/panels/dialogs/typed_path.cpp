@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Completes typed paths: home folder, base folder and ending.
 #include "ui/panels/dialogs/typed_path.hpp"
 

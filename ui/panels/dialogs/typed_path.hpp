@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Paths that users type to save pictures, tables and sessions.
 #pragma once
 

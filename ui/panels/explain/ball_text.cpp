@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes positions and radii with as many decimals as are meaningful.
 #include "ui/panels/explain/ball_text.hpp"
 

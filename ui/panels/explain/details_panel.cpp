@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page “Details”: facts on the selected atom or simplex, a list of the simplices around it, and
 // measured distances and angles.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the layers of a step: spheres, tubes, lines, faces and labels, each in the colour of its
 // mark.
 #include "ui/panels/explain/steps_layer.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The drawing of an engine's step (core/explain/ball_steps.hpp) as layers of the view. No ImGui.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts the steps of StepsState, and finds the step on show.
 #include "ui/panels/explain/steps_state.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page “Steps”: how an engine finds the simplices of one ball. It lists the steps, explains the
 // present one in sentences and numbers, and draws it in the view.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The controls of the page “Steps”, its list of steps, its legend and its table of numbers.
 #include "ui/panels/explain/steps_parts.hpp"
 

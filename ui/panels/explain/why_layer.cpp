@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the layer of an explanation from wire spheres and tubes, cut off at a distance.
 #include "ui/panels/explain/why_layer.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The drawing of an explanation as a layer of the view. No ImGui.
 #pragma once
 

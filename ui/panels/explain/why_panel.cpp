@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page “Why?”: sentences on why the selected simplex is in the complex or not. Buttons lead to
 // the balls that decide, and the view shows the orthosphere.
 #include "core/chart/flat_drawing.hpp"

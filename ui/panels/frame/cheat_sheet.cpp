@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog that lists what mouse and keys do. The keys come from the list of commands.
 #include <initializer_list>
 #include <string>

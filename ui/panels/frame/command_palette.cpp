@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The command palette (Ctrl+P): finds a command by a few letters of its name, and runs it with
 // arguments. It asks for missing arguments one after the other, in the same field.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The context menu of the right mouse button. It offers commands on the atom or simplex under the
 // mouse, or on the whole view.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The state of the context menu, which the right mouse button opens. Plain data.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The menu bar and the keyboard shortcuts, both made from the list of commands.
 #include <algorithm>
 #include <utility>

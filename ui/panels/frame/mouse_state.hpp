@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The mouse in the window between frames. Plain data.
 #pragma once
 

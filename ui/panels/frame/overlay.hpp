@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A small window over the picture, for notes and progress.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One line for each job: title, share done, step, and a button that cancels it.
 #include "ui/panels/frame/running_jobs.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The jobs that run beside the window, listed over the picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Places to which the window is to be scrolled. Plain data.
 #pragma once
 

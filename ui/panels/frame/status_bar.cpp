@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The status bar: counts, Euler characteristic, hash, device and memory of the result on screen, in
 // one line.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws scale bar, legends and labels over the view, with ImGui.
 #include "ui/panels/frame/view_marks.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scale bar and legends over the 3-D view.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The 3-D view: shows the picture, collects events of the mouse, and lays progress and notes over
 // the picture. The renderer draws the molecule, and view_marks.cpp the marks.
 #include <algorithm>

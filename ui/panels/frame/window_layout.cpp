@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The fixed layout of the window. The menu is on top, sections are at the left, and lessons at the
 // right of the view. Pages are below the view, and the status bar is at the bottom. The user can
 // drag the height of the pages only.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The two calls that draw the window for a frame. Includes no ImGui.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of lessons, and the state of the open one. Plain data that the program fills and the
 // panel shows.
 #pragma once

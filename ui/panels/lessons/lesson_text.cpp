@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws and measures text of several fonts. ImGui wraps text of one font only, so each word is
 // placed by itself.
 #include "ui/panels/lessons/lesson_text.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws paragraphs with bold words and lists, with line breaks at blanks.
 #pragma once
 

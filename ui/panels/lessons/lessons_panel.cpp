@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The column at the right: the list of lessons, or the open one with its step, its question and its
 // buttons. The program carries out the commands of a step.
 #include <functional>

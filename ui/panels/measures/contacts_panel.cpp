@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of contacts: the pairs of chains that touch in the complex on screen. A click selects
 // the atoms of a contact.
 #include <imgui.h>

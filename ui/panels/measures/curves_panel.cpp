@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of curves: cavities against alpha, solvent radius or model. It plots the chosen
 // cavities, or the totals of voids and pockets.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the plot of curves and its texts from the chart.
 #include "ui/panels/measures/curves_plot.hpp"
 

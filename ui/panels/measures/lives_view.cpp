@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws the lives of cavities as bars, and takes clicks and drags on them.
 #include "ui/panels/measures/lives_view.hpp"
 #include "ui/panels/measures/curve_state.hpp"

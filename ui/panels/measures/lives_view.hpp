@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The lives of cavities: the longest as bars against alpha, one below the other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The state of the page of areas and volumes between frames. Plain data.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of measured distances and angles, which selects, removes and copies them.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of measures: exact areas and volumes of the complex on screen. It has totals and a table
 // by component, chain, residue or atom, which sorts, filters and selects.
 #include <imgui.h>

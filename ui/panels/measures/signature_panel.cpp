@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of the signature: counts of simplices and the Euler characteristic against alpha. A
 // cursor sets alpha, and marks in the view show which simplices appear there.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The expression that selects atoms, as the user types it. Plain data.
 #pragma once
 

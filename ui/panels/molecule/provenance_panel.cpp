@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lists where the numbers come from, in full as a paper needs it. A button copies the list.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The choice of the radii set, and the list of atoms without a radius in it. The user can type a
 // radius for each row of the list.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A row of the list of atoms whose radius does not come from the set of radii.
 #pragma once
 

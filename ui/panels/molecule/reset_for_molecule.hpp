@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Replaces what a panel remembers of one molecule when another is open.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of residues: their kind and the reason for it, in the words of `info --residues`. The
 // user can choose another kind for each line.
 #include <imgui.h>

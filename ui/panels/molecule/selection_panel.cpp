@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rows that choose which atoms become balls: kinds, hydrogens, alternatives, chains and an
 // expression.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rows that choose the biological assembly and the model.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws the complex that was computed last as a flat drawing. Balls moved since then have an
 // outline at their new place. The mouse moves, resizes and adds balls.
 #include "ui/panels/sandbox/flat_view.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The flat drawing of balls in a plane, which replaces the 3-D picture and in which balls can be
 // changed.
 #pragma once

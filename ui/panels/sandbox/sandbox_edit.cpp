@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a sandbox of the balls on screen, and selects, removes and rounds in it.
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "core/document/reference/ref_set.hpp"

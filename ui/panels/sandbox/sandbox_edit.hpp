@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Changes of the sandbox, which its page, its drawing and its commands share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page “Sandbox”: presets, options of the flat drawing, and a table of the balls. Every number
 // in the table can be typed.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Changes VTK's sphere shaders for each BallRendering, and makes the bounds include the radii.
 #include "ui/scene/gl/ball_mapper.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // VTK's mapper for balls, with two faults mended. With perspective VTK's triangle cuts off parts of
 // near balls, and VTK's bounds contain only the centres. For sources of the scene only.
 #pragma once

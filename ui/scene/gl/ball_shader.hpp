@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The geometry shader of BallMapper, and lines of its fragment shader. For each ball the geometry
 // shader makes a triangle that just covers the visible part. It replaces VTK's, whose triangle
 // covers a ball only without perspective. Marks ("//VTK::") and names are those of VTK 9.1. For

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ShaderBuffer, BallPlaces and CellMapper: uploads of cells, changes of VTK's shaders, and the draw
 // call.
 #include "ui/scene/gl/cell_mapper.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A mapper for edges, triangles and tetrahedra whose corners are balls. The vertex shader fetches
 // corners and colour of a cell from buffers without duplicates. VTK's mapper would copy each corner
 // with its colour, list all indices and compute the bounds from all points. The shaders are made

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines that CellMapper adds to VTK's shaders; for cell_mapper.cpp only. Positions are in Å: in
 // vertex shaders ("MC") relative to BallGeometry::origin, in fragment shaders ("VC") in the
 // camera's coordinates.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines added to VTK's fragment shaders, and to the geometry shader of BallMapper, for a cut. They
 // use names of vtkOpenGLSphereMapper (VTK 9.1). EyePos and EyeDir are the ray, in units of the
 // ball's radius around its centre. b and d belong to the quadratic equation for the points where

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // VTK's shaders for a cut scene. Faces and lines end at the planes. Cut balls show a flat disc
 // where the ray meets a plane inside them. For sources of the scene only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws the fronts of translucent actors, and runs the shader of finish_shader.hpp over the
 // picture.
 #include "ui/scene/gl/finish_pass.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ambient occlusion on two scales, shadows, fading with depth, and outlines. They are applied to
 // the picture after VTK has drawn its opaque things, and before translucent ones. A second step
 // applies them to the fronts of translucent things. All inputs are colours and depths, so that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The fragment shader of FinishPass. For finish_pass.cpp only.
 #pragma once
 

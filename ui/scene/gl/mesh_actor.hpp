@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Actors for cells (CellActor) and for triangles or lines with colours of their own (MeshActor),
 // and the look of both.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads version and extensions of the current OpenGL context.
 #include "ui/scene/gl/opengl_feature.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests for features of the current OpenGL context beyond OpenGL 3.2. No VTK.
 #pragma once
 

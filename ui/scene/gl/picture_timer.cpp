@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measures with OpenGL's timestamp queries.
 #include "ui/scene/gl/picture_timer.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measures how long OpenGL takes to draw a picture, without waiting for it. No VTK.
 #pragma once
 

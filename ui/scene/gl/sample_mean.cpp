@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Positions of samples in a pixel, and their sum and mean in textures.
 #include "ui/scene/gl/sample_mean.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The mean of several samples of one picture, each shifted by a part of a pixel. For sources of the
 // scene only.
 #pragma once

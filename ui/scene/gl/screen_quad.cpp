@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // DrawnTexture, DrawnDepths, QuadProgram and DrawsQuads.
 #include "ui/scene/gl/screen_quad.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Common parts of passes over the whole picture: textures to draw into, programs, and OpenGL's
 // state. For sources of the scene only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sums weighted colours of translucent layers, and blends their mean over the picture.
 #include "ui/scene/gl/translucent_sum.hpp"
 

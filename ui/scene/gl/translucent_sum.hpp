@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Quick transparency for moving pictures. The layers of a pixel are summed in any order, and their
 // mean is drawn. For sources of the scene only.
 #pragma once

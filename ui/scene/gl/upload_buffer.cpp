@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Copies with all threads into a mapped buffer, from which the GPU copies to the final one.
 #include "ui/scene/gl/upload_buffer.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Memory for uploads of large content to the GPU. No VTK.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The range of alpha values in a mesh, and colours along it.
 #include "ui/scene/mesh/alpha_scale.hpp"
 

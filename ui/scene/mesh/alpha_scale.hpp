@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of alpha values: simplices with low values get the beginning of the colour map.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // BallGeometry: conversion from the lattice, bounding box and principal axes. Also radii as drawn.
 #include "ui/scene/mesh/ball_geometry.hpp"
 

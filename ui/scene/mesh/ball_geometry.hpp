@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Balls for graphics: floats in Å around an origin near their middle. A float would lose digits of
 // the lattice's large coordinates.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds bonds by distance: E. C. Meng and R. A. Lewis, "Determination of molecular topology and
 // atomic hybridization states from heavy atom coordinates", Journal of Computational Chemistry 12,
 // 1991. Two atoms are bonded if their distance is at most the sum of their covalent radii plus 0.4

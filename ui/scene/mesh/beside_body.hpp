@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Atoms of the molecule that are not balls of the complex, such as ligands that the options leave
 // out. They are drawn as small balls with sticks for bonds, so that nobody takes them for balls of
 // the complex. Pure C++, may run in a worker; no VTK.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Intersects tetrahedra with the planes of a cut.
 #include "ui/scene/mesh/cap_mesh.hpp"
 

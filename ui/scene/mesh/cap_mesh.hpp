@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Flat faces that close tetrahedra where planes cut them. They are the intersections, in the
 // colours of the tetrahedra. Pure C++, may run in a worker; no VTK.
 #pragma once

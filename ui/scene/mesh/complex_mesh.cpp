@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fills the arrays by all threads. Each element is written once, at a position known in advance.
 #include "ui/scene/mesh/complex_mesh.hpp"
 

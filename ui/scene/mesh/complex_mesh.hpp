@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The drawing of an alpha complex, as arrays that are uploaded to the GPU unchanged. A simplex is
 // the indices of its balls and a colour. Pure C++, may run in a worker; no VTK.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the missing and the extra simplices of a comparison, each in its colour.
 #include "ui/scene/mesh/difference_mesh.hpp"
 

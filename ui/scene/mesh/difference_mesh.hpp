@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Differences between two complexes, as flat arrays for drawing. Pure C++, may run in a worker; no
 // VTK.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Estimates memory from measured constants. A program that only had a Scene measured the growth of
 // its resident set (/proc/self/status). It measured from the empty scene to the end of three
 // pictures. The pictures had 400 x 300 pixels, one of each quality. Scenes had 3 and 12 million

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Estimates the memory of a picture of a complex, and plans the parts to draw if not all fit.
 // Without a plan, a failed allocation in VTK or an OpenGL driver would end the program. Pure C++;
 // no VTK.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorts the content of layers into marks, bodies, lines, tubes and atoms.
 #include "ui/scene/mesh/layer_mesh.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Layers that panels ask for, as flat arrays. Pure C++, may run in a worker; no VTK.
 #pragma once
 

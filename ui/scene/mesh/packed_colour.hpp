@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A colour in 32 bits, as shaders read it from a buffer.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The colour of a simplex in the picture. For sources of the scene only.
 #pragma once
 

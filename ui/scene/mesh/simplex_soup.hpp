@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Simplices of any dimension as triangles and lines for drawing, each in a given colour. For
 // sources of the scene only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A tube is made of rings of points around the line through the centres. Each ring's frame is the
 // previous one with the least possible rotation, by double reflection: W. Wang, B. Jüttler, D.
 // Zheng, Y. Liu, "Computation of rotation minimizing frames" (ACM Transactions on Graphics 27,

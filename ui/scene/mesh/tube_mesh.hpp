@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A smooth tube through spheres: the surface swept by a ball of changing radius. Pure C++; no VTK.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Copies the visible simplices into a complex of their own, so functions that build meshes need not
 // know of hidden balls. The copy takes time only while something is hidden.
 #include "ui/scene/mesh/visible_mesh.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The mesh of the part of a complex that has no hidden ball as a corner. Pure C++, may run in a
 // worker; no VTK.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes VTK's arrays. Cells use 32-bit indices, which halves the upload. 2^31 points would not fit
 // into memory anyway.
 #include "ui/scene/mesh/vtk_arrays.hpp"

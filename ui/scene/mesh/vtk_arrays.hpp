@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plain arrays as VTK data. They are not copied if VTK can use the memory in place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Intersections of a ray with balls, tried one by one or by boxes.
 #include "ui/scene/pick/ball_pick.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The ball under the mouse: intersects a ray with the balls as drawn. Pure geometry for display, in
 // floats.
 #pragma once

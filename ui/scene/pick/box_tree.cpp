@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the tree, orders scattered things along a Morton curve, and intersects rays with boxes.
 #include "ui/scene/pick/box_tree.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A tree of boxes, so that a ray is tried against a few things only (balls, triangles, lines). A
 // box surrounds sixteen consecutive things, the next level sixteen of these boxes, and so on. Files
 // list atoms along chains and meshes follow the atoms, so neighbours in the list are mostly

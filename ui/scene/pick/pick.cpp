@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Layers that can be picked: cells in trees of boxes, and their intersections with a ray.
 #include "ui/scene/pick/pick.hpp"
 

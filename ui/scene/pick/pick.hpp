@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the thing under the mouse. Each layer of the scene finds its first intersection with a line
 // of sight; the nearest wins. Works on the CPU, on the arrays that are drawn; no VTK.
 #pragma once

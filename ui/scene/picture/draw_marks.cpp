@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws masks of coverage, each blended in one colour: first the rims (widened masks), then the
 // marks.
 #include "ui/scene/picture/draw_marks.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws caption, legend, scale bar and labels into a saved picture, at its own resolution. Texts
 // have the window's font. All else is filled boxes, so the scene's light and transparency do not
 // change a legend's colours.

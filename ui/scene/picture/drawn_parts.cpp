@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes colours, radii, mesh and caps of one complex, and a picture of them.
 #include "ui/scene/picture/drawn_parts.hpp"
 

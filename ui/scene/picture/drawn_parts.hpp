@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the parts of a picture from balls, complex and settings, and a picture of the parts. The
 // window, saved pictures, recordings, sessions and the command line all use these functions. Pure
 // C++, may run in a worker; no VTK.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads framebuffers, and writes PNG files through VTK's writer.
 #include "ui/scene/picture/frame_grab.hpp"
 

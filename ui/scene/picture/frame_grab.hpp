@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Images from OpenGL framebuffers, and PNG files of images.
 #pragma once
 

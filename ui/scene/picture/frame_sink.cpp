@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes frames as numbered pictures, or hands them to a movie file.
 #include "ui/scene/picture/frame_sink.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The destination of a recording's frames: numbered pictures or a movie.
 #pragma once
 

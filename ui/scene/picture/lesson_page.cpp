@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lays out and draws the text, in smaller letters if it does not fit.
 #include "ui/scene/picture/lesson_page.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A step of a lesson as a picture that can be understood alone. The lesson's text is beside the
 // view, in the window's font.
 #pragma once

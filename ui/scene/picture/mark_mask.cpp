@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws boxes, rims and letters into masks. Letters have fractional positions, so their distances
 // are right at small sizes too. FreeType's light hinting fits heights to whole pixels, as in the
 // window.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Masks of coverage for marks over a picture: boxes, texts in the window's font, and rims around
 // both. They are sharp at any size, because letters are drawn from outlines in the picture's own
 // pixels.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes colours anew only if the molecule, the paint or, where it matters, the complex has changed.
 #include "ui/scene/picture/painting.hpp"
 

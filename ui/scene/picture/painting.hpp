@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of all balls of a molecule by one paint. A painting is used again until something changes
 // on which its colours depend. No VTK, so any thread may make one.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Hands the parts of a picture to a scene.
 #include "ui/scene/picture/picture.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A complete description of a picture. Saved pictures of the window, the command line and
 // recordings use it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes pictures by the recipe of drawn_parts.hpp, and draws them in an EGL context into files.
 #include "ui/scene/picture/picture_maker.hpp"
 

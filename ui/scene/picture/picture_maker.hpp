@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of complexes of the same balls under the same settings: single ones of the command line,
 // and the frames of sweeps. Also draws a picture into a file without a window or a display.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Projects labels into a picture.
 #include "ui/scene/picture/placed_label.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Labels at points of the molecule, and the pixels where a picture shows them. No VTK.
 #pragma once
 

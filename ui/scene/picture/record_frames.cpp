@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws frames of turntables and sweeps, and measures the time of each.
 #include "ui/scene/picture/record_frames.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws the frames of a recording, one after another, in the current OpenGL context.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Texts on progress and on the time left.
 #include "ui/scene/picture/step_text.hpp"
 

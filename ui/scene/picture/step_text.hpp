@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Progress of a long drawing: the present step, the number of steps, and the time left.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the map of the alpha slider and its playback: inverse, monotone, and never stuck.
 #include "core/document/alpha/alpha_slider.hpp"
 

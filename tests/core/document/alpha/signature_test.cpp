@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that counts in the signature are those of the complexes themselves.
 #include "core/document/alpha/signature.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests lives of cavities as bars: the longest ones, their descriptions, and their table.
 #include "core/document/cavities/cavity_bars.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the columns of cavities: their values and texts, and those of results that are not known.
 #include "core/document/cavities/cavity_columns.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests contents of cavities: molecules with known sites, and a cage with atoms at chosen places.
 #include "core/document/cavities/cavity_contents.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests curves of cavities: each sample is the table of its setting, and lines follow cavities.
 #include "core/document/cavities/cavity_curve_results.hpp"
 

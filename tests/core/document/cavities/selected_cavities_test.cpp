@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests which rows belong to a choice of cavities while they merge and part, and texts on their
 // lining.
 #include "core/document/cavities/selected_cavities.hpp"

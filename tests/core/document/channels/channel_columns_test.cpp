@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the columns of samples and of ways.
 #include "core/document/channels/channel_columns.hpp"
 #include "core/channel/channel.hpp"

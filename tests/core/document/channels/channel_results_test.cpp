@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests channels as derived results. Each answer belongs to its own question, and a question
 // without an answer gives a reason.
 #include "core/document/channels/channel_results.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the choice to split networks, and where a network falls apart, as results of the store.
 #include "core/document/channels/network_results.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the list of commands: which entries it refuses, how lines are read, and how it is searched.
 #include "core/document/commands/commands.hpp"
 

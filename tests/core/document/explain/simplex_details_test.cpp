@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the neighbourhood of atoms and simplices against the plain definition. Every simplex of
 // random complexes is compared, and some that are not in them.
 #include "core/document/explain/simplex_details.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests numbers in the lessons' texts that are not facts of the complex on screen: the program
 // computes the same ones. Also tests that texts fit into their column.
 #include <gtest/gtest.h>

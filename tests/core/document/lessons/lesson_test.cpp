@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests how texts of lessons are read, and the messages for wrong ones.
 #include "core/document/lessons/lesson.hpp"
 

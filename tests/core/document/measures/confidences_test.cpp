@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests confidences (pLDDT) of predicted models, which files store as B factors. Legends, labels
 // and JSON call them confidences.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests contacts between chains as a derived result.
 #include "core/document/measures/contact_results.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests areas and volumes as derived results, and as rows of a table.
 #include "core/document/measures/measure_rows.hpp"
 

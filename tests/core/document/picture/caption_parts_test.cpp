@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the parts of a caption as they are typed.
 #include "core/document/picture/caption_parts.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the frames of recordings, and the names of recordings and files.
 #include "core/document/picture/recording.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests sets of atoms against the plain definition, and hidden atoms and own colours as values of
 // balls.
 #include "core/document/reference/appearance.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests labels of atoms: text and place, one for each residue, and only on drawn atoms.
 #include "core/document/reference/atom_labels.hpp"
 #include "core/document/reference/reference.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests measured distances and angles: in the order of selection, under other options, in words.
 #include "core/document/reference/atom_measurements.hpp"
 

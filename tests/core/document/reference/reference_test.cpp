@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests references under changes of all options. An atom keeps its name, comes back when the
 // options include it again, and never turns into another atom.
 #include "core/document/reference/reference.hpp"

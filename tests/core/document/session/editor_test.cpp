@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the history of settings: one entry per gesture, and undo restores every part.
 #include "core/document/session/editor.hpp"
 

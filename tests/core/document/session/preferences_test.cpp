@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests preferences: kept between windows, shared by two windows, and never a reason not to start.
 #include "core/document/session/preferences.hpp"
 

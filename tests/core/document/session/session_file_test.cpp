@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests session files. Every setting comes back, invalid values are reported with their line, and
 // no text crashes the reader.
 #include "core/document/session/session_file.hpp"

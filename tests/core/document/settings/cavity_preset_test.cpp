@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the preset of CASTp's choices, and when settings still match it.
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/document/settings/open_options.hpp"

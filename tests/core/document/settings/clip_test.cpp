@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the clip: its text, the half it keeps, and its rotation.
 #include "core/document/settings/clip.hpp"
 #include "core/geometry/alpha.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the table of the settings of the display: every row can be used wherever it appears.
 #include "core/document/settings/display_fields.hpp"
 

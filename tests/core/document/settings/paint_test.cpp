@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests values of paints for balls, their colours, and paints as text.
 #include "core/document/settings/paint.hpp"
 

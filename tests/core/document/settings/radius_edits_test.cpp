@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests edits of radii by hand.
 #include "core/document/settings/radius_edits.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests triangulation and filtration as results of a store.
 #include "core/document/store/derived.hpp"
 

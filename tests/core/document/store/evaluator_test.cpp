@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests results made at once: in order, each once, within the available memory.
 #include "core/document/store/evaluator.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests chains of results, each made from the one before. One job makes them, in the lane of the
 // waiting result. Also tests results that other code has made.
 #include <stdexcept>

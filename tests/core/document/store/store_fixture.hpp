@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A store, with results that take as long as a test needs.
 #pragma once
 

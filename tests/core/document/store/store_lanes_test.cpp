@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests results that follow a slider, beside those of the background, and results with sources.
 #include <algorithm>
 #include <cmath>

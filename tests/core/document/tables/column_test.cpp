@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that files, window and terminal get the same cells from one list of columns.
 #include "core/document/tables/column.hpp"
 

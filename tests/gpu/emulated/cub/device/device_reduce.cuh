@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A stand-in for CUB's sum (see cuda_runtime.h). It uses scratch memory as on a device, and adds in
 // the type of the result.
 #pragma once

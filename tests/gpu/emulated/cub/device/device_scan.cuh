@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A stand-in for CUB's prefix sum (see cuda_runtime.h). As on a device, one kernel leaves sums of
 // tiles in the scratch memory for the next. They have the type of the summands.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A stand-in for Thrust's transform_iterator (see cuda_runtime.h).
 #pragma once
 

@@ -122,6 +122,7 @@ std::vector<std::filesystem::path> files_of_picture(const ScreenshotCommandOptio
 CommandLinePictures::CommandLinePictures(const ScreenshotCommandOptions& options,
                                          const RunContext& context)
     : command_(command_text(options.arguments, times_wanted())) {
+  for (const std::string& note : options.notes) print_note(note);
   picture_.options = picture_options(options);
   picture_.clip = read_clip(options.clip);
   if (!picture_.clip.error.empty()) throw UsageError("--clip: " + picture_.clip.error);

@@ -80,8 +80,9 @@ std::string kinds_beside_body() {
   return ids;
 }
 
-Paint paint_from(const std::string& text, PaintTarget what) {
+Paint paint_from(const std::string& text, PaintTarget what, std::vector<std::string>& notes) {
   const PaintWords words = read_paint(text, what);
+  if (!words.note.empty()) notes.push_back(words.note);
   if (words.error.empty()) return words.paint;
   std::vector<std::string> schemes;
   for (const SchemeInfo& scheme : all_schemes()) schemes.push_back(scheme.id);
@@ -165,7 +166,7 @@ Options picture_options(ScreenshotCommandOptions& options) {
                         colour_map_ids() + ") and a range: b_factor,cividis,0:60"},
                    "element",
                    [&options](const std::string& text) {
-                     options.ball_paint = paint_from(text, PaintTarget::balls);
+                     options.ball_paint = paint_from(text, PaintTarget::balls, options.notes);
                    }),
       paint_option({display_field(&DisplaySettings::complex_paint).option.name, "PAINT",
                     "Colours of simplices: balls (as the balls, or one colour where that is "
@@ -175,7 +176,8 @@ Options picture_options(ScreenshotCommandOptions& options) {
                    [&options](const std::string& text) {
                      options.simplex_paint.reset();
                      if (text != "balls") {
-                       options.simplex_paint = paint_from(text, PaintTarget::simplices);
+                       options.simplex_paint =
+                           paint_from(text, PaintTarget::simplices, options.notes);
                      }
                    }),
       flag_option("--no-legend", "Leave out the legend of the colours", options.no_legend),

@@ -63,6 +63,7 @@ CommandSpec paint_command(ViewState& s, const DisplayField& field) {
     const PaintWords words = read_paint(arguments.text("paint"), field.painted);
     if (!words.error.empty()) return Outcome::refused(words.error);
     s.settings.display.*std::get<Paint DisplaySettings::*>(field.member) = words.paint;
+    if (!words.note.empty()) s.notice = words.note;
     return Outcome();
   };
   return spec;

@@ -64,7 +64,7 @@ bool names_residues(const Molecule& molecule) {
                      [](const Atom& atom) { return atom.residue_name != 0; });
 }
 
-BallValues by_residue_kind(const PaintedMolecule& of) {
+BallValues by_residue_class(const PaintedMolecule& of) {
   BallValues values;
   if (!names_residues(of.molecule)) {
     values.lacks = "The file names no residues, so all balls are grey.";
@@ -74,7 +74,7 @@ BallValues by_residue_kind(const PaintedMolecule& of) {
     const auto kind = static_cast<ResidueClass>(k);
     values.categories.push_back({residue_class_name(kind), residue_class_colour(kind)});
   }
-  // The kind depends on few names, so it is computed once for each name.
+  // The class depends on few names, so it is computed once for each name.
   constexpr std::size_t kAtomKinds = 5;
   std::vector<std::uint32_t> known(of.molecule.names.size() * kAtomKinds, kUnseen);
   for (const std::uint32_t index : of.atom_of_ball) {
@@ -243,8 +243,8 @@ BallValues ball_values(const PaintedMolecule& of, ColourBy by) {
       return by_element(of);
     case ColourBy::chain:
       return by_chain(of);
-    case ColourBy::residue_kind:
-      return by_residue_kind(of);
+    case ColourBy::residue_class:
+      return by_residue_class(of);
     case ColourBy::residue_index:
       return by_residue_index(of);
     case ColourBy::b_factor:

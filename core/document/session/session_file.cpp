@@ -73,7 +73,8 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
     try {
       static_cast<void>(parse_treatment(treated[i]));
     } catch (const std::invalid_argument& error) {
-      reader.fault({"open", "treat", std::to_string(i)},
+      const char* const name = json["open"].contains("treatments") ? "treatments" : "treat";
+      reader.fault({"open", name, std::to_string(i)},
                    std::string("cannot be understood: ") + error.what());
     }
   }
@@ -113,7 +114,7 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
                   "Write such a value, or remove it to get that of a new window");
 }
 
-// Sentences on members that have another name now, or that this program does not know.
+// Sentences on former names, and on members that this program does not know.
 std::vector<std::string> notes_on(const JsonFindings& findings, std::string_view text) {
   std::vector<std::string> notes;
   const auto note = [&](const JsonPlace& place, const auto& said) {
@@ -121,10 +122,7 @@ std::vector<std::string> notes_on(const JsonFindings& findings, std::string_view
                     said("\"" + printable(place_text(place)) + "\""));
   };
   for (const JsonFindings::Renamed& renamed : findings.renamed) {
-    note(renamed.place, [&](const std::string& name) {
-      return name + " is called \"" + renamed.now +
-             "\" now. The older name is still read in this version.";
-    });
+    note(renamed.place, [&](const std::string& name) { return name + renamed.note; });
   }
   constexpr std::size_t kMostTold = 8;
   for (const JsonPlace& place : findings.unknown) {

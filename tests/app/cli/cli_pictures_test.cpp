@@ -51,6 +51,16 @@ TEST_F(CliPictures, SayHowTheyAreMadeAgain) {
   EXPECT_EQ(contents(folder_ / "it's one.png"), first);
 }
 
+TEST_F(CliPictures, TellTheNewNameOfAScheme) {
+  const std::string there = "screenshot '" + cube_.string() + "' --alpha 1 --size 160x100 -o '" +
+                            (folder_ / "a.png").string() + "' --colours residue_";
+  const std::string told = "\"residue_kind\" is called \"residue_class\" now";
+  const Outcome former = run(there + "kind");
+  EXPECT_EQ(former.code, 0) << former.err;
+  EXPECT_TRUE(contains(former.err, told)) << former.err;
+  EXPECT_FALSE(contains(run(there + "class").err, told));
+}
+
 // Balls that have grown by 0 are drawn whole, not at the display's share of their radius.
 TEST_F(CliPictures, GrownBallsAreWhole) {
   EXPECT_NE(pixels(picture("--no-shadows --grown", "0")), pixels(picture("--no-shadows", "0")));

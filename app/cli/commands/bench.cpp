@@ -20,6 +20,7 @@
 #include "app/options/option_values.hpp"
 #include "app/session/engine_cache.hpp"
 #include "app/session/rounding_note.hpp"
+#include "core/document/settings/request_columns.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/engine/engine_choice.hpp"
 #include "core/text/printable.hpp"
@@ -118,6 +119,10 @@ void print_row(const Row& row) {
             << std::flush;
 }
 
+const Request& request_of(const Row& r) {
+  return r.request;
+}
+
 const Column<Row> kColumns[] = {
     {.id = "file",
      .title = "file",
@@ -129,20 +134,8 @@ const Column<Row> kColumns[] = {
      .help = "The number of balls.",
      .value = [](const Row& r) -> CellValue { return static_cast<std::uint64_t>(r.balls); },
      .files = InFiles::csv},
-    {.id = "alpha_angstrom2",
-     .title = "alpha",
-     .unit = "Å²",
-     .help = "The requested alpha.",
-     .value = [](const Row& r) -> CellValue { return shortest_number(r.request.alpha_angstrom2); },
-     .files = InFiles::csv},
-    {.id = "solvent_radius_angstrom",
-     .title = "solvent radius",
-     .unit = "Å",
-     .help = "The requested solvent radius.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.request.solvent_radius_angstrom);
-     },
-     .files = InFiles::csv},
+    kRequestedAlpha<Row, request_of>,
+    kRequestedSolvent<Row, request_of>,
     {.id = "tetrahedra_only",
      .title = "tetrahedra only",
      .help = "Only tetrahedra were computed.",

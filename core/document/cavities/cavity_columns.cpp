@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/geometry/shortest_number.hpp"
+#include "core/document/settings/request_columns.hpp"
 
 namespace alphascope {
 namespace {
@@ -96,6 +96,10 @@ std::string residues_text(const Row& r) {
     text += (text.empty() ? "" : "; ") + residue.address;
   }
   return text;
+}
+
+const Request& request_of(const Row& r) {
+  return r.facts->request;
 }
 
 const Column<Row> kColumns[] = {
@@ -327,22 +331,8 @@ const Column<Row> kColumns[] = {
            return r.of.contents ? CellValue(r.of.contents_text(r.row)) : CellValue();
          },
      .files = InFiles::csv},
-    {.id = "alpha_angstrom2",
-     .title = "α",
-     .unit = "Å²",
-     .help = "The requested alpha.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.facts->request.alpha_angstrom2);
-     },
-     .files = InFiles::csv},
-    {.id = "solvent_radius_angstrom",
-     .title = "solvent radius",
-     .unit = "Å",
-     .help = "The requested solvent radius.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.facts->request.solvent_radius_angstrom);
-     },
-     .files = InFiles::csv},
+    kRequestedAlpha<Row, request_of>,
+    kRequestedSolvent<Row, request_of>,
     {.id = "choices",
      .title = "choices",
      .help = "“comparable with CASTp”, or the choices that differ from CASTp's.",

@@ -8,7 +8,7 @@
 
 #include "core/document/measures/measure_names.hpp"
 #include "core/document/measures/measure_records.hpp"
-#include "core/geometry/shortest_number.hpp"
+#include "core/document/settings/request_columns.hpp"
 
 namespace alphascope {
 namespace {
@@ -37,6 +37,10 @@ CellValue steepest(const Row& r, Gradients of) {
 }
 constexpr Gradients kArea = &UnionDerivatives::area_by_centre_angstrom,
                     kVolume = &UnionDerivatives::volume_by_centre_angstrom2;
+
+const Request& request_of(const Row& r) {
+  return r.facts->answer->request;
+}
 
 const Column<Row> kColumns[] = {
     {.id = "model",
@@ -174,22 +178,8 @@ const Column<Row> kColumns[] = {
      .help = "The device that measured.",
      .value = [](const Row& r) -> CellValue { return r.facts->measured->by->device; },
      .files = InFiles::csv},
-    {.id = "alpha_angstrom2",
-     .title = "α",
-     .unit = "Å²",
-     .help = "The requested alpha.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.facts->answer->request.alpha_angstrom2);
-     },
-     .files = InFiles::csv},
-    {.id = "solvent_radius_angstrom",
-     .title = "solvent radius",
-     .unit = "Å",
-     .help = "The requested solvent radius.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.facts->answer->request.solvent_radius_angstrom);
-     },
-     .files = InFiles::csv},
+    kRequestedAlpha<Row, request_of>,
+    kRequestedSolvent<Row, request_of>,
     {.id = "hash",
      .title = "hash",
      .help = "The hash of the complex.",

@@ -111,6 +111,8 @@ void totals_line(PanelContext& ctx, const MeasureState& memory) {
         "Exact surface area of the union of all balls, including the surfaces of voids.");
   total("measures.volume", "volume " + measure_text(m.volume_angstrom3()) + " Å³",
         "Exact volume of the union of all balls.");
+  total("measures.arcs", "arcs " + measure_text(m.total[MeasuredQuantity::arc_length]) + " Å",
+        "Exact length of the arcs on the surface in which two spheres meet.");
   const std::uint32_t parts = memory.measured->components.count;
   total("measures.components", number(parts) + (parts == 1 ? " component" : " components"),
         "Number of connected components. Overlapping balls belong to one component.");

@@ -95,7 +95,7 @@ class Viewer {
   void guarded(const std::function<void()>& what);
   float line_scale() const { return preferences_.line_scale(frame_.scale()); }
   // As busy(), without the benchmark. Frames drawn during a benchmark would be in its times.
-  bool working() const { return working_except_saving() || saving_.busy(); }
+  bool working() const { return working_except_saving() || saving_.busy() || benchmark_.exports(); }
   bool working_except_saving() const;  // working(), without files being saved
   void take_results();
   void take_machine();

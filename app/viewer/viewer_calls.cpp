@@ -143,10 +143,10 @@ class Viewer::Queued {
 
    private:
     // Names of the calls, so that cancelling one job does not replace cancelling another.
-    static constexpr std::array kCancel = {
-        "cancel_opening", "cancel_computing", "cancel_comparing", "cancel_listing",
-        "cancel_lessons", "cancel_session",   "cancel_picture",   "cancel_table",
-        "cancel_export",  "cancel_benchmark"};
+    static constexpr std::array kCancel = {"cancel_opening", "cancel_computing", "cancel_comparing",
+                                           "cancel_listing", "cancel_lessons",   "cancel_session",
+                                           "cancel_picture", "cancel_table",     "cancel_export",
+                                           "cancel_figures", "cancel_benchmark"};
     static_assert(kCancel.size() == static_cast<std::size_t>(JobId::benchmark) + 1);
 
     void of_the_view(std::string_view name, std::function<void()> job) {

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <span>
 
-#include "core/chart/chart.hpp"
-
 namespace alphascope {
 namespace {
 
@@ -87,11 +85,6 @@ Rgb8 mapped_colour(ColourMap map, double share) {
   };
   const Rgb8 &a = colours[i], &b = colours[i + 1];
   return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
-}
-
-Rgb8 category_colour(std::size_t n) {
-  const ChartColour c = chart_colour(n);
-  return {c.r, c.g, c.b};
 }
 
 // These colours were found together with those of chains; see core/molecule/atom_colours.cpp.

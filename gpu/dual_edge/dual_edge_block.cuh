@@ -224,7 +224,7 @@ struct BlockBalls {
   // it.
   std::uint8_t state[kMaxBallsPerBlock];
   int scan[kBlockThreads / 32];
-  Surroundings surroundings[kBlockThreads / kSearchLanes];
+  ReachableBalls reachable[kBlockThreads / kSearchLanes];
   Measured all_found, all_lists;  // as BlockStatistics' found and list
   // Number of triangles by number of cuts, most cuts first; later the offsets of these groups.
   int lengths[kLengths];

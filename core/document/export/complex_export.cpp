@@ -143,7 +143,7 @@ class Exporter {
         Mesh& mesh = meshes.emplace_back();
         const bool several = place + 1 == most && most < boundary().solids.size();
         mesh.name = several ? "smaller_solids" : "solid_" + std::to_string(place + 1);
-        const ChartColour c = chart_colour(place);
+        const Rgb8 c = chart_colour(place);
         mesh.colour = {c.r, c.g, c.b};
       }
       append(solid, colours, meshes.back());

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/chart/chart.hpp"
 #include "core/document/measures/measure_results.hpp"
 #include "core/molecule/residue_class.hpp"
 #include "core/selection/atom_groups.hpp"
@@ -169,7 +170,7 @@ BallValues by_component(const PaintedMolecule& of) {
       const std::size_t n = values.categories.size();
       category[c] = static_cast<std::uint32_t>(n);
       values.categories.push_back(
-          {std::to_string(n + 1) + ": " + grouped(size[c]) + " balls", category_colour(n)});
+          {std::to_string(n + 1) + ": " + grouped(size[c]) + " balls", chart_colour(n)});
       continue;
     }
     if (alone == kUnseen) {

@@ -5,6 +5,7 @@
 #include "core/document/store/answer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "ui/rgb8.hpp"
 
 namespace alphascope {
 namespace {
@@ -13,9 +14,7 @@ namespace {
 constexpr double kThinnest = 0.15;  // Å
 
 Colour colour_of(WaterBand band) {
-  const ChartColour c = water_band_colour(band);
-  return {static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255,
-          static_cast<float>(c.b) / 255, 1};
+  return to_colour(water_band_colour(band));
 }
 
 LayerSphere sphere_of(const ChannelSample& sample) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/chart.hpp"
 #include "core/chart/colour_map.hpp"
 #include "core/chart/svg.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
@@ -56,7 +57,7 @@ void make_chart(CurveState& memory, const CavityCurves& curves, const CurveLinks
   memory.colours.clear();
   if (!lines) {
     memory.chart = chart_of_totals(curves, quantity_of(memory));
-    memory.colours = {category_colour(0), category_colour(1)};
+    memory.colours = {chart_colour(0), chart_colour(1)};
     return;
   }
   const CavityTable& table = *lines->table;

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "core/chart/chart.hpp"
 #include "core/document/measures/paint_balls.hpp"
 #include "core/molecule/residue_class.hpp"
 #include "tests/core/files/temporary_file.hpp"
@@ -186,9 +187,9 @@ TEST(PaintBalls, ComponentsComeByTheirSizeAndTiesByTheirLowestBall) {
   const PaintedBalls painted = paint_balls(of, {.by = ColourBy::component});
   EXPECT_EQ(names(painted),
             (Names{"1: 2 balls", "2: 2 balls", "one ball alone", "not in the complex"}));
-  EXPECT_EQ(painted.colours[0], category_colour(0));
-  EXPECT_EQ(painted.colours[4], category_colour(0));
-  EXPECT_EQ(painted.colours[1], category_colour(1));
+  EXPECT_EQ(painted.colours[0], chart_colour(0));
+  EXPECT_EQ(painted.colours[4], chart_colour(0));
+  EXPECT_EQ(painted.colours[1], chart_colour(1));
   EXPECT_EQ(painted.colours[2], painted.colours[6]);
   EXPECT_NE(painted.colours[2], painted.colours[5]);
   complex.tetrahedra_only = true;

@@ -26,6 +26,10 @@ class EngineCache {
   // Engine::compute() do.
   EngineAnswer compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
                        const RunContext& context, const ResultsForAllAlphas& of_all = {});
+  // As compute(), then share().
+  std::shared_ptr<const EngineAnswer> compute_shared(const std::shared_ptr<const BallSet>& balls,
+                                                     const Request& request,
+                                                     const RunContext& context);
   // Hands over the results for all balls of the last answer's engine. The next answers use them
   // while the new owner keeps them.
   ResultsForAllAlphas take_made();

@@ -93,9 +93,7 @@ bool verify_one(const Input& input, const Request& request, const VerifyOptions&
                 BothEngines& engines, Json& json) {
   std::ostream& out = std::cout;
   const RunContext& context = run_context();
-  const auto answer = std::make_shared<const EngineAnswer>(
-      engines.ours.compute(input.prepared().balls, request, context));
-  engines.ours.share(answer);
+  const auto answer = engines.ours.compute_shared(input.prepared().balls, request, context);
   const EngineAnswer& mine = *answer;
   Request cgal = request;
   cgal.engine = EngineChoice::cgal;

@@ -198,10 +198,7 @@ std::shared_ptr<const EngineAnswer> CommandLinePictures::compute(std::optional<d
                                                                  const RunContext& context) {
   Request request = request_;
   if (alpha) request.alpha_angstrom2 = *alpha;
-  auto answer = std::make_shared<const EngineAnswer>(
-      engines_.compute(input_.prepared().balls, request, context));
-  engines_.share(answer);
-  return answer;
+  return engines_.compute_shared(input_.prepared().balls, request, context);
 }
 
 PictureTexts CommandLinePictures::texts() const {

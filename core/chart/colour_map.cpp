@@ -54,8 +54,9 @@ const ColourMapInfo& colour_map_info(ColourMap map) {
   static constexpr ColourMapInfo kInfos[] = {
       {"viridis", "Viridis", "From dark violet through green to yellow, ever brighter"},
       {"cividis", "Cividis", "From dark blue to yellow, the same for colour-blind eyes"},
-      {"blue_white_red", "Blue, white, red", "Both ends dark, the middle white"},
-      {"rainbow", "Rainbow", "From purple through green to red: for orders, not for amounts"}};
+      {"blue_white_red", "Blue, white, red", "From blue through white to red"},
+      {"rainbow", "Rainbow",
+       "From purple through green to red; shows an order, but amounts cannot be compared"}};
   return kInfos[static_cast<std::size_t>(map)];
 }
 

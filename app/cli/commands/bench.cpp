@@ -177,7 +177,7 @@ const Column<Row> kColumns[] = {
      .files = InFiles::csv},
     {.id = "runs",
      .title = "runs",
-     .help = "The number of runs of each.",
+     .help = "The number of runs of each engine.",
      .value = [](const Row& r) -> CellValue {
        return static_cast<std::uint64_t>(r.ours.cold.size());
      },
@@ -293,7 +293,7 @@ Options thesis_suite(BenchOptions& options) {
       with_default(choices_option({"--engines", engine_ids(EngineGroup::suite, "|"),
                                    "Engines of the suite, such as cpu,gpu"},
                                   options.engines),
-                   "all that can run here"),
+                   "all engines that can run here"),
       number_option({"--seconds", "S",
                      "Time limit for a row; rows that need longer for one run are left out"},
                     options.seconds_per_row, {0.1, 86400, "s"}),

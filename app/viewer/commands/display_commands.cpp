@@ -99,7 +99,7 @@ void add_display_switches(Commands& commands, ViewState& s) {
     commands.add(
         with_switch({.id = command_of(kind),
                      .title = std::string(kind.title) + " beside the body",
-                     .help = std::string("Draws ") + kind.id + " that are no part of the body"},
+                     .help = std::string("Draws ") + kind.id + " that are not part of the complex"},
                     s.settings.display.beside.*kind.member));
   }
 }

@@ -67,7 +67,7 @@ std::vector<std::string> lines(const ThesisReport& report) {
   std::vector<std::string> text{machine_text(report.machine) + "; " + report.program};
   for (const BreakEven& found : report.break_even) {
     text.push_back(std::string(engine_id(found.choice)) +
-                   " beats CGAL with one thread up to: " + break_even_text(found));
+                   " is faster than CGAL with one thread up to: " + break_even_text(found));
   }
   return text;
 }
@@ -125,7 +125,8 @@ std::vector<Alpha> parse_alphas(const std::string& text) {
     while (word.ends_with(',')) word.pop_back();  // other commas are decimal commas
     const AlphaInput input = read_alpha(word);
     if (!input.value) {
-      throw std::invalid_argument(input.error + " Write a blank between numbers: 0, 1.4, 3");
+      throw std::invalid_argument(input.error +
+                                  " Separate the numbers with blanks, as in 0, 1.4, 3");
     }
     alphas.push_back(*input.value);
   }
@@ -239,8 +240,9 @@ void Benchmark::save(const BenchmarkSettings& controls) {
   info_.cancelled.clear();
   const std::filesystem::path folder = std::filesystem::absolute(controls.folder);
   const std::string figures = counted(info_.charts.size(), "figure", "figures");
-  const std::string text = "Wrote thesis.csv and " + figures + " to " + printable(folder.string()) +
-                           (report_->complete ? "" : ". They say that the run is incomplete.");
+  const std::string text =
+      "Wrote thesis.csv and " + figures + " to " + printable(folder.string()) +
+      (report_->complete ? "" : ". The files state that the run is incomplete.");
   files_.start(
       {folder / "thesis.csv", "Exporting the benchmark", "The benchmark cannot be exported",
        [report = report_, charts = info_.charts, folder, figures](const RunContext& context) {

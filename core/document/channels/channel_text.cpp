@@ -44,7 +44,9 @@ Rgb8 water_band_colour(WaterBand band) {
 }
 
 std::string passing_waters_text(const FoundChannel& found) {
-  if (!found.is_whole()) return "only a part of the molecule: no verdict on what passes it";
+  if (!found.is_whole())
+    return "the channel covers only a part of the molecule, so nothing is said about what passes "
+           "the molecule";
   return water_band_text(water_band(found.channel->narrowest().radius_angstrom));
 }
 

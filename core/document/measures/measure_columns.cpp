@@ -75,8 +75,8 @@ const Column<Row> kColumns[] = {
     {.id = "volume_angstrom3",
      .title = "volume",
      .unit = "Å³",
-     .help = "The part of the volume within the balls of these atoms that is nearest to them, in "
-             "power distance. Parts add up to the whole.",
+     .help = "The part of the union's volume whose points have the least power distance from these "
+             "atoms. The parts add up to the whole volume.",
      .value = [](const Row& r) -> CellValue { return r.row.of[MeasuredQuantity::volume]; }},
     {.id = "exposed_share",
      .title = "exposed %",

@@ -78,7 +78,7 @@ TEST_F(CliInputsKept, NorDoesStandardOutputReplaceOrFollowIt) {
   EXPECT_EQ(code(cli + "info cube.xyzr" + to), 2);
   EXPECT_EQ(code(cli + "info - --format xyzr <cube.xyzr" + to), 2);
   EXPECT_EQ(code(cli + "compute cube.xyzr --alpha 1 --json -" + to), 2);
-  EXPECT_TRUE(contains(text("err2"), "Standard output goes to cube.xyzr, which is read."))
+  EXPECT_TRUE(contains(text("err2"), "Standard output goes to cube.xyzr, which is an input file."))
       << text("err2");
   EXPECT_EQ(text("cube.xyzr"), cube);
 }

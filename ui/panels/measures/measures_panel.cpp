@@ -284,7 +284,8 @@ std::string waiting_text(const PanelContext& ctx, const Derived<MeasuredComplex>
   if (!ctx.state.molecule.loaded) return "Open a molecule: its area and volume appear here.";
   const AlphaComplex* complex = ctx.inputs.complex.get();
   if (complex && complex->tetrahedra_only) {
-    return "Tetrahedra alone have no area. Switch “Tetrahedra only” off, in the section Engine.";
+    return "Areas and volumes need all simplices. Switch “Tetrahedra only” off in the section "
+           "Engine.";
   }
   if (measured.state == DerivedState::no_room || measured.state == DerivedState::failed) {
     return "There are no areas and volumes. " + measured.why;

@@ -278,7 +278,8 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
   expect(",\"annotations\": { \"marks\": [{ \"to_angstrom\": [1, 2,\n2e9] }] }", "3",
          "from -1000000000 to 1000000000 Å");
   expect(",\"camera\": { \"position_angstrom\": [1, 2] }", "2", "three numbers");
-  expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2", "not the way that it looks");
+  expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2",
+         "not parallel to its direction of view");
   expect(",\"panels\": { \"alpha_slider\": { \"low_angstrom2\": 99 } }", "2", "below its high end");
   expect(",\"picture\": { \"width\": 7 }", "2", "\"picture.width\" is 7");
   expect(",\"recording\": { \"content\": { \"kind\": \"film\" } }", "2", "\"turntable\"");
@@ -289,7 +290,7 @@ TEST(SessionFile, ManyFaultsAreCountedAndTheFirstLineIsTold) {
   const std::string told =
       fault(with(",\n\"display\": { \"balls\": 1 },\n\"request\": { \"threads\": -1 }"));
   EXPECT_NE(told.find("line 3: \"display.balls\""), std::string::npos) << told;
-  EXPECT_NE(told.find("; 1 more of its values"), std::string::npos) << told;
+  EXPECT_NE(told.find("; 1 more of its values are invalid"), std::string::npos) << told;
 }
 
 TEST(SessionFile, WhatIsUnknownIsToldAndLeftOut) {
@@ -363,7 +364,7 @@ TEST(SessionFile, WhatIsNoSessionIsToldSo) {
   expect("[1]", "the JSON file has another content");
   expect("{}", "it has no \"alphascope_session\"");
   expect("{\"alphascope_session\": 2}", "newer version");
-  expect("{\"alphascope_session\": \"1\"}", "version of a session is unknown");
+  expect("{\"alphascope_session\": \"1\"}", "version of this session is unknown");
   expect("{\"alphascope_session\": 1}", "\"molecule\"");
   expect(std::string(5000000, '['), "are nested here");
   expect("{\"a\":" + std::string(30000, '{'), "are nested here");

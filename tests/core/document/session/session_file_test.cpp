@@ -531,10 +531,9 @@ TEST(SessionFile, AWrongTreatmentIsRefusedWithItsPlace) {
       "\"open.treatments.1\" cannot be understood: \"A:QIG 1=metal\" does not say what residues "
       "are; write them as \"A:PU8 301=ligand\" or \"PU8=ligand\", with polymer, ligand, ion, "
       "water or dummy");
-  EXPECT_TRUE(
-      reason("resi (=ion", 5)
-          .starts_with("\"open.treatments.1\" cannot be understood: \"resi (\" does not say "
-                       "which residues, column 6: "));
+  EXPECT_TRUE(reason("resi (=ion", 5)
+                  .starts_with("\"open.treatments.1\" cannot be understood: \"resi (\" names no "
+                               "residues, column 6: "));
   EXPECT_EQ(reason("A:QIG 1=ion", 5), "none");
 }
 

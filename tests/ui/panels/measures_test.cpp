@@ -36,6 +36,9 @@ TEST_F(MeasuresTest, ThePageHasTheNumbersOfThePicture) {
   EXPECT_EQ(memory().rows->rows.size(), 46u) << "residues of crambin";
   EXPECT_TRUE(has("measures.row.1"));
   EXPECT_TRUE(has("measures.area") && has("measures.volume") && has("measures.arcs"));
+  const WidgetRect surface = viewer_->widgets().at("measures.surface");
+  EXPECT_LT(viewer_->widgets().at("measures.components").x1, surface.x0) << "nothing is cut off";
+  EXPECT_GT(surface.x1 - surface.x0, 100) << "its whole text";
   EXPECT_GT(memory().measured->measures().total[MeasuredQuantity::arc_length], 100) << "Å";
   state().settings.request.solvent_radius_angstrom = 1.4;
   settle();

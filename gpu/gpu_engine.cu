@@ -37,8 +37,7 @@ void run_probe() {
   gpu::check(cudaMemcpy(host, out.get(), sizeof host, cudaMemcpyDeviceToHost),
              "running a test kernel");
   for (int i = 0; i < 32; ++i) {
-    if (host[i] != i * i)
-      throw gpu::DeviceError("the GPU computed a wrong number in a test kernel");
+    if (host[i] != i * i) throw gpu::DeviceError("the GPU gave a wrong result in a test");
   }
 }
 
@@ -116,7 +115,7 @@ class GpuExecutor : public Executor {
     complex.engine.counters.push_back({"balls through kernel III", result.exact_balls});
     if (result.attempts > 1) {
       complex.engine.counters.push_back(
-          {"runs for want of room", static_cast<std::uint64_t>(result.attempts)});
+          {"runs, repeated for lack of memory", static_cast<std::uint64_t>(result.attempts)});
     }
     return complex;
   }

@@ -18,7 +18,8 @@ enum class JobId : std::uint8_t {
   session,    // a session is written
   picture,    // a picture or a recording is drawn and written
   table,
-  complex,  // a complex is exported
+  complex,          // a complex is exported
+  benchmark_files,  // table and figures of a benchmark are written
   benchmark
 };
 
@@ -48,7 +49,7 @@ inline const RunningJob* awaited_job(const RunningJobs& jobs) {
 // The first job that writes a file; null: none.
 inline const RunningJob* writing_job(const RunningJobs& jobs) {
   const auto at = std::find_if(jobs.begin(), jobs.end(), [](const RunningJob& job) {
-    return job.id >= JobId::session && job.id <= JobId::complex;
+    return job.id >= JobId::session && job.id <= JobId::benchmark_files;
   });
   return at == jobs.end() ? nullptr : &*at;
 }

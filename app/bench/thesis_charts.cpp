@@ -139,7 +139,7 @@ class Figures {
     const std::string how = options_.bisections > 0 ? ", by bisection between the alphas measured"
                                                     : ", among the alphas measured";
     Chart& chart = start(ChartKind::bars, "beaten-up-to",
-                         "Largest α up to which CGAL with one thread is beaten" + how +
+                         "Largest α at which the engine is faster than CGAL with one thread" + how +
                              " (as thesis, Figure 4.5, there gReg3d)");
     chart.value_label = "α (Å²); ≥ where the largest α measured was won, too";
     name_molecules(chart);
@@ -190,7 +190,8 @@ class Figures {
     Chart& chart = start(
         ChartKind::bars, "ablation-" + of(choice),
         "What each optimisation saves, " + of(choice) + at_least_alpha() + " (thesis, Figure 4.7)");
-    chart.value_label = "time saved by it, % of the time without it (negative: it costs)";
+    chart.value_label =
+        "time saved by the optimisation, % of the time without it (negative: it costs time)";
     name_molecules(chart);
     for (const std::string& variant : variants(choice)) {
       ChartSeries series{variant, {}};

@@ -265,7 +265,7 @@ class Suite {
 
 void check(const std::vector<ThesisMolecule>& molecules, const ThesisOptions& options) {
   const auto finite = [](const Alpha& alpha) { return std::isfinite(alpha.nearest()); };
-  if (molecules.empty()) throw std::invalid_argument("The suite needs a molecule.");
+  if (molecules.empty()) throw std::invalid_argument("Name at least one molecule for the suite.");
   if (options.alphas.empty() ||
       !std::all_of(options.alphas.begin(), options.alphas.end(), finite)) {
     throw std::invalid_argument("The suite needs alphas, each a finite number of Å².");

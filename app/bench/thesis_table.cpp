@@ -338,7 +338,7 @@ std::string contestant_text(const ThesisRow& row) {
 }
 
 std::string break_even_text(const BreakEven& found) {
-  if (!found.alpha_angstrom2) return "none of those tried";
+  if (!found.alpha_angstrom2) return "none of the tried alphas";
   const std::string won = shortest_number(*found.alpha_angstrom2) + " Å²";
   if (found.beyond) return "≥ " + won;
   return won + " (lost at " + shortest_number(*found.lost_at_angstrom2) + ")";

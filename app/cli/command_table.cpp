@@ -12,10 +12,10 @@ namespace alphascope::cli {
 namespace {
 
 Option no_times_option(bool& times) {
-  return flag_option("--no-times",
-                     "Leave out times and threads in all results, so that equal requests give "
-                     "equal bytes",
-                     times, false);
+  return flag_option(
+      "--no-times",
+      "Leave times and threads out of all results, so that equal requests give identical files",
+      times, false);
 }
 
 // The options -q and -v.

@@ -116,7 +116,7 @@ const char* remedy_for(DropReason reason, const InputOptions& options) {
                        [](const auto& a, const auto& b) { return a.count < b.count; });
   throw UsageError(file.string() + ": no atom is left" +
                    (most == reasons.end()
-                        ? std::string(", because the file has none here.")
+                        ? std::string(", because this file contains no such atoms.")
                         : ": dropped " + dropped + ". " + remedy_for(most->reason, options) + "."));
 }
 
@@ -238,7 +238,8 @@ std::vector<std::string> input_notes(const Input& input) {
   std::vector<std::string> notes = input.molecule().notes;
   if (input.prepared().balls->size() == 0) {
     notes.push_back(
-        "no atom is left, so every complex is empty; --help lists the atoms that are kept");
+        "no atom is left, so every complex is empty; --help lists the options that keep more "
+        "atoms");
   }
   return notes;
 }

@@ -30,8 +30,8 @@ constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
                      ": the list has NUL bytes, as find -print0 writes them between names. Add "
                      "--null.");
   }
-  throw UsageError(list +
-                   ": the list has no NUL byte: its names end with lines. Leave out --null.");
+  throw UsageError(
+      list + ": the names in this list end with line ends, not with NUL bytes. Leave out --null.");
 }
 
 void append_names(const std::string& file, char end, std::vector<std::string>& names) {
@@ -51,7 +51,7 @@ void append_names(const std::string& file, char end, std::vector<std::string>& n
     if (end == '\n' && first && name.starts_with(kByteOrderMark)) name.erase(0, 3);
     if (end == '\n' && name.ends_with('\r')) name.pop_back();
     if (name.size() > kLongestName) {
-      throw ReadError(list, number, "this is longer than any name of a file",
+      throw ReadError(list, number, "this line is longer than any file name can be",
                       "Check that it is a list of files, one a line");
     }
     if (names.size() == kMostNames) {

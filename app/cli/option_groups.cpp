@@ -42,9 +42,9 @@ Options input_but_ligands(InputOptions& input) {
       choice_option({"--hydrogens", "auto|keep|drop",
                      "Hydrogens; auto drops them when the radii set includes them in heavy atoms"},
                     input.hydrogens),
-      choice_option(
-          {"--altlocs", "best|all", "Alternative locations: the best of each residue, or all"},
-          input.altlocs),
+      choice_option({"--altlocs", "best|all",
+                     "Alternative locations: keep the best one in each residue, or all"},
+                    input.altlocs),
       // The value "" means the chain without a name.
       may_be_empty(
           texts_option({"--chain", "ID", "Keep only these chains, such as A,B"}, input.chains)),
@@ -96,10 +96,11 @@ void require_files(const InputFiles& files) {
 }
 
 Options tuple_work(TupleOptions& tuples) {
-  Option grid{.names = "--tuple-grid",
-              .value = "auto|100",
-              .text = "Cells: suited to the molecule (auto), or 100 x 100 x 100",
-              .fallback = "auto"};
+  Option grid{
+      .names = "--tuple-grid",
+      .value = "auto|100",
+      .text = "Cells of the grid: a size suited to the molecule (auto), or 100 x 100 x 100 cells",
+      .fallback = "auto"};
   grid.set = [&tuples, choices = grid.choices()](const std::string& id) {
     require_choice(id, choices);
     tuples.grid = id == "100" ? TupleGridKind::thesis : TupleGridKind::automatic;

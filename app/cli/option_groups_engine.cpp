@@ -22,14 +22,13 @@ Options tuples(Request& request) {
          {off("--pageable", "GPU: pageable host memory instead of pinned", tuples.pinned),
           off("--no-texture", "GPU: read balls from plain memory, not through textures",
               tuples.texture),
-          with_default(whole_number_option(
-                           {"--streams", "N", "GPU: number of streams that work at the same time"},
-                           tuples.streams, {1, 8}),
+          with_default(whole_number_option({"--streams", "N", "GPU: number of CUDA streams"},
+                                           tuples.streams, {1, 8}),
                        std::to_string(tuples.streams)),
-          with_default(
-              whole_number_option({"--tuples-per-batch", "N", "Largest number of tuples in memory"},
-                                  tuples.tuples_per_batch, {0, 100'000'000}),
-              "0 = chosen")});
+          with_default(whole_number_option({"--tuples-per-batch", "N",
+                                            "Largest number of tuples in memory at a time"},
+                                           tuples.tuples_per_batch, {0, 100'000'000}),
+                       "0 = chosen")});
   for (Option& option : options) {
     option.group =
         "Options of --engine " + engine_ids(EngineGroup::tuples, " and ") + " (same result)";

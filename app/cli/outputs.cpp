@@ -99,7 +99,7 @@ Outputs::Outputs(const std::vector<fs::path>& inputs) {
     if (const auto input = input_replaced_by(descriptor)) {
       throw UsageError(std::string("Standard ") +
                        (descriptor == STDOUT_FILENO ? "output" : "error") + " goes to " + *input +
-                       ", which is read. Send it elsewhere.");
+                       ", which is an input file. Redirect it to another file.");
     }
   }
 }

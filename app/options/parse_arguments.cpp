@@ -133,7 +133,8 @@ std::string nothing_behind_equals(const OptionProgram& program,
     if (option == nullptr) continue;
     if (option->is_flag()) return option->shown_name() + " takes no value";
     if (!option->may_be_empty) return option->shown_name() + ": " + empty_value(*option, 1);
-    return option->shown_name() + ": write an empty value as " + option->shown_name() + " ''";
+    return option->shown_name() + " has no value; write an empty value as " + option->shown_name() +
+           " ''";
   }
   return {};
 }

@@ -141,6 +141,14 @@ ResultsForAllAlphas EngineCache::take_made() {
   return made;
 }
 
+std::shared_ptr<const EngineAnswer> EngineCache::compute_shared(
+    const std::shared_ptr<const BallSet>& balls, const Request& request,
+    const RunContext& context) {
+  auto answer = std::make_shared<const EngineAnswer>(compute(balls, request, context));
+  share(answer);
+  return answer;
+}
+
 void EngineCache::share(const std::shared_ptr<const EngineAnswer>& answer) {
   if (entries_.empty() || entries_.front().grown != answer->balls) return;
   entries_.front().known.share({answer, &answer->complex});

@@ -29,8 +29,12 @@ class EngineCache {
   // Engine::compute() do.
   EngineAnswer compute(const std::shared_ptr<const BallSet>& balls, const Request& request,
                        const RunContext& context, const ResultsForAllAlphas& of_all = {});
-  // Hands over the results for all balls of the last answer's engine. Later answers still use them,
-  // as long as the new owner keeps them.
+  // As compute(), then share().
+  std::shared_ptr<const EngineAnswer> compute_shared(const std::shared_ptr<const BallSet>& balls,
+                                                     const Request& request,
+                                                     const RunContext& context);
+  // Hands over the results for all balls of the last answer's engine. The next answers use them
+  // while the new owner keeps them.
   ResultsForAllAlphas take_made();
   // Call when the last answer is shared. The engine may then find complexes of smaller alphas in
   // it, by a threshold.

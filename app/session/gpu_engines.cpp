@@ -40,7 +40,7 @@ const GpuLibrary& load(const fs::path& file) {
   if (library == nullptr) {
     const char* const reason = ::dlerror();
     throw Unusable(named + " cannot be loaded (" + (reason != nullptr ? reason : "unknown error") +
-                   "). Install it anew.");
+                   "). Reinstall it.");
   }
   const auto build = function_of<decltype(&alphascope_gpu_build)>(library, "alphascope_gpu_build");
   const auto table =
@@ -51,7 +51,7 @@ const GpuLibrary& load(const fs::path& file) {
   }
   if (std::string_view(build()) != gpu_build()) {
     throw Unusable(named + " belongs to another build of Alphascope (" + build() + "; this is " +
-                   gpu_build() + "). Install programs and library together.");
+                   gpu_build() + "). Install the programs and the library from the same build.");
   }
   return *table();
 }

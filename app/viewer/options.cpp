@@ -58,7 +58,7 @@ Option size_option(ViewerOptions& options) {
   Option size{.names = "--size",
               .value = "WxH",
               .text = "Width and height of the window in pixels, at scale 1",
-              .fallback = "as last time, at first 1440x900"};
+              .fallback = "the last size; at first 1440x900"};
   size.set = [&options](const std::string& text) { set_size(text, options.width, options.height); };
   return size;
 }
@@ -188,7 +188,7 @@ OptionProgram table(ViewerOptions& o) {
       path_or_none(
           {"FILE", "FILE", "Molecule: " + format_names() + "; also as .gz; or a session (.json)"},
           o.file),
-      path_or_none({"--session", "S.json", "Open a session, whatever its name"}, o.session),
+      path_or_none({"--session", "S.json", "Open a session, whatever the file's name"}, o.session),
       alpha_option(o.alpha),
       typed_number_option({"--solvent", "S", "Solvent radius in Å, 1.4 for water"}, o.solvent,
                           kSolventRule),
@@ -212,7 +212,8 @@ OptionProgram table(ViewerOptions& o) {
       record_size_option(o),
       script_option(o),
       flag_option("--script-help", "List the commands of scripts and exit", o.script_help),
-      flag_option("--display-help", "List the settings of the display and exit", o.display_help),
+      flag_option("--display-help", "List the settings of the section Display and exit",
+                  o.display_help),
       shot_option(o)};
   program.notes = {
       {"Examples",

@@ -47,13 +47,10 @@ std::vector<SandboxPreset> sandbox_presets() {
       {"scatter", "Scatter", "24 balls in a plane, of several sizes", {}},
       {"square", "Square", "Four equal balls: two ways to draw the diagonal, so a tie", {}},
       {"circle", "Circle", "Twelve centres on one circle: the largest tie in a plane", {}},
-      {"hidden", "Hidden ball", "A ball without a cell: no complex ever has it", {}},
-      {"equal_centres",
-       "Equal centres",
-       "Only the largest of the balls with one centre counts",
-       {}},
+      {"hidden", "Hidden ball", "A ball without a cell: it is in no alpha complex", {}},
+      {"equal_centres", "Equal centres", "Balls with the same centre: only the largest counts", {}},
       {"line", "Line", "Centres in a line: no triangle at any alpha", {}},
-      {"ring", "Ring", "A loop that alpha closes, and then fills", {}},
+      {"ring", "Ring", "As alpha grows, the ring closes and then fills", {}},
       {"cube", "Cube, in space", "Eight corners on one sphere: a tie among tetrahedra", {}},
       {"tetrahedra", "Two tetrahedra, in space", "Five balls, one face in common", {}}};
   std::vector<SandboxPreset> found;

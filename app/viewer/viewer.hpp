@@ -98,7 +98,7 @@ class Viewer {
   float line_scale() const { return preferences_.line_scale(frame_.scale()); }
   // As busy(), without the benchmark and derived results. A benchmark alone causes no frames, since
   // drawing would disturb its times.
-  bool working() const { return working_except_saving() || saving_.busy(); }
+  bool working() const { return working_except_saving() || saving_.busy() || benchmark_.exports(); }
   bool working_except_saving() const;  // working(), without files being saved
   void take_results();
   void take_machine();

@@ -144,11 +144,11 @@ class Viewer::Queued {
     }
 
    private:
-    // The names of the calls differ, so cancelling one job does not replace cancelling another.
-    static constexpr std::array kCancel = {
-        "cancel_opening", "cancel_computing", "cancel_comparing", "cancel_listing",
-        "cancel_lessons", "cancel_session",   "cancel_picture",   "cancel_table",
-        "cancel_export",  "cancel_benchmark"};
+    // Names of the calls, so that cancelling one job does not replace cancelling another.
+    static constexpr std::array kCancel = {"cancel_opening", "cancel_computing", "cancel_comparing",
+                                           "cancel_listing", "cancel_lessons",   "cancel_session",
+                                           "cancel_picture", "cancel_table",     "cancel_export",
+                                           "cancel_figures", "cancel_benchmark"};
     static_assert(kCancel.size() == static_cast<std::size_t>(JobId::benchmark) + 1);
 
     void of_the_view(std::string_view name, std::function<void()> job) {

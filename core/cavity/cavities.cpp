@@ -109,7 +109,7 @@ class CavityFinder {
   void require_outside(std::uint32_t t) const {
     if (t == Incidence::kOutside) return;
     if (!in_.tetrahedra[t] && (ground_.flow.marks[t] & Flow::kReachesInfinity)) return;
-    throw InternalError("A pocket opens to where no way leads out.");
+    throw InternalError("A mouth of a pocket does not lead to the outside.");
   }
 
   void look_for_sinks(Cavity& cavity) const {
@@ -139,7 +139,8 @@ class CavityFinder {
     const auto& n = result_.simplices;
     const auto euler = static_cast<long long>(n[0] + n[2]) - static_cast<long long>(n[1] + n[3]);
     result_.tunnels = result_.components + result_.voids - euler;
-    if (result_.tunnels < 0) throw InternalError("There are fewer voids than there must be.");
+    if (result_.tunnels < 0)
+      throw InternalError("The number of voids contradicts the Euler characteristic.");
   }
 
   const CavityGround& ground_;

@@ -104,8 +104,7 @@ RealPoint Finder::settled_in_plane(const RealPoint& place, const RealPoint& alon
 std::vector<Passage> Finder::passages() {
   const RealPoint along = unit_vector(ends_.along);
   if (has_direction() && !(std::fabs(length(along) - 1) < 1e-9)) {
-    throw std::invalid_argument(
-        "the direction of the channel has no length, or none that is finite");
+    throw std::invalid_argument("the direction of the channel must have a finite length above 0");
   }
   if (!(ends_.end_radius_angstrom > 0)) {
     throw std::invalid_argument("the end radius of a channel must be above 0 Å");
@@ -115,7 +114,9 @@ std::vector<Passage> Finder::passages() {
   if (has_direction()) first.direction = along;
   if (ends_.kind == Kind::between) {
     to_ = end_at(ends_.to);
-    if (to_ == from_) throw std::invalid_argument("both ends of the channel are one point");
+    if (to_ == from_)
+      throw std::invalid_argument(
+          "both ends of the channel are the same point; choose two different points");
     first.to = to_;
   }
   std::vector<Passage> result(ends_.kind == Kind::through ? 2 : 1);
@@ -210,7 +211,8 @@ ChannelEndCovered::ChannelEndCovered(const RealPoint& place, BallIndex covering,
       depth_angstrom(depth) {}
 
 Channel find_channel(const BallSet& balls, const ChannelEnds& ends, const RunContext& context) {
-  if (balls.size() == 0) throw std::invalid_argument("without balls there is no channel");
+  if (balls.size() == 0)
+    throw std::invalid_argument("there are no balls, so there is no channel; select atoms");
   const std::vector<BallIndex> order = sorted_by_place(balls);
   try {
     Channel channel = Finder(in_order(balls, order), ends, context).find();

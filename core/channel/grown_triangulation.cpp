@@ -43,10 +43,10 @@ bool is_within(const LatticePoint& centre, std::int64_t radius, const Wall& wall
 
 // Adds 12 small balls far away, at the corners of an icosahedron. They block nothing. Everything
 // near the balls lies within their hull, even if the balls are few or flat.
-void GrownTriangulations::add_far_balls(const Surroundings& surroundings, BallSet& balls) {
+void GrownTriangulations::add_far_balls(const Box& box, BallSet& balls) {
   constexpr double kGolden = 1.6180339887498949;
-  const double size = surroundings.far_away(balls.lattice) / std::sqrt(1 + kGolden * kGolden);
-  const RealPoint centre = surroundings.centre();
+  const double size = box.far_away(balls.lattice) / std::sqrt(1 + kGolden * kGolden);
+  const RealPoint centre = box.centre();
   for (const double one : {-1.0, 1.0}) {
     for (const double golden : {-kGolden, kGolden}) {
       for (const RealPoint& corner :
@@ -60,10 +60,10 @@ void GrownTriangulations::add_far_balls(const Surroundings& surroundings, BallSe
 
 GrownTriangulations::GrownTriangulations(const BallSet& balls, const PassageEnds& ends)
     : balls_(balls), ends_(ends) {
-  for (const LatticePoint& p : balls.centres) surroundings_.add(real_point(p));
-  surroundings_.add(real_point(ends.from));
-  if (ends.to) surroundings_.add(real_point(*ends.to));
-  for (const LatticePoint& p : ends.others) surroundings_.add(real_point(p));
+  for (const LatticePoint& p : balls.centres) box_.add(real_point(p));
+  box_.add(real_point(ends.from));
+  if (ends.to) box_.add(real_point(*ends.to));
+  for (const LatticePoint& p : ends.others) box_.add(real_point(p));
   if (ends.direction) wall_ = wall_behind(ends.from, *ends.direction);
   by_centre_.resize(balls.size());
   std::iota(by_centre_.begin(), by_centre_.end(), BallIndex{0});
@@ -84,7 +84,7 @@ std::shared_ptr<const GrownTriangulation> GrownTriangulations::at(std::int64_t g
     scene->balls.radii.push_back(static_cast<std::int32_t>(radius));
     scene->original.push_back(i);
   }
-  add_far_balls(surroundings_, scene->balls);
+  add_far_balls(box_, scene->balls);
   scene->from = add_point(ends_.from, scene->balls);
   scene->to = ends_.to ? add_point(*ends_.to, scene->balls) : EmptySpace::kOutside;
   scene->others = static_cast<BallIndex>(scene->balls.size());
@@ -102,25 +102,25 @@ std::shared_ptr<const GrownTriangulation> GrownTriangulations::at(std::int64_t g
 
 int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom) {
   const Lattice angstrom{0};
-  GrownTriangulations::Surroundings surroundings;
+  GrownTriangulations::Box box;
   for (const LatticePoint& p : balls.centres) {
-    surroundings.add(balls.lattice.unit_angstrom() * real_point(p));
+    box.add(balls.lattice.unit_angstrom() * real_point(p));
   }
   for (const RealPoint& p : ends_angstrom) {
     if (!std::isfinite(p.x + p.y + p.z)) {
       throw std::invalid_argument("an end of the channel is not a finite number");
     }
-    surroundings.add(p);
+    box.add(p);
   }
-  if (surroundings.diagonal() > kLargestExtent) {
+  if (box.diagonal() > kLargestExtent) {
     throw std::invalid_argument(
         "balls and ends of a channel are more than 100,000 Å apart; choose ends near the balls");
   }
-  const RealPoint centre = surroundings.centre();
+  const RealPoint centre = box.centre();
   const double middle = std::max({std::fabs(centre.x), std::fabs(centre.y), std::fabs(centre.z)});
   const auto has_room = [&](int digits) {
     const double units = Lattice{digits}.units_per_angstrom();
-    const double far_away = surroundings.far_away(angstrom) * units + 1;
+    const double far_away = box.far_away(angstrom) * units + 1;
     return middle * units + far_away + kWallRadius < kMaxLatticeCoordinate &&
            far_away < kMaxLatticeRadius;
   };

@@ -75,7 +75,7 @@ class GrownTriangulations {
 
  private:
   // A box around all centres and ends, lattice units.
-  struct Surroundings {
+  struct Box {
     RealPoint low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
     void add(const RealPoint& p) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -92,12 +92,12 @@ class GrownTriangulations {
   };
 
   friend int passage_digits(const BallSet&, const std::vector<RealPoint>&);
-  static void add_far_balls(const Surroundings& surroundings, BallSet& balls);
+  static void add_far_balls(const Box& box, BallSet& balls);
 
   const BallSet& balls_;
   const PassageEnds& ends_;
   std::vector<BallIndex> by_centre_;  // all balls, ordered by centre
-  Surroundings surroundings_;
+  Box box_;
   std::optional<Wall> wall_;  // the last ball of each scene
 };
 

@@ -282,7 +282,7 @@ WaysThrough find_ways_through(const BallSet& balls, const std::vector<WayPart>& 
                               const RunContext& context) {
   const auto is_empty = [](const WayPart& part) { return part.empty(); };
   if (balls.size() == 0 || parts.empty() || std::any_of(parts.begin(), parts.end(), is_empty)) {
-    throw std::invalid_argument("without balls there is no way through");
+    throw std::invalid_argument("there are no balls, so there is no way through; select atoms");
   }
   const BallSet rounded = on_passage_lattice(balls, {});
   const std::vector<BallIndex> order = sorted_by_place(rounded);

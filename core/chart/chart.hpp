@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/molecule/rgb8.hpp"
+
 namespace alphascope {
 
 // Bars are horizontal, so that the names of many categories stay readable.
@@ -40,12 +42,9 @@ struct Chart {
   bool empty() const;  // whether no value is set
 };
 
-struct ChartColour {
-  unsigned char r, g, b;
-};
-// The colour of the n-th series, readable on white and on dark. Colour-blind people can tell the
-// colours apart as far as eight allow (Okabe and Ito, 2008). They repeat after eight.
-ChartColour chart_colour(std::size_t n);
+// The colour of the n-th series or category, readable on white and on dark. Colour-blind people can
+// tell the colours apart as far as eight allow (Okabe and Ito, 2008). They repeat after eight.
+Rgb8 chart_colour(std::size_t n);
 inline constexpr std::size_t kChartColours = 8;
 
 }  // namespace alphascope

@@ -58,8 +58,9 @@ const ColourMapInfo& colour_map_info(ColourMap map) {
   static constexpr ColourMapInfo kInfos[] = {
       {"viridis", "Viridis", "From dark violet through green to yellow, ever brighter"},
       {"cividis", "Cividis", "From dark blue to yellow, the same for colour-blind eyes"},
-      {"blue_white_red", "Blue, white, red", "Both ends dark, the middle white"},
-      {"rainbow", "Rainbow", "From purple through green to red: for orders, not for amounts"}};
+      {"blue_white_red", "Blue, white, red", "From blue through white to red"},
+      {"rainbow", "Rainbow",
+       "From purple through green to red; shows an order, but amounts cannot be compared"}};
   return kInfos[static_cast<std::size_t>(map)];
 }
 
@@ -89,11 +90,6 @@ Rgb8 mapped_colour(ColourMap map, double share) {
   };
   const Rgb8 &a = colours[i], &b = colours[i + 1];
   return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
-}
-
-Rgb8 category_colour(std::size_t n) {
-  const ChartColour c = chart_colour(n);
-  return {c.r, c.g, c.b};
 }
 
 // These colours were found together with those of chains; see core/molecule/atom_colours.cpp.

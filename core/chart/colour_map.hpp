@@ -27,9 +27,6 @@ std::string colour_map_ids();  // "viridis|cividis|..."
 // The colour at a share of the map: 0 is its first colour, 1 its last. Shares beyond are clamped.
 Rgb8 mapped_colour(ColourMap map, double share);
 
-// The colour of the n-th category, after Okabe and Ito. Repeats after eight (core/chart/chart.hpp).
-Rgb8 category_colour(std::size_t n);
-
 // The colour of the n-th cavity, used everywhere. Cavity colours are stronger than those of chains,
 // and none of these is similar. Repeats after kCavityColours.
 Rgb8 cavity_colour(std::size_t n);

@@ -17,7 +17,7 @@ enum class ChartColourRole { text, muted, grid, axis, accent, ground };
 
 struct ChartPaint {
   ChartColourRole ink = ChartColourRole::grid;
-  std::optional<ChartColour> colour = {};  // if set, in place of the ink
+  std::optional<Rgb8> colour = {};  // if set, in place of the ink
   float opacity = 1;
 };
 

@@ -376,10 +376,10 @@ bool Chart::empty() const {
   return true;
 }
 
-ChartColour chart_colour(std::size_t n) {
-  constexpr ChartColour kColours[kChartColours] = {{0, 114, 178},   {230, 159, 0},  {0, 158, 115},
-                                                   {213, 94, 0},    {86, 180, 233}, {204, 121, 167},
-                                                   {148, 148, 148}, {190, 170, 50}};
+Rgb8 chart_colour(std::size_t n) {
+  constexpr Rgb8 kColours[kChartColours] = {{0, 114, 178},   {230, 159, 0},  {0, 158, 115},
+                                            {213, 94, 0},    {86, 180, 233}, {204, 121, 167},
+                                            {148, 148, 148}, {190, 170, 50}};
   return kColours[n % kChartColours];
 }
 

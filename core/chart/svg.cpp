@@ -30,7 +30,7 @@ std::string format(const char* pattern, Args... args) {
   return text;
 }
 
-std::string hex(ChartColour c) {
+std::string hex(const Rgb8& c) {
   return format("#%02x%02x%02x", c.r, c.g, c.b);
 }
 

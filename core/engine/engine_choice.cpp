@@ -15,13 +15,15 @@ constexpr EngineEntry kEngines[] = {
     {.choice = EngineChoice::gpu,
      .id = "gpu",
      .title = "Dual-edge engine, GPU",
-     .help = "Clips dual edges on the graphics processor.",
+     .help = "Alphascope's own engine, on the graphics processor: for every three neighbours it "
+             "clips their dual edge.",
      .needs_gpu = true,
      .suite_place = 2},
     {.choice = EngineChoice::cpu,
      .id = "cpu",
      .title = "Dual-edge engine, CPU",
-     .help = "Clips dual edges on all cores; uses CGAL's triangulation where that is faster.",
+     .help = "Alphascope's own engine, on all cores: for every three neighbours it clips their "
+             "dual edge. It uses CGAL's triangulation where that is faster.",
      .suite_place = 4},
     {.choice = EngineChoice::tuples_gpu,
      .id = "tuples-gpu",

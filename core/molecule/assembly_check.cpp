@@ -96,9 +96,9 @@ void check_operators(Molecule& molecule) {
     refuse_assembly(molecule, std::move(r.id), std::move(r.reason));
   }
   for (const std::uint32_t o : mirrors) {
-    molecule.notes.push_back(
-        "The " + named(assemblies.operators[o]) +
-        " is a reflection: its copies have the opposite handedness, as in a racemate");
+    molecule.notes.push_back("The " + named(assemblies.operators[o]) +
+                             " is a reflection: its copies have the opposite handedness, so the "
+                             "assembly contains mirror images of the molecule");
   }
 }
 

@@ -19,7 +19,7 @@ const Info& info(ResidueReason reason) {
       {"entity_branched", "branched in the entity table"},
       {"entity_water", "water in the entity table"},
       {"modified_record", "MODRES names it"},
-      {"sequence_record", "SEQRES has it in its chain"},
+      {"sequence_record", "SEQRES lists this residue name for the chain"},
       {"sequence_number", "label_seq_id gives its place in a sequence"},
       {"bond_record", "bound within its chain by LINK, CONECT or struct_conn"},
       {"place_in_chain", "stands within its chain"},
@@ -37,7 +37,8 @@ const Info& info(ResidueReason reason) {
       {"water_name", "name of a water"},
       {"ion_name", "name of an ion"},
       {"dummy_name", "name of dummies"},
-      {"backbone_names", "guess: ATOM with the names of a backbone, bound to nothing"},
+      {"backbone_names",
+       "guess: ATOM records with backbone atoms, but without bonds to neighbours"},
       {"no_polymer", "guess: ATOM, but no amino acid or nucleotide, and bound in no chain"},
       {"no_name", "guess: ATOM of a residue without a name"}};
   return kInfos[static_cast<std::size_t>(reason)];

@@ -76,9 +76,9 @@ void FrameMarks::split(Molecule& molecule) const {
     const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : molecule.atoms.size();
     molecule.models.push_back({static_cast<int>(k + 1), begins[k], end});
   }
-  molecule.notes.push_back("The file has no MODEL records, but behind " + std::string(record) +
-                           " the same atoms come again: it is read as " + grouped(begins.size()) +
-                           " models");
+  molecule.notes.push_back(
+      "The file has no MODEL records, but the same atoms are repeated after each " +
+      std::string(record) + ": it is read as " + grouped(begins.size()) + " models");
 }
 
 }  // namespace alphascope

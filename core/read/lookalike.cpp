@@ -23,7 +23,7 @@ struct Mark {
   std::string_view what, remedy;
 };
 
-constexpr std::string_view kUnpack = "Unpack it first; only gzip is unpacked here";
+constexpr std::string_view kUnpack = "Unpack it first; this program unpacks gzip only";
 constexpr std::string_view kFetchText = "Fetch the entry as mmCIF or PDB";
 constexpr std::string_view kConvert =
     "Convert it to PDB, mmCIF or XYZ, for example with Open Babel";

@@ -215,7 +215,7 @@ class Mol2Reader {
     const std::int64_t id = whole_number(text, "the number of a bonded atom");
     const auto found = serials_.find(id);
     if (found != serials_.end()) return found->second;
-    fail("the bond names atom " + std::to_string(id) + ", which the molecule has not",
+    fail("the bond names atom " + std::to_string(id) + ", which is not in the molecule",
          "Correct the bond, or fetch the file again");
   }
 

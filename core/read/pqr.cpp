@@ -59,7 +59,8 @@ class PqrReader {
     guesser_.add_note(builder_.molecule(), "because PQR files hold none");
     if (radius_first_) {
       builder_.molecule().notes.push_back(
-          "Radii are read from before the charges, as a remark of the file says");
+          "Radii are read from the column before the charges, because a remark in the file says "
+          "so");
     }
     frames_.split(builder_.molecule());
     return builder_.finish();

@@ -17,7 +17,10 @@ Worker::Failure present_failure() {
   } catch (const Cancelled&) {
     return {.message = "cancelled", .cancelled = true};
   } catch (const std::bad_alloc&) {
-    return {.message = "not enough memory for this computation", .out_of_memory = true};
+    return {.message =
+                "there is not enough memory for this computation; close other programs, or choose "
+                "a part of the molecule",
+            .out_of_memory = true};
   } catch (const std::exception& e) {
     return {.message = e.what()};
   } catch (...) {

@@ -83,8 +83,8 @@ std::vector<bool> apply_treatments(Molecule& molecule, const Treatment& treatmen
     atom.why = ResidueReason::by_hand;
   }
   if (!found) {
-    molecule.notes.push_back("To be treated as " + std::string(kind_name(treatment.kind)) +
-                             ", but not in this file: " + printable(treatment.residues));
+    molecule.notes.push_back("Residues to be treated as " + std::string(kind_name(treatment.kind)) +
+                             " that are not in this file: " + printable(treatment.residues));
   }
   return atoms;
 }
@@ -106,7 +106,7 @@ Treatment parse_treatment(std::string_view text) {
       const auto fault = is_only_a_name(residues) ? std::nullopt : fault_of_address(residues);
       if (!fault) return {std::string(residues), kind};
       throw std::invalid_argument("\"" + printable(std::string(residues)) +
-                                  "\" does not say which residues, " + fault->what());
+                                  "\" names no residues, " + fault->what());
     }
   }
   throw std::invalid_argument("\"" + printable(std::string(text)) +

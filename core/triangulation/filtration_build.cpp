@@ -45,7 +45,8 @@ std::vector<std::uint32_t> positions_in(const Simplices<N>& list, const FaceGrou
     if (g % 65536 == 0) cancel.throw_if_cancelled();
     while (at < list.size() && list[at] != groups.faces()[g]) ++at;
     if (at == list.size()) {
-      throw std::invalid_argument("a complex lacks faces of its simplices; recompute it");
+      throw std::invalid_argument(
+          "faces of some simplices are missing in the complex; compute it again");
     }
     position[g] = at++;
   }

@@ -153,7 +153,8 @@ void check_classes(const SimplexList<N>& list, const SimplexList<N>& expected, F
 template <int N>
 void report_missing(const Simplices<N>& missing, Findings& findings) {
   for (const auto& s : missing) {
-    findings.check<N>(false, s, "missing: its orthosphere is empty and not above alpha");
+    findings.check<N>(
+        false, s, "missing: no ball is in conflict with its orthosphere, and ρ is not above alpha");
   }
 }
 

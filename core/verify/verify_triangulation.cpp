@@ -297,7 +297,7 @@ class TriangulationProof {
   void check_euler_number() {
     const auto count = static_cast<long long>(cells_.size());
     findings_.check(euler_number<D>(facets_->faces()) + (D % 2 == 0 ? count : -count) == 1,
-                    "the Euler number is not that of a ball");
+                    "the Euler number is not 1, as that of a convex body");
   }
 
   void check_hidden() {
@@ -362,12 +362,14 @@ void check_partition(const BallSet& balls, const Triangulation& triangulation, F
              std::back_inserter(all));
   std::vector<BallIndex> expected(balls.size());
   std::iota(expected.begin(), expected.end(), 0);
-  findings.check(all == expected, "vertices and hidden balls are not each ball once, ascending");
+  findings.check(all == expected,
+                 "the lists of vertices and hidden balls do not contain each ball once, ascending");
 }
 
 // For balls at one point: the vertex is the largest ball, and the first of equal ones.
 void check_point(const BallSet& balls, const Triangulation& triangulation, Findings& findings) {
-  findings.check(triangulation.vertices.size() == 1, "one point has not one vertex");
+  findings.check(triangulation.vertices.size() == 1,
+                 "all centres are one point, but there is not exactly one vertex");
   if (!findings.good()) return;
   const auto largest = std::max_element(balls.radii.begin(), balls.radii.end());
   findings.check<1>(balls.radii.begin() + triangulation.vertices[0] == largest,

@@ -33,8 +33,8 @@ Codec codec_of(const MovieOptions& o) {
 std::filesystem::path ffmpeg() {
   if (const auto program = find_program("ffmpeg")) return *program;
   throw WriteError(
-      "Movies are packed by ffmpeg, which is not on PATH. Install it (Debian: apt install ffmpeg), "
-      "or write numbered pictures instead, such as frame-%04d.png.");
+      "The program makes movies with ffmpeg, which is not on PATH. Install it (Debian: apt install "
+      "ffmpeg), or write numbered pictures instead, such as frame-%04d.png.");
 }
 
 std::vector<std::string> arguments(const MovieOptions& o) {
@@ -93,7 +93,7 @@ void require_ffmpeg() {
 MovieFile::MovieFile(const std::filesystem::path& path, const MovieOptions& options) {
   if (options.transparent && options.format == MovieFormat::mp4) {
     throw std::invalid_argument(
-        "A movie as .mp4 has a background always. Choose .webm or numbered pictures, or leave out "
+        "An .mp4 movie always has a background. Choose .webm or numbered pictures, or leave out "
         "the transparency.");
   }
   parts_ = std::make_unique<Parts>(path, options, ffmpeg());

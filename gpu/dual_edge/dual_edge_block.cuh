@@ -225,7 +225,7 @@ struct BlockBalls {
   // it.
   std::uint8_t state[kMaxBallsPerBlock];
   int scan[kBlockThreads / 32];
-  Surroundings surroundings[kBlockThreads / kSearchLanes];
+  ReachableBalls reachable[kBlockThreads / kSearchLanes];
   Measured all_found, all_lists;  // as BlockStatistics' found and list
   // For each number of cuts, most cuts first, the number of triangles with as many; later the
   // offset of these triangles in the sorted list.

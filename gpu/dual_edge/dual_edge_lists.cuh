@@ -314,7 +314,7 @@ __device__ inline void find_list(const Block& block, const SortedBalls& sorted, 
   const int4 centre = p.balls[index];
   const bool alive = home.reach >= 0;
   const int all = search_neighbours(p.common, sorted, home, active && alive,
-                                    {s.surroundings[threadIdx.x / kSearchLanes], m.found});
+                                    {s.reachable[threadIdx.x / kSearchLanes], m.found});
   const float radius_square =
       static_cast<float>(p.common.alpha.plus(square(centre.w))) * p.radius_scale;
   int n = all <= p.common.search_capacity ? all : 0;

@@ -105,7 +105,7 @@ inline constexpr int kSearchLanes = 16;
 
 // The balls in the cells that a ball can reach, numbered 0, 1, ... They are in nine rows of up to
 // three cells, each a run of slots. A half warp keeps it in its own shared memory.
-struct Surroundings {
+struct ReachableBalls {
   std::uint32_t end[9];   // for each row the number after its last ball
   std::uint32_t base[9];  // for each row slot minus number
 
@@ -153,7 +153,7 @@ struct Surroundings {
 
 // Output of a search: the cells searched, and the indices of the balls found, in no order.
 struct SearchMemory {
-  Surroundings& around;
+  ReachableBalls& around;
   std::uint32_t* found;
 };
 

@@ -26,7 +26,7 @@ namespace {
 ImU32 colour_of(const PanelContext& ctx, const ChartPaint& paint) {
   const float opacity = paint.opacity * ImGui::GetStyle().Alpha;
   if (paint.colour) {
-    const ChartColour& c = *paint.colour;
+    const Rgb8& c = *paint.colour;
     return IM_COL32(c.r, c.g, c.b, static_cast<int>(std::lround(255 * opacity)));
   }
   const Palette& p = ctx.palette;
@@ -115,7 +115,7 @@ class DrawingPainter {
 }  // namespace
 
 ChartPaint plot_colour(const Rgb8& c, float opacity) {
-  return {ChartColourRole::text, ChartColour{c.r, c.g, c.b}, opacity};
+  return {ChartColourRole::text, c, opacity};
 }
 
 ChartPaint plot_colour(const Colour& colour, float opacity) {

@@ -119,18 +119,19 @@ OptionCommand table_of_cavities(CavitiesOptions& options) {
     require_choice(id, choices);
     options.rule = id == "pocket" ? OutsideRule::pocket : OutsideRule::castp;
   };
-  Option ties{
-      .names = "--ties",
-      .value = "perturbed|strict",
-      .text = "Rule for an orthocentre in the plane of a face: perturbed, or no flow (strict)",
-      .fallback = "perturbed"};
+  Option ties{.names = "--ties",
+              .value = "perturbed|strict",
+              .text =
+                  "Rule for an orthocentre in the plane of a face: the perturbation decides "
+                  "(perturbed), or the tetrahedron does not flow (strict)",
+              .fallback = "perturbed"};
   ties.set = [&options, choices = ties.choices()](const std::string& id) {
     require_choice(id, choices);
     options.ties = id == "strict" ? FlowTies::strict : FlowTies::perturbed;
   };
   Option min_volume{.names = "--min-volume",
                     .value = "V",
-                    .text = "List only cavities of an SA volume of at least V, in Å³"};
+                    .text = "List only cavities with an SA volume of at least V, in Å³"};
   min_volume.set = [&options](const std::string& text) {
     options.min_volume_angstrom3 = number_in(text, {-1e30, 1e30});
   };
@@ -144,8 +145,8 @@ OptionCommand table_of_cavities(CavitiesOptions& options) {
                       "bottlenecks",
                       options.split_networks),
           flag_option("--no-network-radius",
-                      "Do not compute the solvent radius at which networks fall apart, which "
-                      "takes a few triangulations",
+                      "Do not compute the solvent radius at which networks fall apart (it takes a "
+                      "few triangulations)",
                       options.no_network_radius),
           with_default(
               whole_number_option({"--show", "N", "Number of cavities to print, the largest first"},

@@ -91,7 +91,7 @@ CavityAnswer find_cavities_of(const Input& input, const CavitiesOptions& options
   answer.request.solvent_radius_angstrom = solvent_radius_angstrom;
   answer.differences = differences_from_castp(input.balls, input.prepared().report, answer.request);
   if (options.rule == OutsideRule::pocket)
-    answer.differences.push_back("Pocket's rule of what is outside");
+    answer.differences.push_back("the rule of the program Pocket for what is outside");
   if (options.split_networks) answer.differences.push_back(kNetworksAreSplit);
   if (options.ties == FlowTies::strict) answer.differences.push_back("ties do not flow");
   WorkThreads threads(answer.request.threads);
@@ -110,7 +110,7 @@ constexpr double kNarrowAngstrom = 0.5;
 // Says at which solvent radius and alpha no network is left, and into how many cavities it falls
 // apart.
 std::string parting_text(const NetworkEnd* end) {
-  if (!end) return "a larger --solvent parts it";
+  if (!end) return "a larger --solvent divides it";
   const auto cavities = [](std::size_t n) {
     return n == 0 ? std::string("no cavity") : counted(n, "cavity", "cavities");
   };
@@ -123,7 +123,7 @@ std::string parting_text(const NetworkEnd* end) {
     }
   } else {
     text = "at --solvent " + shortest_number(end->largest_radius_angstrom) +
-           " a network still is left of it";
+           " a network still remains";
   }
   if (end->alpha_angstrom2) {
     text += "; with this solvent radius none is left at --alpha " + alpha_text(*end) + ", but " +
@@ -152,7 +152,7 @@ std::string network_note(const CavityAnswer& answer) {
   for (const std::size_t row : answer.rows) {
     if (!table.cavity(row).is_network() || ++networks > 1) continue;
     text = "cavity " + grouped(row + 1) + " has " + grouped(table.cavity(row).mouths.size()) +
-           " mouths: it is a network of gaps that are connected, rather than one hole; " +
+           " mouths: it is a network of connected gaps, and not a single hole; " +
            parting_text(answer.network_end(row)) + "; --split-networks lists its parts";
   }
   if (networks == 0) return {};
@@ -176,8 +176,8 @@ std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOpti
   }
   if (answer.request.solvent_radius_angstrom < kNarrowAngstrom && table.size() > 0) {
     notes.push_back(
-        "with so small a solvent radius the gaps between atoms join into one large pocket; "
-        "--solvent 1.4 parts them");
+        "with this small solvent radius, the gaps between atoms form one large pocket; use "
+        "--solvent 1.4 to divide it");
   } else if (const std::string network = network_note(answer); !network.empty()) {
     notes.push_back(network);
   }
@@ -187,7 +187,8 @@ std::vector<std::string> notes_of(const CavityAnswer& answer, const CavitiesOpti
   }
   if (answer.rows.size() < table.size()) {
     notes.push_back(counted(table.size() - answer.rows.size(), "cavity", "cavities") + " below " +
-                    shortest_number(*options.min_volume_angstrom3) + " Å³ not listed, but counted");
+                    shortest_number(*options.min_volume_angstrom3) +
+                    " Å³ are counted, but not listed");
   }
   return notes;
 }

@@ -161,9 +161,9 @@ void print_comparison(const CavityComparison& comparison, const CavitiesOptions&
   if (shown > 0) print_side_by_side(comparison, shown);
   if (verbosity() != Verbosity::quiet && shown > 0) {
     std::cout
-        << "Rows are the cavities of the first column. /2: split into 2 parts; the largest is "
-           "listed. in #3: merged into cavity 3. new: cavities that the first column lacks. "
-           "spread: difference of the volumes in per cent of the largest\n";
+        << "Rows are the cavities of the first column. \"/2\": the cavity has split into 2 parts, "
+           "and the largest is listed. \"in #3\": it has merged into cavity 3. new: cavities that "
+           "the first column lacks. spread: difference of the volumes in per cent of the largest\n";
   }
   std::cout << std::flush;
 }

@@ -17,8 +17,8 @@ std::string file_of(const CavitiesOptions& options, bool wants_one) {
   const bool many = options.files.many() || each_model(options.input) || options.compares();
   if (wants_one && many) {
     throw UsageError(
-        "--lives, --spheres, --surface and --script are of the cavities of one file and one model, "
-        "with one radii set and one solvent radius.");
+        "--lives, --spheres, --surface and --script need one file, one model, one radii set and "
+        "one solvent radius.");
   }
   return options.files.named.empty() ? std::string() : options.files.named.front();
 }

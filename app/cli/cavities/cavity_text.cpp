@@ -57,9 +57,10 @@ void print_rows(const CavityAnswer& answer, std::size_t shown) {
               << " smaller ones; --show sets how many are printed\n";
   }
   if (verbosity() != Verbosity::quiet) {
-    std::cout << "SA: of the region of the probe's centre, MS: of what the probe reaches; CASTp's "
-                 "sums. exact: of the tetrahedra outside all balls, and its rank. "
-                 "* below 1 Å³, or SA and exact volume differ by more than a tenth\n";
+    std::cout
+        << "SA: the region of the probe's centre; MS: the region that the probe reaches; both as "
+           "CASTp sums them. exact: the part of the cavity's tetrahedra outside all balls, and its "
+           "rank. *: below 1 Å³, or SA and exact volume differ by more than a tenth\n";
   }
 }
 

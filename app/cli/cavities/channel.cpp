@@ -196,7 +196,7 @@ void print(const Input& input, const Answer& answer) {
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n";
   print_ways(answer.ways, *answer.found);
   std::cout << "bottleneck  radius " << format_text("%.3f", channel.widest_angstrom) << " Å"
-            << (channel.is_open() ? "" : ": closed, not even a point passes") << "\n"
+            << (channel.is_open() ? "" : ": closed; not even a point can pass") << "\n"
             << "            at " << point_text(channel.narrowest().position_angstrom) << " Å, "
             << channel_limit_text(channel.limit) << "\n"
             << "touching    " << touching_text(atoms_of(input), channel) << "\n"
@@ -256,7 +256,7 @@ ExitCode run_channel(const ChannelOptions& options) {
   ShapeOutputs shapes(options.shapes, options.input.file, outputs);
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
   if (each_model(options.input)) {
-    throw UsageError("A channel needs one model. Give the number of a model, or joined.");
+    throw UsageError("channel takes one model. Give its number with --model, or --model joined.");
   }
   const OpenOptions open = body_options(options.input, options.body, context);
   for_each_model(options.input.file, options.input, open, context, [&](const Input& as_opened) {
@@ -282,7 +282,7 @@ ExitCode run_channel(const ChannelOptions& options) {
 // Throws std::invalid_argument unless there are three numbers or none.
 void require_three(const char* name, const std::vector<double>& numbers) {
   if (numbers.size() == 3 || numbers.empty()) return;
-  throw std::invalid_argument(std::string(name) + " takes three numbers, such as 1.5,-2,30");
+  throw std::invalid_argument(std::string(name) + " needs three numbers, such as 1.5,-2,30");
 }
 
 OptionCommand table_of_channel(ChannelOptions& options) {
@@ -305,13 +305,15 @@ OptionCommand table_of_channel(ChannelOptions& options) {
       place("--point", "Begin at this point in the channel, in Å", options.point),
       whole_number_option({"--cavity", "N", "Begin in the widest place of cavity N of 'cavities'"},
                           options.cavity, {1, 1'000'000'000}),
-      numbers_option({"--mouth", "M|M,K", "To mouth M of the cavity, or from mouth M to mouth K"},
-                     options.mouths, {1, 1e9, ""}),
+      numbers_option(
+          {"--mouth", "M|M,K", "End at mouth M of the cavity, or lead from mouth M to mouth K"},
+          options.mouths, {1, 1e9, ""}),
       with_default(number_option({"--solvent", "S", "Solvent radius of the cavity, in Å"},
                                  options.solvent_radius_angstrom, kSolventRange),
                    "1.4"),
-      place("--along", "Through the start both ways along this direction", options.along),
-      place("--to", "From the start to this point, in Å", options.to),
+      place("--along", "Lead through the start point, in both directions along this vector",
+            options.along),
+      place("--to", "Lead from the start to this point, in Å", options.to),
       number_option({"--end-radius", "R", "Radius at which a line to the outside ends, in Å"},
                     options.end_radius_angstrom, {0, 1000, "Å"}),
       with_default(
@@ -332,7 +334,8 @@ OptionCommand table_of_channel(ChannelOptions& options) {
       throw std::invalid_argument("--point and --cavity exclude each other");
     }
     if (!options.is_way() && options.way != 0) {
-      throw std::invalid_argument("--way needs no --point and no --cavity: it has no given ends");
+      throw std::invalid_argument(
+          "--way cannot be used with --point or --cavity, which choose an end");
     }
     if (options.is_way() && (!options.along.empty() || !options.to.empty() ||
                              options.end_radius_angstrom != ChannelEnds{}.end_radius_angstrom)) {
@@ -340,7 +343,7 @@ OptionCommand table_of_channel(ChannelOptions& options) {
           "--along, --to and --end-radius need --point X,Y,Z or --cavity N");
     }
     if (!options.mouths.empty() && options.cavity == 0) {
-      throw std::invalid_argument("--mouth needs --cavity: mouths are those of a cavity");
+      throw std::invalid_argument("--mouth needs --cavity, since a mouth belongs to a cavity");
     }
     if (options.mouths.size() > 2 ||
         std::any_of(options.mouths.begin(), options.mouths.end(),

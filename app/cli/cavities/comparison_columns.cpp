@@ -71,7 +71,7 @@ const Column<ComparedVariant> kVariants[] = {
      .files = InFiles::none},
     {.id = "new",
      .title = "new",
-     .help = "The number of listed cavities that are none of the first variant.",
+     .help = "The number of listed cavities that the first variant lacks.",
      .value = [](const ComparedVariant& v) { return count(new_ones(v)); },
      .files = InFiles::none},
     {.id = "choices",
@@ -100,8 +100,8 @@ const Column<ComparedCavity> kCavities[] = {
     {.id = "spread_percent",
      .title = "spread",
      .unit = "%",
-     .help = "The largest less the smallest SA volume where it is the same cavity, in per cent of "
-             "the largest.",
+     .help = "The difference of the largest and the smallest SA volume, in per cent of the "
+             "largest. Only variants with the same cavity count.",
      .value = [](const ComparedCavity& c) -> CellValue {
        const std::optional<double> spread = c.all.spread_percent(c.first_row);
        return spread ? CellValue(*spread) : CellValue();
@@ -118,7 +118,7 @@ const Column<ComparedCounterpart> kCounterparts[] = {
      .files = InFiles::json},
     {.id = "id",
      .title = "#",
-     .help = "The id there. There is none where the cavity is gone.",
+     .help = "The id of the cavity in this variant. Empty if it does not exist there.",
      .value =
          [](const ComparedCounterpart& c) {
            const Counterpart other = counterpart(c);
@@ -127,7 +127,7 @@ const Column<ComparedCounterpart> kCounterparts[] = {
      .files = InFiles::json},
     {.id = "same",
      .title = "same",
-     .help = "False where it has joined one that is mostly another cavity.",
+     .help = "False if it has merged into a cavity that is mostly another one.",
      .value = [](const ComparedCounterpart& c) -> CellValue { return counterpart(c).same; },
      .files = InFiles::json},
     {.id = "parts",

@@ -21,6 +21,7 @@
 #include "app/options/option_values.hpp"
 #include "app/session/engine_cache.hpp"
 #include "app/session/rounding_note.hpp"
+#include "core/document/settings/request_columns.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/engine/engine_choice.hpp"
 #include "core/text/printable.hpp"
@@ -119,6 +120,10 @@ void print_row(const Row& row) {
             << std::flush;
 }
 
+const Request& request_of(const Row& r) {
+  return r.request;
+}
+
 const Column<Row> kColumns[] = {
     {.id = "file",
      .title = "file",
@@ -130,20 +135,8 @@ const Column<Row> kColumns[] = {
      .help = "The number of balls.",
      .value = [](const Row& r) -> CellValue { return static_cast<std::uint64_t>(r.balls); },
      .files = InFiles::csv},
-    {.id = "alpha_angstrom2",
-     .title = "alpha",
-     .unit = "Å²",
-     .help = "The requested alpha.",
-     .value = [](const Row& r) -> CellValue { return shortest_number(r.request.alpha_angstrom2); },
-     .files = InFiles::csv},
-    {.id = "solvent_radius_angstrom",
-     .title = "solvent radius",
-     .unit = "Å",
-     .help = "The requested solvent radius.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.request.solvent_radius_angstrom);
-     },
-     .files = InFiles::csv},
+    kRequestedAlpha<Row, request_of>,
+    kRequestedSolvent<Row, request_of>,
     {.id = "tetrahedra_only",
      .title = "tetrahedra only",
      .help = "Only tetrahedra were computed.",
@@ -185,7 +178,7 @@ const Column<Row> kColumns[] = {
      .files = InFiles::csv},
     {.id = "runs",
      .title = "runs",
-     .help = "The number of runs of each.",
+     .help = "The number of runs of each engine.",
      .value = [](const Row& r) -> CellValue {
        return static_cast<std::uint64_t>(r.ours.cold.size());
      },
@@ -301,7 +294,7 @@ Options thesis_suite(BenchOptions& options) {
       with_default(choices_option({"--engines", engine_ids(EngineGroup::suite, "|"),
                                    "Engines of the suite, such as cpu,gpu"},
                                   options.engines),
-                   "all that can run here"),
+                   "all engines that can run here"),
       number_option({"--seconds", "S",
                      "Time limit for a row; rows that need longer for one run are left out"},
                     options.seconds_per_row, {0.1, 86400, "s"}),

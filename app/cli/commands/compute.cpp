@@ -23,6 +23,7 @@
 #include "app/session/system_memory.hpp"
 #include "core/complex/own_dimension.hpp"
 #include "core/molecule/molecule.hpp"
+#include "core/document/settings/request_columns.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -48,6 +49,10 @@ struct Computed {
   }
 };
 
+const Request& request_of(const Computed& r) {
+  return r.result.request;
+}
+
 const Column<Computed> kColumns[] = {
     {.id = "model",
      .title = "model",
@@ -61,22 +66,8 @@ const Column<Computed> kColumns[] = {
        return static_cast<std::uint64_t>(r.input.prepared().balls->size());
      },
      .files = InFiles::csv},
-    {.id = "alpha_angstrom2",
-     .title = "α",
-     .unit = "Å²",
-     .help = "The requested alpha.",
-     .value = [](const Computed& r) -> CellValue {
-       return shortest_number(r.result.request.alpha_angstrom2);
-     },
-     .files = InFiles::csv},
-    {.id = "solvent_radius_angstrom",
-     .title = "solvent radius",
-     .unit = "Å",
-     .help = "The requested solvent radius.",
-     .value = [](const Computed& r) -> CellValue {
-       return shortest_number(r.result.request.solvent_radius_angstrom);
-     },
-     .files = InFiles::csv},
+    kRequestedAlpha<Computed, request_of>,
+    kRequestedSolvent<Computed, request_of>,
     {.id = "solvent_rounding_angstrom",
      .title = "rounding",
      .unit = "Å",

@@ -70,7 +70,7 @@ ExitCode run_explain(const ExplainOptions& options) {
   Outputs outputs(files_read(options.input));
   JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
-  const Input input = open_one_model(options.input, "A simplex needs one model.", context);
+  const Input input = open_one_model(options.input, "explain takes one model.", context);
   const Balls simplex = simplex_of(input, options);
   Request request;
   request.solvent_radius_angstrom = options.solvent_radius_angstrom;
@@ -115,7 +115,7 @@ Option optional_alpha(std::optional<Alpha>& alpha) {
 void require_simplex(const std::vector<int>& simplex) {
   if (simplex.size() > 4) {
     throw std::invalid_argument("--simplex has " + std::to_string(simplex.size()) +
-                                " balls: a simplex has 1 to 4");
+                                " balls; a simplex has 1 to 4");
   }
   for (auto at = simplex.begin(); at != simplex.end(); ++at) {
     if (std::find(simplex.begin(), at, *at) != at) {

@@ -32,7 +32,8 @@ namespace fs = std::filesystem;
 const ExportFormatInfo& format_of(const ExportOptions& options) {
   if (!options.as.empty()) return *export_format_from_id(options.as);
   if (const ExportFormatInfo* const format = export_format_of(options.out)) return *format;
-  if (options.out == "-") throw UsageError("--output - has no ending: say the format with --as.");
+  if (options.out == "-")
+    throw UsageError("Standard output has no ending. Name the format with --as.");
   throw UsageError("--output " + options.out.string() + ": the ending must be one of " +
                    export_endings() + ", or say the format with --as.");
 }
@@ -47,7 +48,9 @@ ExportColours colours_of(const ExportOptions& options) {
 std::vector<AtomicFile*> open_files(const ExportFormatInfo& format, const fs::path& path,
                                     Outputs& outputs) {
   if (format.surface != nullptr && path == "-") {
-    throw UsageError("--output -: a script opens files that are written beside it. Name a file.");
+    throw UsageError(
+        "A script opens files that are written beside it, so it cannot go to standard output. Name "
+        "a file.");
   }
   std::vector<AtomicFile*> files;
   const std::string ending = std::string(".") + format.id;
@@ -78,7 +81,7 @@ ExitCode run_export(const ExportOptions& options) {
   require_readable({options.input.file});
   Outputs outputs(files_read(options.input));
   const std::vector<AtomicFile*> files = open_files(format, options.out, outputs);
-  const Input input = open_one_model(options.input, "A file shows one model.", run_context());
+  const Input input = open_one_model(options.input, "export writes one model.", run_context());
   EngineCache engines(&make_engine);
   const EngineAnswer result =
       engines.compute(input.prepared().balls, options.request, run_context());

@@ -146,7 +146,7 @@ void print(const Input& input) {
   if (report.coincident_centres > 0) {
     std::cout << "coincident  "
               << counted(report.coincident_centres, "ball shares its", "balls share their")
-              << " centre with an earlier one\n";
+              << " centre with an earlier ball\n";
   }
   const char* names[] = {"x", "y", "z"};
   std::int32_t LatticePoint::*axes[] = {&LatticePoint::x, &LatticePoint::y, &LatticePoint::z};

@@ -144,7 +144,7 @@ OptionCommand table_of_measure(MeasureCommandOptions& options) {
   Option per{.names = "--per",
              .value = "atom|residue|chain|component",
              .text = "Groups of atoms for the rows of the CSV and for a list in the JSON",
-             .fallback = "one row for all"};
+             .fallback = "one row for all atoms"};
   per.set = [&options, choices = per.choices()](const std::string& id) {
     require_choice(id, choices);
     const auto at = std::find(choices.begin(), choices.end(), id) - choices.begin();
@@ -162,7 +162,7 @@ OptionCommand table_of_measure(MeasureCommandOptions& options) {
   command.check = [&options] {
     require_files(options.files);
     if (options.derivatives && options.per != MeasureGrouping::atom) {
-      throw std::invalid_argument("--derivatives are those of atoms: add --per atom");
+      throw std::invalid_argument("--derivatives gives numbers for atoms: add --per atom");
     }
     require_tuple_engine(options.request);
   };

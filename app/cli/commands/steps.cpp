@@ -74,7 +74,7 @@ ExitCode run_steps(const StepsOptions& options) {
   Outputs outputs(files_read(options.input));
   JsonResults json(outputs.add("--json", options.json, Outputs::kJson), "");
   const bool shown = verbosity() != Verbosity::quiet || !outputs.take_standard_output();
-  const Input input = open_one_model(options.input, "A ball needs one model.", context);
+  const Input input = open_one_model(options.input, "steps takes one model.", context);
   const Inputs inputs = derived_inputs(input, options.request.solvent_radius_angstrom,
                                        options.request.alpha_angstrom2);
   const StepsRequest asked{

@@ -90,7 +90,8 @@ std::string note_of(const ThesisRow& row) {
   if (row.kind == ThesisRow::Kind::ablation) add(row.variant);
   if (!row.skipped.empty()) add("left out: " + row.skipped);
   if (row.measured() && !row.same_as_cgal) add("not compared");
-  if (row.stages.kernel1_has_kernel2) add("kernel1 is I + II in one launch");
+  if (row.stages.kernel1_has_kernel2)
+    add("kernel1 contains kernels I and II, which one launch runs");
   return note;
 }
 
@@ -122,7 +123,7 @@ void print_row(const ThesisRow& row) {
 }
 
 void print_break_even(const ThesisReport& report) {
-  std::cout << "\nLargest alpha up to which CGAL with one thread is beaten, both cold"
+  std::cout << "\nLargest alpha at which the engine is faster than CGAL with one thread, both cold"
             << " (bisected between the alphas measured, " << report.options.bisections
             << " times):\n";
   for (const BreakEven& found : report.break_even) {

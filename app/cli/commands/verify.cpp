@@ -38,7 +38,7 @@ void print_set(std::ostream& out, const char* name, const SetDifference<N>& set,
   const std::size_t reference = set.common + set.missing.size();
   out << "  " << name << ": " << grouped(set.common) << " of " << grouped(reference);
   if (!set.extra.empty())
-    out << ", and " << grouped(set.extra.size()) << " that CGAL does not have";
+    out << ", and " << grouped(set.extra.size()) << " that CGAL's complex lacks";
   out << "\n";
   const auto print = [&](const char* kind, const auto& list) {
     for (std::size_t i = 0; i < std::min(shown, list.size()); ++i) {
@@ -96,9 +96,7 @@ bool verify_one(const Input& input, const Request& request, const VerifyOptions&
                 BothEngines& engines, Json& json) {
   std::ostream& out = std::cout;
   const RunContext& context = run_context();
-  const auto answer = std::make_shared<const EngineAnswer>(
-      engines.ours.compute(input.prepared().balls, request, context));
-  engines.ours.share(answer);
+  const auto answer = engines.ours.compute_shared(input.prepared().balls, request, context);
   const EngineAnswer& mine = *answer;
   Request cgal = request;
   cgal.engine = EngineChoice::cgal;
@@ -175,8 +173,8 @@ OptionCommand table_of_verify(VerifyOptions& options) {
                                            options.cgal_threads, kThreadRange),
                        "1"),
           flag_option("--definition",
-                      "Also prove from the definition, without CGAL, that every simplex is right "
-                      "and none is missing",
+                      "Also check the complex against its definition, without CGAL: every simplex "
+                      "is right, and none is missing",
                       options.definition),
           whole_number_option({"--show", "N", "Differences printed for each kind of simplex"},
                               options.shown, {0, 1'000'000'000}),

@@ -124,6 +124,7 @@ std::vector<std::filesystem::path> files_of_picture(const ScreenshotCommandOptio
 CommandLinePictures::CommandLinePictures(const ScreenshotCommandOptions& options,
                                          const RunContext& context)
     : command_(command_text(options.arguments, times_wanted())) {
+  for (const std::string& note : options.notes) print_note(note);
   picture_.options = picture_options(options);
   picture_.clip = read_clip(options.clip);
   if (!picture_.clip.error.empty()) throw UsageError("--clip: " + picture_.clip.error);
@@ -200,10 +201,7 @@ std::shared_ptr<const EngineAnswer> CommandLinePictures::compute(std::optional<d
                                                                  const RunContext& context) {
   Request request = request_;
   if (alpha) request.alpha_angstrom2 = *alpha;
-  auto answer = std::make_shared<const EngineAnswer>(
-      engines_.compute(input_.prepared().balls, request, context));
-  engines_.share(answer);
-  return answer;
+  return engines_.compute_shared(input_.prepared().balls, request, context);
 }
 
 PictureTexts CommandLinePictures::texts() const {

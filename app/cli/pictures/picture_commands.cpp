@@ -21,7 +21,7 @@ namespace {
 Option drawing_memory(std::optional<std::uint64_t>& megabytes) {
   Option option{.names = "--drawing-memory",
                 .value = "MB",
-                .text = "Assume this much free memory for drawing, in MB",
+                .text = "Assume this amount of free memory for drawing, in MB",
                 .fallback = "measured"};
   option.set = [&megabytes](const std::string& value) {
     megabytes = static_cast<std::uint64_t>(whole_number_in(value, {0, 2'000'000'000, "MB"}));
@@ -82,8 +82,9 @@ std::string kinds_beside_body() {
   return ids;
 }
 
-Paint paint_from(const std::string& text, PaintTarget what) {
+Paint paint_from(const std::string& text, PaintTarget what, std::vector<std::string>& notes) {
   const PaintWords words = read_paint(text, what);
+  if (!words.note.empty()) notes.push_back(words.note);
   if (words.error.empty()) return words.paint;
   std::vector<std::string> schemes;
   for (const SchemeInfo& scheme : all_schemes()) schemes.push_back(scheme.id);
@@ -167,7 +168,7 @@ Options picture_options(ScreenshotCommandOptions& options) {
                         colour_map_ids() + ") and a range: b_factor,cividis,0:60"},
                    "element",
                    [&options](const std::string& text) {
-                     options.ball_paint = paint_from(text, PaintTarget::balls);
+                     options.ball_paint = paint_from(text, PaintTarget::balls, options.notes);
                    }),
       paint_option({display_field(&DisplaySettings::complex_paint).option.name, "PAINT",
                     "Colours of simplices: balls (as the balls, or one colour where that is "
@@ -177,16 +178,17 @@ Options picture_options(ScreenshotCommandOptions& options) {
                    [&options](const std::string& text) {
                      options.simplex_paint.reset();
                      if (text != "balls") {
-                       options.simplex_paint = paint_from(text, PaintTarget::simplices);
+                       options.simplex_paint =
+                           paint_from(text, PaintTarget::simplices, options.notes);
                      }
                    }),
       flag_option("--no-legend", "Leave out the legend of the colours", options.no_legend),
       text_option({"--beside", "KINDS",
-                   "Atoms that are no part of the body, drawn beside it: " + kinds_beside_body() +
-                       ", with commas; or none"},
+                   "Kinds of atoms that are drawn although they are not part of the complex: " +
+                       kinds_beside_body() + ", with commas; or none"},
                   options.beside),
       caption(options.caption),
-      flag_option("--scale-bar", "Add a bar of a round length in Å", options.scale_bar),
+      flag_option("--scale-bar", "Add a scale bar in Å", options.scale_bar),
       drawing_memory(options.drawing_memory_mb)};
   append(all, display_options(options.display));
   append(all, engine(options.request, true));
@@ -233,15 +235,15 @@ Options recording(FramesCommandOptions& options) {
                     options.axis),
       flag_option("--there-and-back", "Also play back to the beginning, for a loop",
                   r.there_and_back),
-      number_option({"--fps", "N", "Frames a second, of a movie"}, r.frames_per_second,
+      number_option({"--fps", "N", "Frames per second of the movie"}, r.frames_per_second,
                     {kFrameRateRule.least, kFrameRateRule.most, "/ s"})};
 }
 
 void check_recording(FramesCommandOptions& options) {
   if (options.sweep == options.turntable) {
-    throw std::invalid_argument(options.sweep ? "--sweep and --turntable are two recordings; "
-                                                "choose one"
-                                              : "--sweep or --turntable is required");
+    throw std::invalid_argument(
+        options.sweep ? "--sweep and --turntable cannot be combined; choose one of them"
+                      : "--sweep or --turntable is required");
   }
   const auto& given = options.picture.beside_session;
   if (options.sweep && std::find(given.begin(), given.end(), "--alpha") != given.end()) {

@@ -45,6 +45,7 @@ struct ScreenshotCommandOptions {
   std::optional<std::uint64_t> drawing_memory_mb;
   std::filesystem::path session;            // empty: no session; otherwise input.file may be empty
   std::vector<std::string> beside_session;  // given options that the session would set
+  std::vector<std::string> notes;           // sentences on former names among the options
   std::vector<std::string> arguments;       // as given, for the program that draws
 };
 

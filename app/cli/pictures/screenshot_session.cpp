@@ -39,7 +39,8 @@ SessionToDraw open_session(const ScreenshotCommandOptions& options, const RunCon
   fs::path molecule = options.input.file;
   if (molecule.empty()) {
     molecule = same_file(file, s.molecule, "its molecule: ",
-                         "Put it back, or name it as FILE, beside --session S.json", context);
+                         "Put the file back, or name its new place as FILE after --session S.json",
+                         context);
   } else if (hash_of_file(molecule, context) != s.molecule.sha256) {
     drawn.notes.push_back(molecule.string() +
                           " differs from the file of the saved session: it has another SHA-256.");

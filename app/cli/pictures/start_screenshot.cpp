@@ -61,7 +61,8 @@ namespace {
 [[noreturn]] void refuse() {
   throw UsageError(
       "This alphascope-cli was built without its renderer (ALPHASCOPE_BUILD_VIEWER=OFF), so it "
-      "draws no pictures. Build it with the viewer to use screenshot and frames.");
+      "cannot draw pictures. Build it with ALPHASCOPE_BUILD_VIEWER=ON to use screenshot and "
+      "frames.");
 }
 
 }  // namespace

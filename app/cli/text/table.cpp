@@ -33,7 +33,7 @@ std::string Table::heading() const {
 
 std::string Table::line(const std::vector<std::string>& cells) const {
   if (cells.size() != columns_.size()) {
-    throw InternalError("A line of a table has not as many cells as the table has columns.");
+    throw InternalError("A row of a table does not have as many cells as the table has columns.");
   }
   std::string text;
   for (std::size_t k = 0; k < columns_.size(); ++k) {

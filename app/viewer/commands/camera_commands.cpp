@@ -107,7 +107,7 @@ void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
   static constexpr NumberRule kZoomRule{"The factor", 0.01, 100};
   commands.add({.id = "view.zoom",
                 .title = "Zoom…",
-                .help = "Zooms in or out, at the middle of the view",
+                .help = "Zooms in or out around the middle of the view",
                 .parameters = {{.name = "factor",
                                 .kind = Kind::number,
                                 .help = "Factor of the size; above 1 zooms in",

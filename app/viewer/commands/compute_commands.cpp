@@ -87,7 +87,7 @@ void add_slider_commands(Commands& commands, ViewState& s) {
   commands.add(play_command(s, true));
   commands.add(with_switch({.id = "alpha.loop",
                             .title = "Play alpha in a loop",
-                            .help = "Goes on at the other end of the slider instead of stopping"},
+                            .help = "Continues at the other end of the slider instead of stopping"},
                            s.window.alpha_slider.loop));
   commands.add({.id = "alpha.speed",
                 .title = "Set speed of playing…",
@@ -101,15 +101,16 @@ void add_slider_commands(Commands& commands, ViewState& s) {
                   s.window.alpha_slider.speed = arguments.number("speed");
                   return Outcome();
                 }});
-  commands.add({.id = "alpha.scale",
-                .title = "Scale of the alpha slider",
-                .help = "Spreads small alphas, of both signs, or keeps equal steps",
-                .menu = "Tools",
-                .parameters = {{.name = "scale",
-                                .kind = Kind::choice,
-                                .help = "How alpha grows along the slider",
-                                .choices = [&s] { return scalings(s); }}},
-                .run = [&s](const Arguments& arguments) { return set_scaling(arguments, s); }});
+  commands.add(
+      {.id = "alpha.scale",
+       .title = "Scale of the alpha slider",
+       .help = "Gives small alphas more room on the slider, or the same room as all others",
+       .menu = "Tools",
+       .parameters = {{.name = "scale",
+                       .kind = Kind::choice,
+                       .help = "How alpha grows along the slider",
+                       .choices = [&s] { return scalings(s); }}},
+       .run = [&s](const Arguments& arguments) { return set_scaling(arguments, s); }});
   commands.add({.id = "alpha.range",
                 .title = "Set range of the alpha slider…",
                 .help = "Its two ends; alpha itself may be set beyond them",
@@ -271,7 +272,7 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(with_switch(
       {.id = "engine.auto_compare",
        .title = "Compare with CGAL every time",
-       .help = "Lets CGAL compute the same complex after each change, and compares both",
+       .help = "After each change CGAL computes the same complex, and the program compares both",
        .why_not =
            [&s] {
              const bool possible = s.molecule.balls <= kMostBallsToCompareUnasked;

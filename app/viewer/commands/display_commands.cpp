@@ -65,6 +65,7 @@ CommandSpec paint_command(ViewState& s, const DisplayField& field) {
     const PaintWords words = read_paint(arguments.text("paint"), field.painted);
     if (!words.error.empty()) return Outcome::refused(words.error);
     s.settings.display.*std::get<Paint DisplaySettings::*>(field.member) = words.paint;
+    if (!words.note.empty()) s.notice = words.note;
     return Outcome();
   };
   return spec;
@@ -100,7 +101,7 @@ void add_display_switches(Commands& commands, ViewState& s) {
     commands.add(
         with_switch({.id = command_of(kind),
                      .title = std::string(kind.title) + " beside the body",
-                     .help = std::string("Draws ") + kind.id + " that are no part of the body"},
+                     .help = std::string("Draws ") + kind.id + " that are not part of the complex"},
                     s.settings.display.beside.*kind.member));
   }
 }

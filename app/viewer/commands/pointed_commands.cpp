@@ -55,7 +55,7 @@ SelectedMeasurement measurement_to_pointed(const ViewState& s) {
 void add_selecting(Commands& commands, ViewState& s) {
   commands.add(on_pointed(s,
                           {.id = "pointed.select",
-                           .title = "Select what is under the mouse",
+                           .title = "Select the item under the mouse",
                            .help = "Selects the atom or simplex under the mouse, and nothing else"},
                           [&s](const Ref& ref) {
                             select(s, RefSet({ref}));
@@ -77,7 +77,8 @@ void add_selecting(Commands& commands, ViewState& s) {
   commands.add(on_pointed(s,
                           {.id = "pointed.why",
                            .title = "Why is this under the mouse here?",
-                           .help = "Selects the atom or simplex under the mouse, and explains it"},
+                           .help = "Selects the atom or simplex under the mouse, and explains why "
+                                   "it is in the complex or not"},
                           [&s](const Ref& ref) {
                             select(s, RefSet({ref}));
                             s.window.page = "why";

@@ -78,7 +78,8 @@ CommandSpec changing(CommandSpec spec, ViewState& s,
                      std::function<void(const Arguments&, Sandbox&)> change) {
   spec.why_not = [&s] {
     return s.settings.open.sandbox ? ""
-                                   : "The balls are not set by hand. Open a preset of the sandbox.";
+                                   : "These balls cannot be edited. Open a preset on the page "
+                                     "Sandbox, or switch “Balls by hand” on.";
   };
   spec.run = [&s, change = std::move(change)](const Arguments& arguments) {
     try {
@@ -93,9 +94,9 @@ CommandSpec changing(CommandSpec spec, ViewState& s,
 
 void add_changes(Commands& commands, ViewState& s) {
   const std::vector<Parameter> place{
-      number("x", "Coordinate of its centre", "1.5", kCoordinateRule),
-      number("y", "Coordinate of its centre", "0", kCoordinateRule),
-      number("z", "Coordinate of its centre", "0", kCoordinateRule)};
+      number("x", "x of the ball's centre, Å", "1.5", kCoordinateRule),
+      number("y", "y of the ball's centre, Å", "0", kCoordinateRule),
+      number("z", "z of the ball's centre, Å", "0", kCoordinateRule)};
   const Parameter ball = number("ball", "Its number, from 1", "1", kBallRule);
   const Parameter radius = number("radius", "Its radius", "1.5", kRadiusRule);
   std::vector<Parameter> added = place, moved = place;
@@ -174,9 +175,9 @@ void add_sandbox_commands(Commands& commands, ViewState& s, const Calls& ask) {
        .parameters = {on_or_off()},
        .why_not =
            [&s] {
-             return s.settings.open.sandbox
-                        ? ""
-                        : "The balls are not set by hand. Open a preset of the sandbox.";
+             return s.settings.open.sandbox ? ""
+                                            : "These balls cannot be edited. Open a preset on the "
+                                              "page Sandbox, or switch “Balls by hand” on.";
            },
        .checked = [&s] { return s.settings.open.sandbox && s.settings.open.sandbox->flat; },
        .run = [&s](const Arguments& arguments) { return set_flat(arguments, s); }});

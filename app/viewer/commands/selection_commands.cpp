@@ -149,7 +149,7 @@ void add_selection_commands(Commands& commands, ViewState& s, const Calls& ask) 
            [&s] {
              if (s.settings.selection.items.empty()) return "Nothing is selected.";
              const bool none = s.selected_missing == s.settings.selection.items.size();
-             return none ? "Nothing of the selection is in the picture." : "";
+             return none ? "No selected item is in the picture." : "";
            },
        .run =
            [&s, ask](const Arguments&) {

@@ -75,7 +75,8 @@ Outcome open_recent(const Arguments& arguments, const Calls& ask) {
 }
 
 std::vector<Choice> scales(const ViewState& s) {
-  std::vector<Choice> choices{{"auto", "Scale of the display", "", s.window.control_scale == 0}};
+  std::vector<Choice> choices{
+      {"auto", "The scale that the display reports", "", s.window.control_scale == 0}};
   for (const double scale : {1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0}) {
     choices.push_back({shortest_number(scale), shortest_number(100 * scale) + " %", "",
                        s.window.control_scale == scale});

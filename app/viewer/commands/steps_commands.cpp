@@ -46,7 +46,7 @@ struct Move {
 constexpr Move kMoves[] = {
     {"steps.next", "Next step of the algorithm", "Shows the next step of the ball", "N",
      [](StepsState& m) { m.show(m.count() == 0 ? m.step + 1 : std::min(m.at() + 1, m.last())); }},
-    {"steps.back", "Step back in the algorithm", "Shows the step before", "Shift+N",
+    {"steps.back", "Step back in the algorithm", "Shows the previous step", "Shift+N",
      [](StepsState& m) { m.show(std::max<std::size_t>(m.at(), 1) - 1); }},
     {"steps.first", "First step of the algorithm", "Shows the first step of the ball", "Home",
      [](StepsState& m) { m.show(0); }},

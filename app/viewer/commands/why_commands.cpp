@@ -8,8 +8,8 @@ namespace alphascope {
 void add_why_commands(Commands& commands, ViewState& s) {
   commands.add({.id = "why.show",
                 .title = "Why is this here?",
-                .help = "Explains the selected atom, edge, triangle or tetrahedron, or that of two "
-                        "to four selected atoms: why it is in the alpha complex, or not",
+                .help = "Explains why the selected simplex, or that of two to four selected atoms, "
+                        "is in the alpha complex or not",
                 .shortcuts = {{"W"}},
                 .menu = "Tools",
                 .line_above = true,

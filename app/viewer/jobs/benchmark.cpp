@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the controls of the benchmark, runs the suite, and passes its rows to the main thread.
+// Checks the controls of the benchmark, runs the suite, passes its rows to the main thread, and
+// writes its files.
 #include "app/viewer/jobs/benchmark.hpp"
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "app/bench/thesis_charts.hpp"
 #include "app/bench/thesis_table.hpp"
@@ -17,9 +19,11 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/provenance.hpp"
+#include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/running_job.hpp"
+#include "core/write/csv.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {
@@ -71,7 +75,7 @@ std::vector<std::string> lines(const ThesisReport& report) {
   std::vector<std::string> text{machine_text(report.machine) + "; " + report.program};
   for (const BreakEven& found : report.break_even) {
     text.push_back(std::string(engine_id(found.choice)) +
-                   " beats CGAL with one thread up to: " + break_even_text(found));
+                   " is faster than CGAL with one thread up to: " + break_even_text(found));
   }
   return text;
 }
@@ -100,6 +104,23 @@ ThesisMolecule to_molecule(const SessionState& session) {
           provenance(*opened.molecule, opened.options.balls, session.prepared->report)};
 }
 
+void write_files(const ThesisReport& report, const std::vector<Chart>& charts,
+                 const std::filesystem::path& folder, const RunContext& context) {
+  make_output_folder(folder);
+  std::vector<std::filesystem::path> names{folder / "thesis.csv"};
+  for (const Chart& chart : charts) names.push_back(folder / (chart.id + ".svg"));
+  write_together(
+      names,
+      [&](const std::vector<AtomicFile*>& files) {
+        files[0]->write(csv_text(thesis_csv(report)));
+        for (std::size_t k = 0; k < charts.size(); ++k) {
+          context.cancel.throw_if_cancelled();
+          files[k + 1]->write(chart_svg(charts[k]));
+        }
+      },
+      context.cancel);
+}
+
 }  // namespace
 
 std::vector<Alpha> parse_alphas(const std::string& text) {
@@ -112,7 +133,8 @@ std::vector<Alpha> parse_alphas(const std::string& text) {
     while (word.ends_with(',')) word.pop_back();  // other commas are decimal commas
     const AlphaInput input = read_alpha(word);
     if (!input.value) {
-      throw std::invalid_argument(input.error + " Write a blank between numbers: 0, 1.4, 3");
+      throw std::invalid_argument(input.error +
+                                  " Separate the numbers with blanks, as in 0, 1.4, 3");
     }
     alphas.push_back(*input.value);
   }
@@ -121,7 +143,8 @@ std::vector<Alpha> parse_alphas(const std::string& text) {
 }
 
 void Benchmark::start(const SessionState& session, const BenchmarkSettings& controls) {
-  if (running_ || !session.opened || !session.prepared) return;
+  // An export would take time from the run.
+  if (running_ || exports() || !session.opened || !session.prepared) return;
   info_ = {};
   info_.columns = columns();
   since_ = std::chrono::steady_clock::now();
@@ -160,7 +183,7 @@ void Benchmark::start(const SessionState& session, const BenchmarkSettings& cont
 
 JobNews Benchmark::poll() {
   worker_.poll();
-  if (!running_) return {};
+  if (!running_) return poll_files();
   JobNews news;
   news.changed = news.frees_memory = finished_;
   {
@@ -181,8 +204,22 @@ JobNews Benchmark::poll() {
   return news;
 }
 
+// The dialog shows a failure itself, so it has no window of its own.
+JobNews Benchmark::poll_files() {
+  JobNews news = files_.poll();
+  info_.exporting = exports();
+  if (!news.error.empty()) info_.error = std::exchange(news.error, {});
+  if (info_.exported.empty() && !news.notice.empty()) info_.cancelled = news.notice;
+  return news;
+}
+
+void Benchmark::cancel() {
+  worker_.cancel();
+  files_.cancel();
+}
+
 std::optional<RunningJob> Benchmark::running() const {
-  if (!running_) return std::nullopt;
+  if (!running_) return files_.running();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - since_;
   return RunningJob{JobId::benchmark, "Benchmark", info_.progress, info_.share, seconds.count()};
 }
@@ -206,19 +243,23 @@ void Benchmark::finish() {
 }
 
 void Benchmark::save(const BenchmarkSettings& controls) {
-  if (!report_) return;
+  if (!report_ || exports()) return;
   info_.error.clear();
   info_.exported.clear();
-  try {
-    const std::filesystem::path folder = controls.folder;
-    const auto figures = write_charts(thesis_charts(*report_), folder);
-    write_csv(thesis_csv(*report_), folder / "thesis.csv");
-    info_.exported = "Wrote thesis.csv and " + std::to_string(figures.size()) + " figures to " +
-                     std::filesystem::absolute(folder).string() +
-                     (report_->complete ? "" : ". They say that the run is incomplete.");
-  } catch (const std::exception& e) {
-    info_.error = e.what();
-  }
+  info_.cancelled.clear();
+  const std::filesystem::path folder = std::filesystem::absolute(controls.folder);
+  const std::string figures = counted(info_.charts.size(), "figure", "figures");
+  const std::string text =
+      "Wrote thesis.csv and " + figures + " to " + printable(folder.string()) +
+      (report_->complete ? "" : ". The files state that the run is incomplete.");
+  files_.start(
+      {folder / "thesis.csv", "Exporting the benchmark", "The benchmark cannot be exported",
+       [report = report_, charts = info_.charts, folder, figures](const RunContext& context) {
+         write_files(*report, charts, folder, context);
+         return " and " + figures;
+       },
+       [this, text] { info_.exported = text; }});
+  info_.exporting = true;
 }
 
 }  // namespace alphascope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the thesis' suite for the window on a thread of its own. Its rows appear as they are
-// measured.
+// measured. Another job writes them to files.
 #pragma once
 
 #include <chrono>
@@ -9,6 +9,7 @@
 
 #include "app/bench/thesis_suite.hpp"
 #include "app/session/session.hpp"
+#include "app/viewer/jobs/file_job.hpp"
 #include "app/viewer/jobs/job_list.hpp"
 #include "core/run/worker.hpp"
 #include "ui/panels/dialogs/benchmark_info.hpp"
@@ -23,17 +24,23 @@ class Benchmark : public ViewerJob {
  public:
   // `info` gets the rows as they are measured, and must outlive this. `wake` as in Worker.
   Benchmark(std::function<void()> wake, EngineFactory factory, BenchmarkInfo& info)
-      : factory_(std::move(factory)), info_(info), worker_(std::move(wake)) {}
+      : factory_(std::move(factory)),
+        info_(info),
+        files_(JobId::benchmark_files, wake),
+        worker_(std::move(wake)) {}
 
   // Measures the open molecule at the present solvent radius. A fault of the controls goes to
   // info.error.
   void start(const SessionState& session, const BenchmarkSettings& controls);
-  // Saves thesis.csv and the figures. A failure goes to info.error.
+  // Begins to write thesis.csv and the figures; all appear complete, or none. A failure goes to
+  // info.error.
   void save(const BenchmarkSettings& controls);
   bool busy() const { return running_; }
+  bool exports() const { return files_.busy(); }
 
+  // Either a run or an export.
   std::optional<RunningJob> running() const override;
-  void cancel() override { worker_.cancel(); }
+  void cancel() override;
   JobNews poll() override;
 
  private:
@@ -42,6 +49,7 @@ class Benchmark : public ViewerJob {
     std::vector<ThesisRow> rows;
   };
   void finish();
+  JobNews poll_files();
 
   EngineFactory factory_;
   BenchmarkInfo& info_;
@@ -54,7 +62,9 @@ class Benchmark : public ViewerJob {
   bool cancelled_ = false;
   std::string failure_;
   bool running_ = false, finished_ = false;
-  Worker worker_;  // last member, so that its thread is joined first
+  // Last members, so that their threads are joined first.
+  FileJob files_;
+  Worker worker_;
 };
 
 }  // namespace alphascope

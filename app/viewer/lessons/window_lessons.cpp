@@ -36,7 +36,7 @@ void check_commands(const Lesson& lesson, const Commands& known) {
       for (const std::string_view area : kNotInLessons) {
         if (!id.starts_with(area)) continue;
         throw ReadError(lesson.file, command.line, "a lesson cannot run " + id,
-                        "It may change the picture only");
+                        "Use only commands that change the picture or its settings");
       }
       if (known.find(id) != nullptr) continue;
       std::vector<std::string> ids;

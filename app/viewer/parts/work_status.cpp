@@ -39,7 +39,7 @@ BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
                  : "is not made. " + job.why);
   }
   if (of_all_simplices) {
-    info.detail += "\nThe CPU then looks every alpha up instead of computing it.";
+    info.detail += "\nAfter that, the CPU finds the complex of any alpha in it, without computing.";
   }
   return info;
 }

@@ -69,9 +69,7 @@ FrameSource SceneController::frames(const RecordRequest& request) const {
               std::optional<double> alpha, const RunContext& context) {
     Request request_of_frame = wanted;
     request_of_frame.alpha_angstrom2 = alpha.value();
-    const auto answer = std::make_shared<const EngineAnswer>(
-        engines->compute(opened->prepared->balls, request_of_frame, context));
-    engines->share(answer);
+    const auto answer = engines->compute_shared(opened->prepared->balls, request_of_frame, context);
     return maker->make(answer, picture_texts(header_of(*opened, *answer)), context);
   }};
 }

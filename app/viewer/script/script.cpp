@@ -388,7 +388,7 @@ std::vector<ScriptRunner::Verb> ScriptRunner::all_verbs() {
             widget()),
        &S::where},
       {verb("print", "Writes counts and hash of the result to standard output"), &S::print},
-      {verb("time", "Writes the text, then the milliseconds since the previous such line",
+      {verb("time", "Writes the text, then the milliseconds since the last such command",
             one(text)),
        &S::time},
       {verb("alpha-moves",

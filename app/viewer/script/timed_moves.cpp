@@ -92,7 +92,7 @@ class Mover {
   }
   static void require_in_time(Clock::time_point start) {
     if (Clock::now() - start < kLongest) return;
-    throw std::runtime_error("no picture of what was asked for after five minutes");
+    throw std::runtime_error("the requested picture was not drawn within five minutes");
   }
 
   Viewer& viewer_;
@@ -131,7 +131,8 @@ std::string time_alpha_moves(Viewer& viewer, ScriptedInput& input, double angstr
     for (const StageTime& stage : viewer.picture_stages()) {
       stages[stage.label].push_back(stage.milliseconds);
     }
-    if (i > 0 && complex.hash != hash) throw std::runtime_error("two complexes for one alpha");
+    if (i > 0 && complex.hash != hash)
+      throw std::runtime_error("two moves to the same alpha gave different complexes");
     hash = complex.hash;
     mover.wait_until_idle();
   }

@@ -26,6 +26,7 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/provenance.hpp"
+#include "core/document/settings/request_columns.hpp"
 
 namespace alphascope {
 namespace {
@@ -118,6 +119,10 @@ std::string residues_text(const Row& r) {
   return text;
 }
 
+const Request& request_of(const Row& r) {
+  return r.facts->request;
+}
+
 const Column<Row> kColumns[] = {
     {.id = "model",
      .title = "model",
@@ -136,8 +141,8 @@ const Column<Row> kColumns[] = {
      .files = InFiles::csv},
     {.id = "kind",
      .title = "kind",
-     .help = "Nothing can leave a void; a pocket opens to the outside through mouths. A network is "
-             "a pocket of twenty mouths or more: gaps that are connected rather than one hole. A "
+     .help = "A void is closed on all sides. A pocket opens to the outside through mouths. A "
+             "network is a pocket of twenty mouths or more: connected gaps rather than one hole. A "
              "part belongs to a network that is split at its bottlenecks.",
      .value = [](const Row& r) -> CellValue { return r.of.kind(r.row); }},
     {.id = "name",
@@ -148,14 +153,15 @@ const Column<Row> kColumns[] = {
     {.id = "volume_sa_angstrom3",
      .title = "SA vol.",
      .unit = "Å³",
-     .help = "CASTp's volume of the region of probe centres: not comparable with volumes of "
-             "KVFinder or fpocket, nor with MS volumes. It is a sum over angles, exact for voids; "
-             "of a pocket it can even be negative.",
+     .help = "CASTp's volume of the region that the probe's centre can reach. It cannot be "
+             "compared with MS volumes, or with volumes of KVFinder or fpocket. CASTp's sum is "
+             "exact for voids; for a pocket it can be wrong and even negative.",
      .value = [](const Row& r) -> CellValue { return measures(r).volume_sa_angstrom3; }},
     {.id = "area_sa_angstrom2",
      .title = "SA area",
      .unit = "Å²",
-     .help = "CASTp's area of the region of probe centres: of the grown balls' surfaces in it.",
+     .help = "CASTp's area of the surfaces of the grown balls in the region that the probe's "
+             "centre can reach.",
      .value = [](const Row& r) -> CellValue { return measures(r).area_sa_angstrom2; }},
     {.id = "volume_sa_clipped_angstrom3",
      .title = "exact",
@@ -216,15 +222,15 @@ const Column<Row> kColumns[] = {
     {.id = "falls_apart_alpha_angstrom2",
      .title = "falls apart at α",
      .unit = "Å²",
-     .help = "The alpha, to 0.01 Å², at which no network is left of a network. It is empty where "
-             "that is not known.",
+     .help = "The alpha, to 0.01 Å², at which the network has fallen apart: none of the cavities "
+             "left of it is a network. It is empty where that is not known.",
      .value = [](const Row& r) { return network_end(r, alpha_text); },
      .files = InFiles::csv},
     {.id = "falls_apart_solvent_radius_angstrom",
      .title = "falls apart at radius",
      .unit = "Å",
-     .help = "The solvent radius, to 0.1 Å, at which no network is left of a network. It is empty "
-             "where that is not known.",
+     .help = "The solvent radius, to 0.1 Å, at which the network has fallen apart: none of the "
+             "cavities left of it is a network. It is empty where that is not known.",
      .value = [](const Row& r) { return network_end(r, radius_text); },
      .files = InFiles::csv},
     {.id = "part_of",
@@ -333,8 +339,8 @@ const Column<Row> kColumns[] = {
      .title = "bottleneck",
      .unit = "Å",
      .help = "The radius of the largest ball that gets out of its widest place, by true clearance "
-             "from the atoms as they are, without solvent radius. It is known of the 100 largest "
-             "cavities, and takes many seconds in the background.",
+             "from the atoms as they are, without solvent radius. It is computed for the 100 "
+             "largest cavities only, in the background, which takes many seconds.",
      .value = bottleneck,
      .text = bottleneck_text,
      .files = InFiles::none},
@@ -347,22 +353,8 @@ const Column<Row> kColumns[] = {
            return r.of.contents ? CellValue(r.of.contents_text(r.row)) : CellValue();
          },
      .files = InFiles::csv},
-    {.id = "alpha_angstrom2",
-     .title = "α",
-     .unit = "Å²",
-     .help = "The requested alpha.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.facts->request.alpha_angstrom2);
-     },
-     .files = InFiles::csv},
-    {.id = "solvent_radius_angstrom",
-     .title = "solvent radius",
-     .unit = "Å",
-     .help = "The requested solvent radius.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.facts->request.solvent_radius_angstrom);
-     },
-     .files = InFiles::csv},
+    kRequestedAlpha<Row, request_of>,
+    kRequestedSolvent<Row, request_of>,
     {.id = "choices",
      .title = "choices",
      .help = "“comparable with CASTp”, or the choices that differ from CASTp's.",

@@ -101,8 +101,8 @@ std::string mouths_text(std::size_t mouths) {
     return has + "it may be a pore. The page Channels says how wide it is.";
   }
   return has +
-         "it is a network of gaps that are connected, rather than one hole. A larger solvent "
-         "radius parts it.";
+         "it is a network of gaps that are connected, rather than one hole. With a larger solvent "
+         "radius it falls apart.";
 }
 
 std::string falls_apart_text(const NetworkEnd& end, double solvent_radius_angstrom) {
@@ -114,16 +114,16 @@ std::string falls_apart_text(const NetworkEnd& end, double solvent_radius_angstr
     char largest[40];
     std::snprintf(largest, sizeof largest, "%.0f", end.largest_volume_sa_angstrom3);
     text = "At a solvent radius of " + shortest_number(*end.radius_angstrom) +
-           " Å no network is left of it, but " + cavities(end.cavities) +
+           " Å the network has fallen apart: " + cavities(end.cavities) + " left" +
            (end.cavities > 0 ? std::string(", the largest of ") + largest + " Å³." : ".");
     const double before = *end.radius_angstrom - kNetworkStepAngstrom;
     if (before > solvent_radius_angstrom) {
       text += " At " + shortest_number(std::round(before / kNetworkStepAngstrom) / 10) +
-              " Å there still is one.";
+              " Å it has not.";
     }
   } else {
     text = "At a solvent radius of " + shortest_number(end.largest_radius_angstrom) +
-           " Å there still is a network.";
+           " Å a network still remains.";
   }
   if (end.alpha_angstrom2) {
     text += " With this solvent radius it falls apart at alpha " +

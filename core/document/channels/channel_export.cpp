@@ -41,7 +41,7 @@ constexpr std::array kChannelExports{
                     "channel.pml"}};
 
 Mesh::Colour colour_of(double radius_angstrom) {
-  const ChartColour c = water_band_colour(water_band(radius_angstrom));
+  const Rgb8 c = water_band_colour(water_band(radius_angstrom));
   return {c.r, c.g, c.b};
 }
 

@@ -45,15 +45,17 @@ const char* water_band_text(WaterBand band) {
                                   : "waters pass side by side";
 }
 
-ChartColour water_band_colour(WaterBand band) {
+Rgb8 water_band_colour(WaterBand band) {
   // Red, green and blue of Okabe and Ito, which colour-blind people can distinguish.
-  return band == WaterBand::none  ? ChartColour{213, 94, 0}
-         : band == WaterBand::one ? ChartColour{0, 158, 115}
-                                  : ChartColour{0, 114, 178};
+  return band == WaterBand::none  ? Rgb8{213, 94, 0}
+         : band == WaterBand::one ? Rgb8{0, 158, 115}
+                                  : Rgb8{0, 114, 178};
 }
 
 std::string passing_waters_text(const FoundChannel& found) {
-  if (!found.is_whole()) return "only a part of the molecule: no verdict on what passes it";
+  if (!found.is_whole())
+    return "the channel covers only a part of the molecule, so nothing is said about what passes "
+           "the molecule";
   return water_band_text(water_band(found.channel->narrowest().radius_angstrom));
 }
 

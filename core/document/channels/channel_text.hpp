@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/channel/channel.hpp"
-#include "core/chart/chart.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 
@@ -24,7 +24,7 @@ inline constexpr double kOneWaterAngstrom = 1.15, kTwoWatersAngstrom = 2.30;
 WaterBand water_band(double radius_angstrom);
 const char* water_band_text(WaterBand band);  // "no water passes"
 // Colour of the tube and of the profile's bands.
-ChartColour water_band_colour(WaterBand band);
+Rgb8 water_band_colour(WaterBand band);
 
 // The waters that can pass a channel through the whole molecule. For other channels the text says
 // that there is no verdict.

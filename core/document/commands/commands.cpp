@@ -176,7 +176,7 @@ std::string CommandSpec::shortcuts_text() const {
 
 void Commands::add(CommandSpec spec) {
   check(spec);
-  if (find(spec.id)) throw std::logic_error("the command \"" + spec.id + "\" is there twice");
+  if (find(spec.id)) throw std::logic_error("the command \"" + spec.id + "\" has been added twice");
   for (auto s = spec.shortcuts.begin(); s != spec.shortcuts.end(); ++s) {
     const auto same = [keys = upper_case(s->keys)](const Shortcut& t) {
       return upper_case(t.keys) == keys;

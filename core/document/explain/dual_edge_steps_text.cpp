@@ -74,7 +74,7 @@ class Writer {
     const std::uint64_t made = all(id::kMade), dropped = all(id::kDropped), kept = all(id::kKept),
                         forgotten = all(id::kForgotten);
     if (step_.off) {
-      return "The list is short, so that it does not pay to look for neighbours that can be left "
+      return "The list is short, so the engine does not look for neighbours that can be left "
              "out. " +
              things(kept, "neighbour") + " " + is_or_are(kept) + " left.";
     }
@@ -83,9 +83,9 @@ class Writer {
         "of the grown ball. They are together in a simplex only if a part of the disc is not "
         "covered by other balls. The " +
         grouped(all(id::kNearest)) +
-        " balls whose planes are nearest to the centre are tried: of " + things(made, "disc") +
-        ", " + grouped(dropped) + " " + is_or_are(dropped) + " covered by a single one of them. " +
-        grouped(kept) + " " + is_or_are(kept) + " left.";
+        " balls whose planes are nearest to the centre are tried as covers. Of " +
+        things(made, "disc") + ", " + grouped(dropped) + " " + is_or_are(dropped) +
+        " covered by one of them. " + grouped(kept) + " " + is_or_are(kept) + " left.";
     if (dropped == 0) return text;
     return text + (forgotten > 0
                        ? " The centre of this ball is within its power cell, so balls with covered "
@@ -102,7 +102,7 @@ class Writer {
         "The edge to a neighbour has its orthocentre in the middle of the disc. Tested: " +
         things(tested, "edge") + here(id::kTested) + ". " + grouped(attached) + " " +
         has_or_have(attached) +
-        " another ball in conflict, which has no more power distance there. " +
+        " another ball in conflict: its power distance there is not larger. " +
         (attached == 1 ? "It is" : "They are") +
         " attached, and in the complex only as a face of a triangle. " + grouped(valid) + " " +
         has_or_have(valid) + " no ball in conflict and ρ ≤ α: valid.";
@@ -120,12 +120,11 @@ class Writer {
 
   std::string triangles() const {
     const std::uint64_t made = all(id::kMade), dropped = all(id::kDropped), kept = all(id::kKept);
-    std::string text =
-        "Three balls make a triangle if they meet, each with each: " + things(made, "triangle") +
-        ". ";
+    std::string text = "Three balls are a candidate triangle if every two of them meet: " +
+                       things(made, "triangle") + ". ";
     if (dropped > 0) {
-      text +=
-          grouped(dropped) + " of them " + has_or_have(dropped) + " an edge that goes no further. ";
+      text += grouped(dropped) + " of them " + has_or_have(dropped) +
+              " an edge that is not in the complex. ";
     }
     return text + things(kept, "triangle") + " " + is_or_are(kept) + " left" + here(id::kKept) +
            ", each with its dual edge.";
@@ -157,7 +156,7 @@ class Writer {
   }
   std::string cuts() const {
     return "Of " + things(all(id::kHeld), "comparison") + " with a ball, " +
-           grouped(all(id::kFar)) + " found it too far away to reach what was left, and " +
+           grouped(all(id::kFar)) + " were too far away to cut the rest, and " +
            grouped(all(id::kMoved)) + " moved an end. ";
   }
 

@@ -176,9 +176,9 @@ class Sentences {
     std::string text = "Its " + ball(e_.absent_face[0]) + " is hidden. ";
     if (e_.culprits.empty()) return text;
     const std::string other = ball(e_.culprits[0]);
-    return text + "Nowhere " + where_text(e_.dimension) +
-           " does it have the least power distance. At its centre " + other +
-           " has less, or as much.";
+    return text + "There is no point " + where_text(e_.dimension) +
+           " where it has the least power distance. At its centre " + other +
+           " has less or the same.";
   }
   std::string dependent() const {
     const std::size_t n = e_.simplex.size();
@@ -188,10 +188,10 @@ class Sentences {
   }
   std::string cut_away() const {
     std::string text =
-        "Its balls would have to share a place where no other ball has less power "
-        "distance than they have. ";
+        "To be in the complex, its balls need a common point where no other ball has less power "
+        "distance. ";
     text += e_.culprits.size() == 2 ? "There is none: " + ball(e_.culprits[0]) + " and " +
-                                          ball(e_.culprits[1]) + " leave nothing of it."
+                                          ball(e_.culprits[1]) + " cut off all of these points."
             : e_.culprits.size() == 1
                 ? "There is none: " + ball(e_.culprits[0]) +
                       (e_.simplex.size() == 4 ? " has less, or as much and wins the tie."
@@ -283,8 +283,8 @@ class Sentences {
     add("With alpha", text, e_.regular->from);
     if (!e_.interior) {
       return add("Interior",
-                 "It never becomes interior: it is on the hull of all balls, and "
-                 "outside there is nothing to fill.");
+                 "It never becomes interior, because it is on the hull of all balls: no "
+                 "tetrahedron can fill its outer side.");
     }
     add("Interior",
         "It becomes interior at alpha = " + square(e_.interior->angstrom2) + ", when the last " +

@@ -111,7 +111,7 @@ class Writer {
             ? "The edge optimisation is off: all " + things(kept, "pair") +
                   " of this ball and a neighbour are kept, although some of these balls do not "
                   "meet."
-            : "A simplex of the complex has balls that meet, each with each. Of " +
+            : "In a simplex of the complex every two grown balls meet. Of " +
                   things(all(id::kMade), "neighbour") + ", " + grouped(dropped) + " do" +
                   (dropped == 1 ? "es" : "") +
                   " not meet this ball, even when all have grown. The edge optimisation drops "
@@ -144,8 +144,8 @@ class Writer {
     const std::string onward = things(kept, "4-tuple") + (kept == 1 ? " goes" : " go") +
                                " on to kernel II" + made_here(id::kKept) + ".";
     if (step_.off) return "The alpha optimisation is off. " + onward;
-    return "Four balls have one point with the same power distance from all, the orthocentre. This "
-           "distance is ρ. A tetrahedron needs ρ ≤ α. The alpha optimisation drops " +
+    return "There is one point with the same power distance from all four balls, the orthocentre. "
+           "That power distance is ρ. A tetrahedron needs ρ ≤ α. The alpha optimisation drops " +
            things(dropped, "4-tuple") + " with ρ > α, as far as single precision is certain. " +
            onward;
   }

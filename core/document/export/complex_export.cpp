@@ -149,7 +149,7 @@ class Exporter {
         Mesh& mesh = meshes.emplace_back();
         const bool several = place + 1 == most && most < boundary().solids.size();
         mesh.name = several ? "smaller_solids" : "solid_" + std::to_string(place + 1);
-        const ChartColour c = chart_colour(place);
+        const Rgb8 c = chart_colour(place);
         mesh.colour = {c.r, c.g, c.b};
       }
       append(solid, colours, meshes.back());
@@ -209,8 +209,8 @@ class Exporter {
   Lines with_pieces(Lines lines) {
     const std::size_t solids = boundary().solids.size();
     if (solids > 1) {
-      lines.push_back("printed, these are " + grouped(solids) +
-                      " separate pieces; a larger alpha joins them");
+      lines.push_back("a printer makes " + grouped(solids) +
+                      " separate pieces of this; a larger alpha joins them");
     }
     return lines;
   }
@@ -325,7 +325,7 @@ struct Format {
 constexpr Format kFormats[] = {
     {{"ply", "PLY", "boundary with colours, binary: MeshLab, CloudCompare", true}, &Exporter::ply},
     {{"obj", "OBJ", "boundary with colours, as text: Blender, MeshLab", true}, &Exporter::obj},
-    {{"stl", "STL", "boundary, each solid a piece by itself: 3D printers"}, &Exporter::stl},
+    {{"stl", "STL", "boundary, with each solid separate: 3D printers"}, &Exporter::stl},
     {{"off", "OFF", "boundary with colours, as text: CGAL, MeshLab", true}, &Exporter::off},
     {{"glb", "GLB", "boundary with colours: web pages, slides, Blender", true}, &Exporter::glb},
     {{"vtu", "VTU", "all simplices with alpha values and classes: ParaView"}, &Exporter::vtu},

@@ -22,7 +22,7 @@ class LessonReader {
 
   Lesson read(std::string_view text) {
     if (text.size() > kLargestLesson) {
-      fail("it is larger than a lesson can be (256 KiB)", "Make two lessons of it");
+      fail("it is larger than a lesson can be (256 KiB)", "Divide it into two lessons");
     }
     LineReader lines(text);
     for (std::string_view line; lines.next(line);) {
@@ -77,7 +77,7 @@ class LessonReader {
     }
     if (lesson_.steps.size() == kMostLessonSteps) {
       fail("there are more than " + std::to_string(kMostLessonSteps) + " steps",
-           "Make two lessons of it");
+           "Divide it into two lessons");
     }
     lesson_.steps.push_back({.title = std::string(title), .line = number_, .molecule = molecule_});
     part_ = &lesson_.steps.back().shown;
@@ -94,7 +94,7 @@ class LessonReader {
     if (lesson_.steps.empty()) return;
     const LessonStep& step = lesson_.steps.back();
     if (step.shown.text.empty()) {
-      fail_at(step.line, "the step has no text", "Say what it shows");
+      fail_at(step.line, "the step has no text", "Write below the heading what the step shows");
     }
     if (answer_line_ != 0 && !step.asks()) fail_at(answer_line_, "the answer is empty", "Write it");
     if (step.molecule.empty()) {

@@ -12,6 +12,7 @@
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/document/settings/request_columns.hpp"
 
 namespace alphascope {
 namespace {
@@ -40,6 +41,10 @@ CellValue steepest(const Row& r, Gradients of) {
 }
 constexpr Gradients kArea = &UnionDerivatives::area_by_centre_angstrom,
                     kVolume = &UnionDerivatives::volume_by_centre_angstrom2;
+
+const Request& request_of(const Row& r) {
+  return r.facts->answer->request;
+}
 
 const Column<Row> kColumns[] = {
     {.id = "model",
@@ -74,8 +79,8 @@ const Column<Row> kColumns[] = {
     {.id = "volume_angstrom3",
      .title = "volume",
      .unit = "Å³",
-     .help = "The part of the volume within the balls of these atoms that is nearest to them, in "
-             "power distance. Parts add up to the whole.",
+     .help = "The part of the union's volume whose points have the least power distance from these "
+             "atoms. The parts add up to the whole volume.",
      .value = [](const Row& r) -> CellValue { return r.row.of[MeasuredQuantity::volume]; }},
     {.id = "exposed_share",
      .title = "exposed %",
@@ -177,22 +182,8 @@ const Column<Row> kColumns[] = {
      .help = "The device that measured.",
      .value = [](const Row& r) -> CellValue { return r.facts->measured->by->device; },
      .files = InFiles::csv},
-    {.id = "alpha_angstrom2",
-     .title = "α",
-     .unit = "Å²",
-     .help = "The requested alpha.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.facts->answer->request.alpha_angstrom2);
-     },
-     .files = InFiles::csv},
-    {.id = "solvent_radius_angstrom",
-     .title = "solvent radius",
-     .unit = "Å",
-     .help = "The requested solvent radius.",
-     .value = [](const Row& r) -> CellValue {
-       return shortest_number(r.facts->answer->request.solvent_radius_angstrom);
-     },
-     .files = InFiles::csv},
+    kRequestedAlpha<Row, request_of>,
+    kRequestedSolvent<Row, request_of>,
     {.id = "hash",
      .title = "hash",
      .help = "The hash of the complex.",

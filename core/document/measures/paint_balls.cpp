@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/chart/chart.hpp"
 #include "core/document/measures/measure_results.hpp"
 #include "core/document/reference/ref_set.hpp"
 #include "core/document/reference/reference.hpp"
@@ -69,7 +70,7 @@ bool names_residues(const Molecule& molecule) {
                      [](const Atom& atom) { return atom.residue_name != 0; });
 }
 
-BallValues by_residue_kind(const PaintedMolecule& of) {
+BallValues by_residue_class(const PaintedMolecule& of) {
   BallValues values;
   if (!names_residues(of.molecule)) {
     values.lacks = "The file names no residues, so all balls are grey.";
@@ -79,7 +80,7 @@ BallValues by_residue_kind(const PaintedMolecule& of) {
     const auto kind = static_cast<ResidueClass>(k);
     values.categories.push_back({residue_class_name(kind), residue_class_colour(kind)});
   }
-  // The kind depends on few names, so it is computed once for each name.
+  // The class depends on few names, so it is computed once for each name.
   constexpr std::size_t kAtomKinds = 5;
   std::vector<std::uint32_t> known(of.molecule.names.size() * kAtomKinds, kUnseen);
   for (const std::uint32_t index : of.atom_of_ball) {
@@ -174,7 +175,7 @@ BallValues by_component(const PaintedMolecule& of) {
       const std::size_t n = values.categories.size();
       category[c] = static_cast<std::uint32_t>(n);
       values.categories.push_back(
-          {std::to_string(n + 1) + ": " + grouped(size[c]) + " balls", category_colour(n)});
+          {std::to_string(n + 1) + ": " + grouped(size[c]) + " balls", chart_colour(n)});
       continue;
     }
     if (alone == kUnseen) {
@@ -248,8 +249,8 @@ BallValues ball_values(const PaintedMolecule& of, ColourBy by) {
       return by_element(of);
     case ColourBy::chain:
       return by_chain(of);
-    case ColourBy::residue_kind:
-      return by_residue_kind(of);
+    case ColourBy::residue_class:
+      return by_residue_class(of);
     case ColourBy::residue_index:
       return by_residue_index(of);
     case ColourBy::b_factor:

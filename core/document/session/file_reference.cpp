@@ -69,8 +69,8 @@ FoundFile find_file(const FileReference& wanted, const fs::path& folder,
 std::string why_not_found(const FileReference& wanted, const FoundFile& found) {
   if (found.state == FoundFile::State::changed) {
     return found.path.string() +
-           " differs from the file of the saved session: its SHA-256 begins with " +
-           start_of(found.sha256) + ", that of the saved file with " + start_of(wanted.sha256) +
+           " is not the file with which the session was saved: its SHA-256 begins with " +
+           start_of(found.sha256) + ", and that of the saved file with " + start_of(wanted.sha256) +
            ". It has changed since, or is another file of that name.";
   }
   std::string text = "There is no file";

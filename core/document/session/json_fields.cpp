@@ -11,6 +11,7 @@
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/radii/radii_set.hpp"
+#include "core/text/former_name.hpp"
 
 namespace alphascope {
 namespace {
@@ -66,7 +67,7 @@ const char* FieldReader::name_in_file(const char* name) const {
 void FieldReader::formerly(const char* old, const char* now) {
   if (!from_.contains(old) || from_.contains(now)) return;
   former_[now] = old;
-  findings_.renamed.push_back({below(now), now});
+  findings_.renamed.push_back({below(now), " " + is_called_now(now)});
 }
 
 const ReadJson* FieldReader::take(const char* name) {
@@ -298,8 +299,12 @@ void FieldReader::operator()(const char* name, Paint& value, PaintTarget what) {
   std::string written;
   if (json == nullptr || !text(below(name), *json, written)) return;
   const PaintWords words = read_paint(written, what);
-  if (words.error.empty()) return void(value = words.paint);
-  wrong(below(name), *json, "such as \"chain\" or \"b_factor,cividis,0:60\". " + words.error);
+  if (!words.error.empty()) {
+    wrong(below(name), *json, "such as \"chain\" or \"b_factor,cividis,0:60\". " + words.error);
+    return;
+  }
+  if (!words.note.empty()) findings_.renamed.push_back({below(name), ": " + words.note});
+  value = words.paint;
 }
 
 void FieldReader::operator()(const char* name, RefSet& value) {

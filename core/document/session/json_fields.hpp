@@ -91,8 +91,8 @@ struct JsonFindings {
   std::vector<Wrong> wrong;
   std::vector<JsonPlace> unknown;
   struct Renamed {
-    JsonPlace place;  // as it is in the file
-    std::string now;  // the name of the member
+    JsonPlace place;   // as it is in the file
+    std::string note;  // follows the place: " is called "request" now. …"
   };
   std::vector<Renamed> renamed;
 };

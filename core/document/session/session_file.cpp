@@ -53,7 +53,8 @@ void check_version(const fs::path& path, std::string_view text, const ReadJson& 
     throw ReadError(path, line, "this session was written by a newer version of the program",
                     "Open it with that one, or save it anew with this one");
   }
-  throw ReadError(path, line, "this version of a session is unknown; the only one is 1", kRemedy);
+  throw ReadError(path, line,
+                  "the version of this session is unknown; this program reads version 1", kRemedy);
 }
 
 bool is_direction(const std::array<double, 3>& v) {
@@ -77,7 +78,8 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
     try {
       static_cast<void>(parse_treatment(treated[i]));
     } catch (const std::invalid_argument& error) {
-      reader.fault({"open", "treat", std::to_string(i)},
+      const char* const name = json["open"].contains("treatments") ? "treatments" : "treat";
+      reader.fault({"open", name, std::to_string(i)},
                    std::string("cannot be understood: ") + error.what());
     }
   }
@@ -94,7 +96,8 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
                                     ahead[2] * c.up[0] - ahead[0] * c.up[2],
                                     ahead[0] * c.up[1] - ahead[1] * c.up[0]};
   if (!is_direction(ahead) || !is_direction(right)) {
-    reader.wrong({"camera"}, json["camera"], "one whose \"up\" is not the way that it looks");
+    reader.wrong({"camera"}, json["camera"],
+                 "a camera whose \"up\" is not parallel to its direction of view");
   }
 }
 
@@ -111,13 +114,13 @@ void check_together(FieldReader& reader, const ReadJson& json, const SessionDocu
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::string reason = faults.front().second;
   if (faults.size() > 1) {
-    reason += "; " + std::to_string(faults.size() - 1) + " more of its values cannot be";
+    reason += "; " + std::to_string(faults.size() - 1) + " more of its values are invalid";
   }
   throw ReadError(path, faults.front().first, reason,
                   "Write such a value, or remove it to get that of a new window");
 }
 
-// Sentences on members that have another name now, or that this program does not know.
+// Sentences on former names, and on members that this program does not know.
 std::vector<std::string> notes_on(const JsonFindings& findings, std::string_view text) {
   std::vector<std::string> notes;
   const auto note = [&](const JsonPlace& place, const auto& said) {
@@ -125,10 +128,7 @@ std::vector<std::string> notes_on(const JsonFindings& findings, std::string_view
                     said("\"" + printable(place_text(place)) + "\""));
   };
   for (const JsonFindings::Renamed& renamed : findings.renamed) {
-    note(renamed.place, [&](const std::string& name) {
-      return name + " is called \"" + renamed.now +
-             "\" now. The older name is still read in this version.";
-    });
+    note(renamed.place, [&](const std::string& name) { return name + renamed.note; });
   }
   constexpr std::size_t kMostTold = 8;
   for (const JsonPlace& place : findings.unknown) {

@@ -39,7 +39,8 @@ void visit_fields(Visitor& v, OpenOptions& o) {
   v("selection", b.selection);
   v("radii", b.radii);
   v("radius_edits", b.overrides);
-  v("treat", b.treated);
+  v.formerly("treat", "treatments");
+  v("treatments", b.treated);
   v("sandbox", o.sandbox);
 }
 
@@ -145,7 +146,8 @@ void visit_fields(Visitor& v, CavitySettings& c) {
 template <class Visitor>
 void visit_fields(Visitor& v, Settings& s) {
   v.object("open", s.open);
-  v.object("compute", s.request);
+  v.formerly("compute", "request");
+  v.object("request", s.request);
   v.object("display", s.display);
   v("selection", s.selection.items);
   v("cavities", s.selection.cavities);
@@ -153,7 +155,8 @@ void visit_fields(Visitor& v, Settings& s) {
   v.objects("views", s.views);
   v.object("appearance", s.appearance);
   v.object("annotations", s.annotations);
-  v.object("cavity_table", s.cavity_settings);
+  v.formerly("cavity_table", "cavity_settings");
+  v.object("cavity_settings", s.cavity_settings);
 }
 
 // From here on: state of the window, which is not in the history.

@@ -39,10 +39,11 @@ std::vector<std::string> differences_from_castp(const BallOptions& balls,
     if (differs) differences.push_back(text);
   };
   add(report.radii != RadiiSet::castp, "radii " + std::string(radii_set_info(report.radii).name));
-  add(!balls.treated.empty(), "what residues are is set by hand");
+  add(!balls.treated.empty(), "kinds of residues are set by hand");
   add(report.guessed_residues > 0,
-      "what " + std::to_string(report.guessed_residues) +
-          (report.guessed_residues == 1 ? " residue is" : " residues are") + " is guessed");
+      report.guessed_residues == 1
+          ? "the kind of 1 residue is guessed"
+          : "the kinds of " + std::to_string(report.guessed_residues) + " residues are guessed");
   add(!balls.overrides.empty(), "radii changed by hand");
   add(balls.hydrogens == HydrogenRule::keep, "hydrogens are in the body");
   add(balls.waters, "waters are in the body");

@@ -210,7 +210,7 @@ constexpr DisplayField kFields[] = {
      .group = DisplayGroup::light,
      .title = "Strength of shadows",
      .label = "Shadows",
-     .help = "How dark soft shadows are; 0: as without them",
+     .help = "How dark soft shadows are; 0: no shadows",
      .command = "view.shadow_strength",
      .option = {"--shadow-strength"},
      .rule = {"The strength of shadows", 0, 1},
@@ -234,7 +234,8 @@ constexpr DisplayField kFields[] = {
      .group = DisplayGroup::light,
      .title = "Outlines",
      .label = "Outlines",
-     .help = "Width of the dark lines where one thing is far before another, in pixels; 0: none",
+     .help =
+         "Width, in pixels, of the dark lines where one body is far in front of another; 0: none",
      .command = "view.outlines",
      .option = {"--outlines",
                 "Width of outlines in pixels of a picture of 1280x800; they grow with "
@@ -251,7 +252,9 @@ constexpr DisplayField kFields[] = {
      .help =
          "Width of the darker lines between triangles that are large enough, in pixels; 0: none",
      .command = "view.face_lines",
-     .option = {"--face-lines", "Width of the darker lines around faces, likewise"},
+     .option = {"--face-lines",
+                "Width of the darker lines around faces, in pixels of a picture of 1280x800; they "
+                "grow with the size"},
      .rule = {"The width of face lines", 0, 4, "pixels"},
      .step = 0.25,
      .former_key = "face_edges_pixels"},
@@ -273,7 +276,7 @@ constexpr DisplayField kFields[] = {
      .group = DisplayGroup::projection,
      .title = "Orthographic",
      .label = "Orthographic",
-     .help = "Draws without perspective: far things are not smaller",
+     .help = "Draws without perspective: distant bodies do not look smaller",
      .command = "view.orthographic",
      .option = {"--orthographic", "Draw without perspective"},
      .kept_by_presets = true,

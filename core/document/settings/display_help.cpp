@@ -52,7 +52,7 @@ std::string display_help() {
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], letters(row[c]));
   }
   std::string text =
-      "Settings of the display: values, at first, command, option, key in session files:\n";
+      "Settings of the display: title, values, default, command, option, key in session files:\n";
   for (const Row& row : all) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {

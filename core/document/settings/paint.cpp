@@ -10,6 +10,7 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/text/former_name.hpp"
 
 namespace alphascope {
 namespace {
@@ -54,11 +55,12 @@ const std::vector<SchemeInfo>& all_schemes() {
        .balls = true,
        .simplices = true},
       {.by = ColourBy::chain, .id = "chain", .title = "Chain", .balls = true, .simplices = true},
-      {.by = ColourBy::residue_kind,
-       .id = "residue_kind",
-       .title = "Kind of residue (Lesk)",
+      {.by = ColourBy::residue_class,
+       .id = "residue_class",
+       .title = "Class of residue (Lesk)",
        .balls = true,
-       .simplices = true},
+       .simplices = true,
+       .former_id = "residue_kind"},
       {.by = ColourBy::residue_index,
        .id = "residue_index",
        .title = "Place along the chain",
@@ -161,15 +163,17 @@ std::string scheme_ids(PaintTarget what) {
 
 PaintWords read_paint(std::string_view text, PaintTarget what) {
   Paint paint;
-  const auto refused = [](const std::string& why) { return PaintWords{{}, why}; };
+  std::string note;
+  const auto refused = [](const std::string& why) { return PaintWords{{}, why, {}}; };
   std::size_t end = std::min(text.find(','), text.size());
   const std::string_view name = trimmed(text.substr(0, end));
   const auto& all = all_schemes();
   const auto named = std::find_if(all.begin(), all.end(), [&](const SchemeInfo& s) {
-    return s.id == name && can_paint(s, what);
+    return !name.empty() && (s.id == name || s.former_id == name) && can_paint(s, what);
   });
   if (named != all.end()) {
     paint.by = named->by;
+    if (named->id != name) note = quoted(name) + " " + is_called_now(named->id);
   } else if (name.starts_with('#') && read_colour(name)) {
     paint = {ColourBy::single, {}, {}, read_colour(name)};
   } else {
@@ -194,7 +198,7 @@ PaintWords read_paint(std::string_view text, PaintTarget what) {
       return refused(fault);
     }
   }
-  return {paint, {}};
+  return {paint, {}, note};
 }
 
 std::string paint_text(const Paint& paint) {

@@ -22,7 +22,7 @@ enum class ColourBy : std::uint8_t {
   alpha,            // alpha values of simplices
   exposed,          // share of the whole sphere of an atom that is on the surface of all balls
   exposed_residue,  // the same for the spheres of its residue
-  residue_kind,     // Lesk's classes of amino acids; nucleotides, ligands, ions, water
+  residue_class,    // Lesk's classes of amino acids; nucleotides, ligands, ions, water
   residue_index,    // position of its residue along the chain
   b_factor,
   component,      // of the complex
@@ -37,14 +37,15 @@ enum class PaintTarget : std::uint8_t { balls, simplices };
 
 struct SchemeInfo {
   ColourBy by;
-  const char* id;           // in sessions, commands and on the command line: "b_factor"
-  const char* title;        // in lists: "B factor"
-  bool balls, simplices;    // whether it applies to balls, to simplices
-  bool quantity = false;    // false: categories, or one colour
-  const char* unit = "";    // of a quantity
-  ColourMap map = {};       // default map of a quantity
-  bool root = false;        // colours follow the square root
-  bool of_complex = false;  // colours change with the complex
+  const char* id;              // in sessions, commands and on the command line: "b_factor"
+  const char* title;           // in lists: "B factor"
+  bool balls, simplices;       // whether it applies to balls, to simplices
+  bool quantity = false;       // false: categories, or one colour
+  const char* unit = "";       // of a quantity
+  ColourMap map = {};          // default map of a quantity
+  bool root = false;           // colours follow the square root
+  bool of_complex = false;     // colours change with the complex
+  const char* former_id = "";  // still read in this version; empty: none
 };
 const SchemeInfo& scheme_info(ColourBy by);
 const std::vector<SchemeInfo>& all_schemes();  // in the order of lists
@@ -69,7 +70,8 @@ Paint with_scheme(Paint paint, ColourBy by);
 // Reads "chain", "b_factor,cividis,0:60" (map and range in any order, or none) or "#ff8800".
 struct PaintWords {
   Paint paint;
-  std::string error;  // a sentence with the remedy; empty: the text is valid
+  std::string error;      // a sentence with the remedy; empty: the text is valid
+  std::string note = {};  // on a former name; empty: none
 };
 PaintWords read_paint(std::string_view text, PaintTarget what);
 std::string paint_text(const Paint& paint);

@@ -30,8 +30,8 @@ Key key_of(const AnyDefinition& definition, const Inputs& inputs) {
 }
 
 std::string no_room_text(std::uint64_t needed, std::uint64_t available) {
-  return "It needs about " + gigabytes(needed) + " of memory, and " + gigabytes(available) +
-         " is available for it.";
+  return "This result needs about " + gigabytes(needed) + " of memory, and " +
+         gigabytes(available) + " is available.";
 }
 
 }  // namespace alphascope

@@ -15,7 +15,7 @@ std::shared_ptr<const void> Evaluator::made(const AnyDefinition& definition, con
                                             const RunContext& context) {
   const Key key = key_of(definition, inputs);
   if (!key) {
-    throw InternalError("\"" + std::string(definition.title) + "\" lacks what it is made of.");
+    throw InternalError("The inputs of \"" + std::string(definition.title) + "\" are missing.");
   }
   const auto known = std::find_if(made_.begin(), made_.end(), [&](const Made& m) {
     return m.id == definition.id && m.key == key;

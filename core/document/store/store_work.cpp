@@ -161,7 +161,9 @@ void Store::take_failure(Entry& e, const Worker::Failure& failure) {
     e.refused = std::max(e.need.peak, budget > held ? budget - held : 0);
     e.need.peak = e.refused / 4 * 5;
     e.state = DerivedState::no_room;
-    e.why = "There is not enough memory for it.";
+    e.why =
+        "There is not enough memory for this result. Close other programs, or choose a part of the "
+        "molecule.";
   } else {
     e.state = DerivedState::failed;
     e.why = failure.message;

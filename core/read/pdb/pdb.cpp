@@ -140,8 +140,8 @@ class PdbReader {
   void add_line_notes(Molecule& molecule) const {
     if (nearly_.count() > 0) {
       molecule.notes.push_back(
-          "Lines read as atoms although ATOM or HETATM is not written as the "
-          "format has it: " +
+          "Lines read as atoms, although their ATOM or HETATM is not written as the format "
+          "requires: " +
           nearly_.text());
     }
     if (unread_.count() > 0) {
@@ -153,7 +153,8 @@ class PdbReader {
     }
     if (residue_numbers_.no_numbers().count() > 0) {
       molecule.notes.push_back(
-          "Residue numbers that are no numbers, so that residues are told apart by their atoms: " +
+          "Residue numbers that are not numbers, so residues are separated by repeated atom "
+          "names: " +
           residue_numbers_.no_numbers().text());
     }
   }

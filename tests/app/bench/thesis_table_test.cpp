@@ -144,7 +144,7 @@ TEST(ThesisTable, AllRowsHaveTheSameColumns) {
 TEST(ThesisTable, BreakEvenInWords) {
   EXPECT_EQ(break_even_text({0, EngineChoice::cpu, 1.5, false, 1.75}), "1.5 Å² (lost at 1.75)");
   EXPECT_EQ(break_even_text({0, EngineChoice::cpu, 3.0, true, {}}), "≥ 3 Å²");
-  EXPECT_EQ(break_even_text({0, EngineChoice::cpu, {}, false, 0.0}), "none of those tried");
+  EXPECT_EQ(break_even_text({0, EngineChoice::cpu, {}, false, 0.0}), "none of the tried alphas");
 }
 
 TEST(ThesisCharts, HaveTheThesisFiguresWithTheKnownNumbers) {

@@ -150,7 +150,7 @@ TEST_F(CliCavities, APocketOfManyMouthsIsCalledANetwork) {
   EXPECT_TRUE(few["cavities"][0]["falls_apart"].is_null());
   const json asked_less = cavities(grid(3) + " --no-network-radius");
   EXPECT_TRUE(asked_less["cavities"][0]["falls_apart"].is_null());
-  EXPECT_TRUE(contains(asked_less["notes"].dump(), "a larger --solvent parts it"));
+  EXPECT_TRUE(contains(asked_less["notes"].dump(), "a larger --solvent divides it"));
 }
 
 TEST_F(CliCavities, ANetworkIsListedAsItsParts) {
@@ -265,7 +265,7 @@ TEST_F(CliCavities, OfAPartThereIsNoVerdict) {
   EXPECT_TRUE(contains(none.err, "No way leads through the molecule")) << none.err;
   const Outcome part = run("channel '" + file + "' --point 0,0,0");
   ASSERT_EQ(part.code, 0) << part.err;
-  EXPECT_TRUE(contains(part.out, "no verdict on what passes it")) << part.out;
+  EXPECT_TRUE(contains(part.out, "nothing is said about what passes the molecule")) << part.out;
   EXPECT_FALSE(contains(part.out, "waters pass")) << part.out;
 }
 
@@ -392,7 +392,7 @@ TEST_F(CliCavities, AChannelBeginsInACavity) {
   refused("--cavity 4 --mouth 99", "no mouth 99");
   refused("--point 1,2,3 --cavity 4", "exclude each other");
   refused("--along 0,0,1", "need --point X,Y,Z or --cavity N");
-  refused("--cavity 4 --way 1", "--way needs no --point and no --cavity");
+  refused("--cavity 4 --way 1", "--way cannot be used with --point or --cavity");
   refused("--point 1,2,3 --mouth 1", "--mouth needs --cavity");
   refused("--cavity 4 --mouth 1 --along 0,0,1", "exclude each other");
 }

@@ -80,8 +80,8 @@ TEST_F(CliExplain, SaysWhatIsNotThere) {
   const json hidden = explained(file + " --simplex 0,2");
   EXPECT_EQ(hidden["absence"]["reason"], "hidden");
   EXPECT_EQ(hidden["absence"]["culprits"], json({1}));
-  EXPECT_TRUE(
-      contains(run("explain " + file + " --simplex 0").out, "is hidden. Nowhere on the line"));
+  EXPECT_TRUE(contains(run("explain " + file + " --simplex 0").out,
+                       "is hidden. There is no point on the line"));
 }
 
 TEST_F(CliExplain, TakesNamesOfAtoms) {
@@ -102,7 +102,7 @@ TEST_F(CliExplain, RefusesWhatIsNoSimplex) {
                {"--simplex 1,x", "\"x\" is not a whole number"},
                {"--atoms A:", "--atoms names 327 atoms that are balls"},
                {"--atoms 'chain Q'", "--atoms names 0 atoms"},
-               {"--simplex 1 --model all", "A simplex needs one model."}};
+               {"--simplex 1 --model all", "explain takes one model."}};
   for (const auto& c : cases) {
     const Outcome outcome = run("explain '" + kCrambin + "' " + c.options);
     EXPECT_EQ(outcome.code, 2) << c.options;

@@ -79,7 +79,7 @@ TEST_F(CliInputsKept, NorDoesStandardOutputReplaceOrFollowIt) {
   EXPECT_EQ(code(cli + "info cube.xyzr" + to), 2);
   EXPECT_EQ(code(cli + "info - --format xyzr <cube.xyzr" + to), 2);
   EXPECT_EQ(code(cli + "compute cube.xyzr --alpha 1 --json -" + to), 2);
-  EXPECT_TRUE(contains(text("err2"), "Standard output goes to cube.xyzr, which is read."))
+  EXPECT_TRUE(contains(text("err2"), "Standard output goes to cube.xyzr, which is an input file."))
       << text("err2");
   EXPECT_EQ(text("cube.xyzr"), cube);
 }
@@ -160,7 +160,7 @@ TEST_F(CliInputsKept, ListsOfFilesHaveLimits) {
   EXPECT_TRUE(contains(text("err"), "the list of files is larger than 64 MiB")) << text("err");
   write("line", "cube.xyzr\n" + std::string(5000, 'x') + "\n");
   EXPECT_EQ(shell("cli info --files-from line"), 3);
-  EXPECT_TRUE(contains(text("err"), "line, line 2: this is longer than any name of a file"))
+  EXPECT_TRUE(contains(text("err"), "line, line 2: this line is longer than any file name can be"))
       << text("err");
   EXPECT_EQ(shell("cli info --files-from ."), 3);
 }

@@ -52,6 +52,16 @@ TEST_F(CliPictures, SayHowTheyAreMadeAgain) {
   EXPECT_EQ(contents(folder_ / "it's one.png"), first);
 }
 
+TEST_F(CliPictures, TellTheNewNameOfAScheme) {
+  const std::string there = "screenshot '" + cube_.string() + "' --alpha 1 --size 160x100 -o '" +
+                            (folder_ / "a.png").string() + "' --colours residue_";
+  const std::string told = "\"residue_kind\" is called \"residue_class\" now";
+  const Outcome former = run(there + "kind");
+  EXPECT_EQ(former.code, 0) << former.err;
+  EXPECT_TRUE(contains(former.err, told)) << former.err;
+  EXPECT_FALSE(contains(run(there + "class").err, told));
+}
+
 // Grown balls are drawn with their whole radius, even at alpha 0. Other balls have the display's
 // share of it.
 TEST_F(CliPictures, GrownBallsAreWhole) {

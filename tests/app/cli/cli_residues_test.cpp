@@ -100,7 +100,7 @@ TEST_F(CliResidues, AreWhatAUserSays) {
   // The body of cavities is polymer only.
   const Outcome cavities = run("cavities " + file_ + "--treat LQ9=polymer");
   EXPECT_TRUE(contains(cavities.out, "used 10 of 14 atoms")) << cavities.out << cavities.err;
-  EXPECT_TRUE(contains(cavities.out, "what residues are is set by hand"));
+  EXPECT_TRUE(contains(cavities.out, "kinds of residues are set by hand"));
 }
 
 // The file lacks these residues. A note says so and it is no error, since the same treatments may
@@ -110,7 +110,7 @@ TEST_F(CliResidues, WhatIsNotInTheFileIsSaidAndDoesNoHarm) {
     const json report = info("--treat '" + residues + "=ion'");
     EXPECT_EQ(report["kinds"]["ion"], 1) << residues;
     const json& notes = report["input"]["notes"];
-    const std::string note = "To be treated as ion, but not in this file: " + residues;
+    const std::string note = "Residues to be treated as ion that are not in this file: " + residues;
     EXPECT_NE(std::find(notes.begin(), notes.end(), note), notes.end()) << notes;
   }
 }
@@ -129,8 +129,8 @@ TEST_F(CliResidues, AWrongKindOrPlaceIsRefusedBeforeAnyFileIsRead) {
   refused("LQ9=metal", "with polymer, ligand, ion, water or dummy.");
   refused("LQ9", "write them as \"A:PU8 301=ligand\"");
   refused("=ion", "\"=ion\" does not say what residues are");
-  refused("resi (=ion", "\"resi (\" does not say which residues, column 6: expected");
-  refused("A:LQ9 x=ion", "\"A:LQ9 x\" does not say which residues, column 1: ");
+  refused("resi (=ion", "\"resi (\" names no residues, column 6: expected");
+  refused("A:LQ9 x=ion", "\"A:LQ9 x\" names no residues, column 1: ");
   refused("LQ9=ion,QIG=1", "\"QIG=1\" does not say");
   refused("", "the value is empty");
 }

@@ -136,7 +136,7 @@ TEST_F(CliSteps, RefusesWhatIsNoBall) {
                {"--ball 'chain Q'", "names 0 atoms"},
                {"--ball 99999999999", "--ball \"99999999999\""},
                {"", "--ball is required"},
-               {"--ball 1 --model all", "A ball needs one model."},
+               {"--ball 1 --model all", "steps takes one model."},
                {"--ball 1 --engine dual_edges --no-alpha-optimisation",
                 "the options of the tuple engine need --engine tuples"},
                {"--ball 1 --engine gpu", "tuples, dual_edges"}};

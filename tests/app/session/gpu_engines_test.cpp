@@ -78,7 +78,7 @@ TEST(GpuEngines, SayThatTheLibraryIsDamaged) {
   const fs::path file = fs::path(::testing::TempDir()) / "damaged-gpu.so";
   std::ofstream(file) << "no library";
   expect_unusable(file,
-                  {"The GPU library " + file.string() + " cannot be loaded (", "Install it anew"});
+                  {"The GPU library " + file.string() + " cannot be loaded (", "Reinstall it"});
   fs::remove(file);
 }
 
@@ -89,7 +89,7 @@ TEST(GpuEngines, RefuseAForeignLibrary) {
 TEST(GpuEngines, RefuseTheLibraryOfAnotherBuild) {
   expect_unusable(ALPHASCOPE_OLD_GPU_LIBRARY,
                   {"another build of Alphascope (0.0.1 0123456789abcdef GCC 4.9; this is ",
-                   gpu_build(), "Install programs and library together"});
+                   gpu_build(), "Install the programs and the library from the same build"});
 }
 
 TEST(GpuEngines, LoadNothingFromTheCurrentFolder) {

@@ -58,7 +58,7 @@ TEST(ExplanationText, OfWhatIsAbsent) {
   testing::add_ball(balls, 20, 20, 0, 2);
   testing::add_ball(balls, 0, 0, 20, 1);
   expect_said(text_of(balls, {1}, {}), {"in no alpha complex", "Its ball 1 (N1) is hidden",
-                                        "ball 0 (N0) has less, or as much"});
+                                        "ball 0 (N0) has less or the same"});
   expect_said(text_of(balls, {0, 2, 3, 4}, {}),
               {"Its four centres lie in one plane", "There is none: its centres lie in one plane"});
   // The diagonal of a square, with a larger ball at a corner beside it.

@@ -154,7 +154,7 @@ TEST(PdbNumbers, ResiduesWithoutNumbersAreToldApart) {
   const std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
   EXPECT_EQ(atom_groups(m, all, AtomGrouping::residue).first,
             (std::vector<std::uint32_t>{0, 3, 6}));
-  EXPECT_TRUE(is_noted(m, "are no numbers")) << all_notes(m);
+  EXPECT_TRUE(is_noted(m, "are not numbers")) << all_notes(m);
 }
 
 TEST(PdbNumbers, LigandsWhoseAtomsAreNamedAlikeStayWhole) {

@@ -58,7 +58,7 @@ TEST(Treatments, GoByAddressNameAndExpression) {
   EXPECT_TRUE(m.notes.empty());
   apply_treatments(m, {"B:XYZ 7=water"});
   ASSERT_EQ(m.notes.size(), 1u);
-  EXPECT_EQ(m.notes[0], "To be treated as water, but not in this file: B:XYZ 7");
+  EXPECT_EQ(m.notes[0], "Residues to be treated as water that are not in this file: B:XYZ 7");
 }
 
 TEST(Treatments, SettleWhatWasANoteOnGuesses) {
@@ -86,7 +86,7 @@ TEST(Treatments, ANameThatIsNotThereFindsNothing) {
     apply_treatments(m, {name + "=water"});
     EXPECT_EQ(m.atoms[0].kind, ResidueKind::ligand);
     ASSERT_EQ(m.notes.size(), 1u);
-    EXPECT_EQ(m.notes[0], "To be treated as water, but not in this file: " + name);
+    EXPECT_EQ(m.notes[0], "Residues to be treated as water that are not in this file: " + name);
   }
 }
 

@@ -230,9 +230,9 @@ TEST(VerifyTriangulation, NoticesWhatIsWrongOnALineAndAtAPoint) {
   EXPECT_TRUE(says(verify_triangulation(point, vertex), "not the first"));
   vertex.vertices = {};
   vertex.hidden = {0, 1};
-  EXPECT_TRUE(says(verify_triangulation(point, vertex), "one point has not one vertex"));
+  EXPECT_TRUE(says(verify_triangulation(point, vertex), "all centres are one point"));
   std::swap(vertex.vertices, vertex.hidden);
-  EXPECT_TRUE(says(verify_triangulation(point, vertex), "one point has not one vertex"));
+  EXPECT_TRUE(says(verify_triangulation(point, vertex), "all centres are one point"));
 }
 
 TEST(VerifyTriangulation, CanBeCancelled) {

@@ -47,6 +47,15 @@ TEST(BenchmarkPage, OpensFromTheMenuAndAsksToRunCancelAndExport) {
   panels.frame(2);
   panels.click("benchmark.export");
   EXPECT_TRUE(panels.asked.export_benchmark);
+  panels.state.benchmark.exporting = true;
+  panels.asked = {};
+  panels.frame(2);
+  panels.click("benchmark.run");
+  panels.click("benchmark.export");
+  EXPECT_FALSE(panels.asked.run_benchmark || panels.asked.export_benchmark);
+  panels.click("benchmark.cancel");
+  EXPECT_TRUE(panels.asked.cancel) << "the export";
+  EXPECT_FALSE(panels.asked.cancel_benchmark);
   panels.click("benchmark.close");
   EXPECT_FALSE(panels.state.dialogs.show_benchmark);
 }
@@ -90,13 +99,37 @@ TEST_F(ViewerTest, TheBenchmarkMeasuresTheOpenMoleculeAndExportsIt) {
   for (const auto& row : b.rows) EXPECT_EQ(row.size(), b.columns.size());
   for (const bool differs : b.differs) EXPECT_FALSE(differs);
   EXPECT_GE(b.charts.size(), 5u);
-  run("click benchmark.export\nframes 2\n");
+  run("click benchmark.export\nwait-idle\nframes 2\n");
   EXPECT_TRUE(fs::exists(folder_ / "out" / "thesis.csv"));
   EXPECT_TRUE(fs::exists(folder_ / "out" / "speed-up.svg"));
-  EXPECT_NE(b.exported, "");
+  EXPECT_EQ(b.exported,
+            "Wrote thesis.csv and " + std::to_string(b.charts.size()) + " figures to " + c.folder);
+  EXPECT_FALSE(b.exporting);
   c.folder = (folder_ / "out" / "thesis.csv").string();
-  run("click benchmark.export\nframes 2\n");
+  run("click benchmark.export\nwait-idle\nframes 2\n");
   EXPECT_NE(b.error, "") << "a file is no folder";
+  EXPECT_EQ(b.exported, "");
+  EXPECT_EQ(viewer_->state().error, "") << "the page itself tells";
+}
+
+TEST_F(ViewerTest, ACancelledExportOfABenchmarkLeavesNoFile) {
+  viewer_->open(crambin());
+  run("wait-idle\nclick menu.Tools\nclick menu.benchmark.open\n");
+  BenchmarkSettings& c = viewer_->state().benchmark_settings;
+  c = {.alphas = "0", .engines = {}, .ablation = false, .runs = 1};
+  c.folder = (folder_ / "out").string();
+  run("click benchmark.run\nwait-idle\n");
+  const BenchmarkInfo& b = viewer_->state().benchmark;
+  ASSERT_TRUE(b.can_export) << b.error;
+  viewer_->calls().jobs.export_benchmark();
+  viewer_->calls().jobs.cancel(JobId::benchmark_files);  // before the worker is done
+  run("wait-idle\nframes 2\n");
+  EXPECT_FALSE(b.exporting);
+  const bool written = fs::exists(folder_ / "out" / "thesis.csv");
+  EXPECT_EQ(b.exported.empty(), !written);
+  EXPECT_EQ(b.cancelled.find("was not written") != std::string::npos, !written) << b.cancelled;
+  if (written) return;
+  EXPECT_TRUE(!fs::exists(folder_ / "out") || fs::is_empty(folder_ / "out"));
 }
 
 TEST_F(ViewerTest, ACancelledBenchmarkKeepsWhatItHasAndABadAlphaIsTold) {
@@ -134,7 +167,7 @@ TEST_F(ViewerTest, WhatACancelledBenchmarkMeasuredCanBeExported) {
   run("click benchmark.cancel\nwait-idle\n");
   ASSERT_FALSE(b.rows.empty());
   EXPECT_FALSE(b.complete);
-  run("click benchmark.export\nframes 2\n");
+  run("click benchmark.export\nwait-idle\nframes 2\n");
   EXPECT_EQ(b.error, "");
   EXPECT_NE(b.exported.find("incomplete"), std::string::npos) << b.exported;
   const std::string csv = bytes("out/thesis.csv");

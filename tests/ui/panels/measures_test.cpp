@@ -36,11 +36,18 @@ TEST_F(MeasuresTest, ThePageHasTheNumbersOfThePicture) {
   EXPECT_EQ(memory().surface, "van der Waals surface");
   EXPECT_EQ(memory().rows->rows.size(), 46u) << "residues of crambin";
   EXPECT_TRUE(has("measures.row.1"));
+  EXPECT_TRUE(has("measures.area") && has("measures.volume") && has("measures.arcs"));
+  const WidgetRect surface = viewer_->widgets().at("measures.surface");
+  EXPECT_LT(viewer_->widgets().at("measures.components").x1, surface.x0) << "nothing is cut off";
+  EXPECT_GT(surface.x1 - surface.x0, 100) << "its whole text";
+  EXPECT_GT(memory().measured->measures().total[MeasuredQuantity::arc_length], 100) << "Å";
   state().settings.request.solvent_radius_angstrom = 1.4;
   settle();
   const UnionMeasures accessible = expected_measures(0, 1.4);
   EXPECT_EQ(memory().measured->measures().area_angstrom2(), accessible.area_angstrom2());
   EXPECT_EQ(memory().measured->measures().volume_angstrom3(), accessible.volume_angstrom3());
+  EXPECT_EQ(memory().measured->measures().total[MeasuredQuantity::arc_length],
+            accessible.total[MeasuredQuantity::arc_length]);
   EXPECT_EQ(memory().surface, "solvent-accessible surface, probe of 1.4 Å");
 }
 

@@ -93,6 +93,13 @@ TEST_F(PaintTest, ColoursOfOnesOwnStayOnTop) {
   }
 }
 
+TEST_F(PaintTest, AFormerNameOfASchemeIsReadAndTold) {
+  open_crambin();
+  run("view.colour_balls residue_kind\n");
+  EXPECT_EQ(display().ball_paint.by, ColourBy::residue_class);
+  EXPECT_NE(viewer_->state().notice.find("is called \"residue_class\" now"), std::string::npos);
+}
+
 TEST_F(PaintTest, WhatCannotBeIsSaid) {
   open_crambin();
   EXPECT_NE(refusal("view.colour_balls green").find("\"green\" is not a colour scheme of balls"),

@@ -205,7 +205,9 @@ void giant_line(PanelContext& ctx, const CavityPage& page) {
   if (button(ctx, "cavities.water", "Use 1.4 Å")) {
     ctx.state.settings.request.solvent_radius_angstrom = kCavitySolventAngstrom;
   }
-  tooltip(ctx, "Sets the radius of a water molecule, so that water fits into every cavity.");
+  tooltip(ctx,
+          "Sets the solvent radius to 1.4 Å, the radius of a water molecule. Every listed cavity "
+          "then has room for one.");
 }
 
 // Says why the table is empty.

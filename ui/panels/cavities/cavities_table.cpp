@@ -51,8 +51,8 @@ std::string help_text(const Column<CavityRow>& column) {
   std::string text = column.help;
   if (std::string_view(column.id) == "kind") {
     text +=
-        " ↔: it lies between separate bodies, or two chains line it and no other, each with a "
-        "fifth of the residues or more. ↕: it has split off or merged while a slider moved last.";
+        " ↔: it lies between separate bodies, or exactly two chains line it, each with at least a "
+        "fifth of the residues. ↕: it split off or merged in the last movement of a slider.";
   }
   return text;
 }

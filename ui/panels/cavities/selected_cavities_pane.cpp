@@ -199,7 +199,7 @@ void sentences(PanelContext& ctx, const CavityPage& page) {
   muted_wrapped(ctx, "Name, of the four atoms around its deepest point: " +
                          cavity_name(*page.rows.lines->atoms, page.rows.table(), row));
   record(ctx, "cavities.name");
-  tooltip(ctx, "The name does not change with alpha, unlike the rank. Use it in a paper.");
+  tooltip(ctx, "Unlike the rank, the name does not change with alpha. Use the name in a paper.");
   const std::string between = between_text(line, chain_names(*page.drawn));
   if (!between.empty()) muted_wrapped(ctx, between);
   const std::string change = change_text(page, row);
@@ -244,7 +244,7 @@ std::string between_text(const CavityLine& line, const std::string& chains) {
            ", not within one.";
   }
   if (!line.lining.at_interface()) return {};
-  return chains.empty() ? "It lies at the interface of two chains, which alone line it."
+  return chains.empty() ? "It lies between two chains, and no other chain lines it."
                         : "It lies at the interface of chains " + chains + ".";
 }
 
@@ -262,8 +262,8 @@ std::string change_text(const CavityPage& page, std::size_t row) {
   const std::uint32_t from = numbers.cavity(at->second.parted_from);
   const auto place = std::find(table.order.begin(), table.order.end(), from);
   text +=
-      (text.empty() ? "" : " ") + std::string("It has parted from ") +
-      (place == table.order.end() ? "a cavity that is gone now"
+      (text.empty() ? "" : " ") + std::string("It has split off from ") +
+      (place == table.order.end() ? "a cavity that no longer exists"
                                   : "cavity " + std::to_string(place - table.order.begin() + 1)) +
       " in the last movement.";
   return text;
@@ -343,11 +343,10 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
   if (checkbox(ctx, "cavities.draw.fade", "fade the rest", page.fades_rest)) {
     page.layers_are_old = true;
   }
-  tooltip(ctx,
-          ("Balls and simplices are at most " + percent_text(kFadedOpacity) +
-           " opaque, whatever is set under Display, so that they do not hide the cavity; what it "
-           "holds is drawn over all else.")
-              .c_str());
+  tooltip(ctx, ("Balls and simplices are at most " + percent_text(kFadedOpacity) +
+                " opaque, whatever the section Display says, so that they do not hide the cavity. "
+                "Its contents are drawn in front of everything else.")
+                   .c_str());
   ImGui::Dummy({ctx.px(240), 0});  // a width, since the slider takes all there is
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Opacity");

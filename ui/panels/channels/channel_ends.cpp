@@ -36,8 +36,8 @@ constexpr const char* kFromHelp[] = {
     "The centre of the atoms that are selected in the view.",
     "The centre of all balls.",
     "Coordinates in Å, as in the file.",
-    "From outside to outside: the ways through the whole, through equal chains and through each "
-    "chain."};
+    "From outside to outside: ways through the whole molecule, through groups of equal chains, and "
+    "through each chain."};
 constexpr const char* kTo[] = {"outside, by any way", "outside, one way along", "both ways along",
                                "a mouth of the cavity", "a point"};
 constexpr const char* kToHelp[] = {

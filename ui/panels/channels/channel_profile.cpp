@@ -31,7 +31,7 @@ namespace alphascope {
 namespace {
 
 ImU32 band_colour(WaterBand band) {
-  const ChartColour c = water_band_colour(band);
+  const Rgb8 c = water_band_colour(band);
   return IM_COL32(c.r, c.g, c.b, 255);
 }
 

@@ -10,6 +10,7 @@
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/theme.hpp"
+#include "ui/rgb8.hpp"
 
 namespace alphascope {
 namespace {
@@ -18,9 +19,7 @@ namespace {
 constexpr double kThinnest = 0.15;  // Å
 
 Colour colour_of(WaterBand band) {
-  const ChartColour c = water_band_colour(band);
-  return {static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255,
-          static_cast<float>(c.b) / 255, 1};
+  return to_colour(water_band_colour(band));
 }
 
 LayerSphere sphere_of(const ChannelSample& sample) {

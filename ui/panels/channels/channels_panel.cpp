@@ -308,7 +308,7 @@ bool may_begin(PanelContext& ctx, ChannelState& memory, const AnyDefinition& wan
   if (button(ctx, "channels.compute", "Compute the channel", {0, 0}, ButtonKind::primary)) {
     memory.asked_for = key.number();
   }
-  tooltip(ctx, "So many balls take a while. You can go on working.");
+  tooltip(ctx, "The search takes a while for so many balls. You can go on working.");
   return memory.asked_for == key.number();
 }
 

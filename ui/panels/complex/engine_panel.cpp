@@ -103,7 +103,7 @@ constexpr Switch kSwitches[] = {
         "Drops tuples with an ortho-radius above alpha before kernel II."),
     plain<&TupleOptions::pinned>(
         "tuples.pinned", "Pinned memory", true,
-        "Page-locked host memory, which the GPU copies from and to directly."),
+        "Uses page-locked host memory, to and from which the GPU copies directly."),
     {"tuples.streams", "Streams", true, [](const TupleOptions& t) { return t.streams > 1; },
      [](TupleOptions& t, bool on) { t.streams = on ? TupleOptions().streams : 1; },
      "Two batches of tuples side by side, so that copies and kernels overlap."},

@@ -41,11 +41,11 @@ std::string incomparable(const ViewState& state, bool cold) {
            " and " + short_number_text(cgal->alpha_angstrom2, 3) + " Å².";
   }
   if (ours->tetrahedra_only != cgal->tetrahedra_only) {
-    return "No speed-up: one of the times is of tetrahedra only.";
+    return "No speed-up: one engine computed tetrahedra only, the other all simplices.";
   }
   if (ours->same_threshold(*cgal)) {
-    return "No speed-up: both times are of a threshold of CGAL's triangulation. Choose “Cold” "
-           "to compare the engines.";
+    return "No speed-up: in both runs the complex was selected from CGAL's triangulation. Choose "
+           "“Cold” to compare the engines.";
   }
   return "No speed-up: " + (ours->rebuilt ? state.ours.engine.name : std::string("CGAL")) +
          " prepared its data for later alphas in this run; the other engine reused its own.";

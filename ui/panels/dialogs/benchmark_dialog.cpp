@@ -99,9 +99,9 @@ void run_row(PanelContext& ctx) {
   BenchmarkInfo& b = s.benchmark;
   row_label(ctx, "");
   // Cancel has a place of its own, so that a second click on Run does not cancel.
-  ImGui::BeginDisabled(!b.running);
+  ImGui::BeginDisabled(!b.running && !b.exporting);
   if (button(ctx, "benchmark.cancel", "Cancel", {ctx.px(100), 0})) {
-    ctx.calls.jobs.cancel(JobId::benchmark);
+    ctx.calls.jobs.cancel(b.running ? JobId::benchmark : JobId::benchmark_files);
   }
   ImGui::EndDisabled();
   ImGui::SameLine();
@@ -111,9 +111,10 @@ void run_row(PanelContext& ctx) {
     muted_text(ctx, b.progress);
     return;
   }
-  ImGui::BeginDisabled(!s.molecule.loaded);
+  const bool can_run = s.molecule.loaded && !b.exporting;
+  ImGui::BeginDisabled(!can_run);
   const bool clicked = button(ctx, "benchmark.run", "Run", {ctx.px(100), 0}, ButtonKind::primary);
-  if (clicked || (s.molecule.loaded && enter_pressed(ctx))) {
+  if (clicked || (can_run && enter_pressed(ctx))) {
     ctx.calls.jobs.run_benchmark();
   }
   ImGui::EndDisabled();
@@ -221,7 +222,8 @@ void results(PanelContext& ctx, float height) {
 
 void export_row(PanelContext& ctx) {
   ViewState& s = ctx.state;
-  ImGui::BeginDisabled(!s.benchmark.can_export || s.benchmark_settings.folder.empty());
+  const BenchmarkInfo& b = s.benchmark;
+  ImGui::BeginDisabled(!b.can_export || b.exporting || s.benchmark_settings.folder.empty());
   if (button(ctx, "benchmark.export", "Export CSV and SVG", {ctx.px(170), 0})) {
     ctx.calls.jobs.export_benchmark();
   }
@@ -241,9 +243,10 @@ void export_row(PanelContext& ctx) {
 
 void message(PanelContext& ctx) {
   const BenchmarkInfo& b = ctx.state.benchmark;
-  const std::string& text = !b.error.empty()      ? b.error
-                            : !b.exported.empty() ? b.exported
-                                                  : b.cancelled;
+  const std::string text = b.exporting           ? "Writing the table and the figures…"
+                           : !b.error.empty()    ? b.error
+                           : !b.exported.empty() ? b.exported
+                                                 : b.cancelled;
   const Colour& colour = !b.error.empty()      ? ctx.palette.error
                          : !b.exported.empty() ? ctx.palette.success
                                                : ctx.palette.text_muted;

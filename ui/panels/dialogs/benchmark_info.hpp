@@ -28,8 +28,9 @@ struct BenchmarkSettings {
 
 struct BenchmarkInfo {
   bool running = false;
-  std::string progress;  // "4hhb, α = 1.4 Å²"
-  double share = 0;      // 0 to 1
+  bool exporting = false;  // table and figures are being written
+  std::string progress;    // "4hhb, α = 1.4 Å²"
+  double share = 0;        // 0 to 1
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  // grow while it runs
   std::vector<bool> differs;                   // for each row: its result differs from CGAL's
@@ -37,7 +38,7 @@ struct BenchmarkInfo {
   std::vector<Chart> charts;
   bool complete = false;    // every row is measured
   bool can_export = false;  // at least one row is measured
-  std::string cancelled;    // a sentence on a cancelled run
+  std::string cancelled;    // a sentence on a cancelled run or export
   std::string error;        // why the run or the export failed
   std::string exported;     // names the folder of the exported files
 };

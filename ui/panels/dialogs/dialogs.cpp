@@ -69,7 +69,8 @@ void assembly_facts(PanelContext& ctx, const AssemblyInfo& a) {
   if (free > 0) fact("Free on this machine", bytes(free));
   if (free == 0 || most <= free) return;
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
-  wrapped_text("The free memory may be too small. The system may then end the program.");
+  wrapped_text(
+      "There may not be enough free memory. If there is not, the system may end the program.");
   ImGui::PopStyleColor();
   record(ctx, "assembly.too_large");
 }

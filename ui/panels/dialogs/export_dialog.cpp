@@ -87,7 +87,7 @@ void draw_export(PanelContext& ctx) {
   muted_text(ctx, files.size() > 1
                       ? "Also written: " + files[1].filename().string() + ", " +
                             files[2].filename().string() + "."
-                      : std::string("The export has the complex on screen. Lengths are in Å."));
+                      : std::string("The complex on screen is exported. Lengths are in Å."));
   ImGui::PopFont();
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();

@@ -125,7 +125,7 @@ DroppedFiles choose_dropped(const std::vector<fs::path>& files) {
   for (auto it = files.begin(); it != files.end(); ++it) {
     if (it == chosen || ++others > kNamed) continue;
     dropped.note += "Not opened: " + it->filename().string() +
-                    (openable(*it) ? "" : " (no molecule, by its name)") + "\n";
+                    (openable(*it) ? "" : " (its name is not that of a molecule)") + "\n";
   }
   if (others > kNamed) {
     dropped.note += "and " + std::to_string(others - kNamed) + " more that are not opened\n";

@@ -165,8 +165,8 @@ void lesson_fields(PanelContext& ctx) {
   const double seconds = frames_held(m.lesson_seconds) / kLessonFrameRate * parts;
   ImGui::TextUnformatted(("s: " + number_text(seconds, 1) + " s as a movie").c_str());
   tooltip(ctx,
-          "Time of each step and each answer in a movie. Without a movie, each is one picture. The "
-          "text is beside the view.");
+          "In a movie, the time for which each step and each answer is shown. As pictures, each is "
+          "one file. The text is beside the view.");
   // Rows that other kinds have in addition; the dialog keeps its size.
   constexpr int kRowsOfOthers = 3;
   for (int n = 0; n < kRowsOfOthers; ++n) ImGui::Dummy({0, ImGui::GetFrameHeight()});

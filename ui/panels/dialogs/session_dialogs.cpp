@@ -34,7 +34,7 @@ void draw_save_session(PanelContext& ctx) {
       save_target(ctx, "save_session", {path}, fault_of_ending(path, {kSessionEnding}));
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
-  muted_text(ctx, "A session has the molecule's name and all settings, but no atoms.");
+  muted_text(ctx, "A session stores the molecule's file name and all settings, but no atoms.");
   row_label(ctx, "");
   muted_text(ctx, "Keep the molecule's file as well.");
   ImGui::PopFont();

@@ -116,9 +116,10 @@ void legend(PanelContext& ctx, const Step& step) {
     legend_line(ctx, sphere.mark, "its grown ball", true);
   }
   if (!step.segments.empty()) {
-    legend_line(ctx, step.segments.front().mark,
-                "rods: " + grouped(step.segments.size()) + " dual edges, as far as they are left",
-                false);
+    legend_line(
+        ctx, step.segments.front().mark,
+        "rods: " + grouped(step.segments.size()) + " dual edges, cut to the parts that are left",
+        false);
   }
   record(ctx, "steps.legend");
 }
@@ -162,11 +163,11 @@ void count_table(PanelContext& ctx, const Step& step) {
   if (numbers > 1) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    header_cell(ctx, "all", "Number of all that contain the ball.");
+    header_cell(ctx, "all", "Number of all simplices that contain the ball.");
     if (columns.here) {
       header_cell(ctx, "here",
-                  "Number of those made at this ball, because it comes first in the grid. Each "
-                  "tuple is made once, at the first of its balls.");
+                  "Number of tuples that are made at this ball. Each tuple is made once, at the "
+                  "ball that comes first in the grid.");
     }
     if (columns.optimised) header_cell(ctx, "both on", "Number with both optimisations on.");
   }

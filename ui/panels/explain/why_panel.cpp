@@ -88,7 +88,7 @@ void draw_why(PanelContext& ctx, WhyState& memory) {
           "the balls share.");
   if (!ctx.inputs.balls || !ctx.inputs.atoms) {
     memory.shown = nullptr;
-    return muted_wrapped(ctx, "Open a molecule: what is selected in it is explained here.");
+    return muted_wrapped(ctx, "Open a molecule: this page explains the selected atom or simplex.");
   }
   const SelectedSimplex asked =
       selected_simplex(ctx.state.settings.selection.items, *ctx.inputs.atoms);

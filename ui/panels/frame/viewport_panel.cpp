@@ -149,7 +149,7 @@ void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size, float top) {
   ImGui::AlignTextToFramePadding();
   const bool cut_away = v.problem == ViewProblem::cut_away;
   const bool all_hidden = v.problem == ViewProblem::all_hidden;
-  ImGui::TextUnformatted(all_hidden ? "All atoms to draw are hidden."
+  ImGui::TextUnformatted(all_hidden ? "All atoms are hidden."
                          : cut_away ? "The clip cuts everything away."
                          : v.problem == ViewProblem::inside_a_ball
                              ? "The camera is inside a ball."

@@ -154,9 +154,8 @@ void draw_answer(PanelContext& ctx, const LessonStep& step, const StepText& all)
 void more_below(PanelContext& ctx, float page) {
   LessonState& m = ctx.state.lessons;
   ImGui::BeginDisabled(!m.more_below);
-  const bool scrolls =
-      button(ctx, "lesson.more", m.more_below ? "More below ↓" : "The end of the step",
-             {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::quiet);
+  const bool scrolls = button(ctx, "lesson.more", m.more_below ? "More below ↓" : "End of the step",
+                              {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::quiet);
   ImGui::EndDisabled();
   if (!scrolls) return;
   ImGui::BeginChild("step");

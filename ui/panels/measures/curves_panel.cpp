@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/chart.hpp"
 #include "core/chart/colour_map.hpp"
 #include "core/chart/svg.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
@@ -65,7 +66,7 @@ void make_chart(CurveState& memory, const CavityCurves& curves, const CurveLinks
   memory.colours.clear();
   if (!lines) {
     memory.chart = chart_of_totals(curves, quantity_of(memory));
-    memory.colours = {category_colour(0), category_colour(1)};
+    memory.colours = {chart_colour(0), chart_colour(1)};
     return;
   }
   const CavityTable& table = *lines->table;
@@ -271,8 +272,9 @@ bool is_asked_for(PanelContext& ctx, CurveState& memory) {
   if (work.seconds <= kMostSecondsUnasked || memory.asked_for == question) return true;
   const long minutes = std::lround(std::ceil(work.seconds / 60));
   muted_wrapped(ctx, "These curves are of " + with_separators(static_cast<long long>(work.balls)) +
-                         " balls in all samples together: some " + std::to_string(minutes) +
-                         (minutes == 1 ? " minute" : " minutes") + " in the background.");
+                         " balls in all samples together. They take about " +
+                         std::to_string(minutes) + (minutes == 1 ? " minute" : " minutes") +
+                         " in the background.");
   record(ctx, "curves.waiting");
   if (button(ctx, "curves.compute", "Compute")) memory.asked_for = question;
   return false;

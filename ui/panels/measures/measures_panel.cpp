@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "core/document/commands/commands.hpp"
 #include "core/document/measures/measure_columns.hpp"
@@ -110,22 +112,47 @@ void select_chosen(PanelContext& ctx, const MeasureState& memory, const BallRefe
 
 // --- drawing
 
+struct Total {
+  const char* name;  // of the widget
+  std::string text;
+  const char* help;
+};
+
+std::vector<Total> totals_of(const MeasuredComplex& measured) {
+  const UnionMeasures& m = measured.measures();
+  const std::uint32_t parts = measured.components.count;
+  return {{"measures.area", "area " + measure_text(m.area_angstrom2()) + " Å²",
+           "Exact surface area of the union of all balls, including the surfaces of voids."},
+          {"measures.volume", "volume " + measure_text(m.volume_angstrom3()) + " Å³",
+           "Exact volume of the union of all balls."},
+          {"measures.arcs", "arcs " + measure_text(m.total[MeasuredQuantity::arc_length]) + " Å",
+           "Exact length of the arcs on the surface in which two spheres meet."},
+          {"measures.components", number(parts) + (parts == 1 ? " component" : " components"),
+           "Number of connected components. Overlapping balls belong to one component."}};
+}
+
+// Goes to a line of its own if the rest of this one is too short for all totals and the surface.
+void make_room(PanelContext& ctx, const std::vector<Total>& totals, float gap,
+               const std::string& surface) {
+  float wanted = ImGui::CalcTextSize(surface.c_str()).x;
+  ImGui::PushFont(ctx.fonts.strong);
+  for (const Total& total : totals) wanted += ImGui::CalcTextSize(total.text.c_str()).x + gap;
+  ImGui::PopFont();
+  const bool begun = ImGui::GetCursorPosX() > ImGui::GetCursorStartPos().x + 1;
+  if (begun && ImGui::GetContentRegionAvail().x < wanted) ImGui::NewLine();
+}
+
 void totals_line(PanelContext& ctx, const MeasureState& memory) {
-  const UnionMeasures& m = memory.measured->measures();
-  const auto total = [&](const char* name, const std::string& text, const char* help) {
+  const std::vector<Total> totals = totals_of(*memory.measured);
+  const float gap = ctx.px(16);
+  make_room(ctx, totals, gap, memory.surface);
+  for (const Total& total : totals) {
     ImGui::AlignTextToFramePadding();
-    strong_text(ctx, text);
-    record(ctx, name);
-    tooltip(ctx, help);
-    ImGui::SameLine(0, ctx.px(16));
-  };
-  total("measures.area", "area " + measure_text(m.area_angstrom2()) + " Å²",
-        "Exact surface area of the union of all balls, including the surfaces of voids.");
-  total("measures.volume", "volume " + measure_text(m.volume_angstrom3()) + " Å³",
-        "Exact volume of the union of all balls.");
-  const std::uint32_t parts = memory.measured->components.count;
-  total("measures.components", number(parts) + (parts == 1 ? " component" : " components"),
-        "Number of connected components. Overlapping balls belong to one component.");
+    strong_text(ctx, total.text);
+    record(ctx, total.name);
+    tooltip(ctx, total.help);
+    ImGui::SameLine(0, gap);
+  }
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, fitted_text(memory.surface, ImGui::GetContentRegionAvail().x));
   record(ctx, "measures.surface");
@@ -295,7 +322,8 @@ std::string waiting_text(const PanelContext& ctx, const Derived<MeasuredComplex>
   if (!ctx.state.molecule.loaded) return "Open a molecule: its area and volume appear here.";
   const AlphaComplex* complex = ctx.inputs.complex.get();
   if (complex && complex->tetrahedra_only) {
-    return "Tetrahedra alone have no area. Switch “Tetrahedra only” off, in the section Engine.";
+    return "Areas and volumes need all simplices. Switch “Tetrahedra only” off in the section "
+           "Engine.";
   }
   if (measured.state == DerivedState::no_room || measured.state == DerivedState::failed) {
     return "There are no areas and volumes. " + measured.why;

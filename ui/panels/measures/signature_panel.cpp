@@ -112,8 +112,7 @@ void mark_what_appears(PanelContext& ctx, bool& on) {
 // --- the curves
 
 Rgb8 series_colour(int dimension) {
-  const ChartColour c = chart_colour(static_cast<std::size_t>(dimension));
-  return {c.r, c.g, c.b};
+  return chart_colour(static_cast<std::size_t>(dimension));
 }
 
 void legend_line(PanelContext& ctx, const Signature& signature, double alpha) {

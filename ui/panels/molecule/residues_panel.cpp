@@ -46,8 +46,8 @@ std::string why_not_treated(const ResidueGroup& group) {
   if (group.why == ResidueReason::virtual_site) {
     return "Virtual sites keep their kind, whatever kind their residue has.";
   }
-  return "These residues cannot be told from others by name. Use --treat with an expression on "
-         "the command line.";
+  return "Other residues have the same name. To set the kind of these alone, use --treat with an "
+         "expression on the command line.";
 }
 
 void kind_entry(PanelContext& ctx, const ResidueGroup& group, ResidueKind kind) {
@@ -67,7 +67,7 @@ void file_entry(PanelContext& ctx, const ResidueGroup& group) {
   }
   record(ctx, "residue.as.file");
   if (!treated) return;
-  std::string help = "Removes the kind that was set by hand:";
+  std::string help = "Removes the kind set by hand. The kind is then:";
   for (const std::string& text : group.treated) help += "\n" + text;
   tooltip(ctx, help.c_str());
 }

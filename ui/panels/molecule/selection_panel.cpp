@@ -77,10 +77,11 @@ void hydrogens_and_altlocs(PanelContext& ctx) {
   choice(ctx, "molecule.hydrogens", {"auto", "keep", "drop"}, hydrogens,
          ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
-  tooltip(ctx,
-          ("auto drops them when the radii set includes them in the radii of their heavy atoms.\n" +
-           number(k.hydrogens) + " in this molecule, all models.")
-              .c_str());
+  tooltip(
+      ctx,
+      ("auto: hydrogens are dropped if the radii set counts them in the radii of heavy atoms.\n" +
+       number(k.hydrogens) + " in this molecule, all models.")
+          .c_str());
   c.hydrogens = static_cast<HydrogenRule>(hydrogens);
   row_label(ctx, "Alternatives");
   int altlocs = static_cast<int>(c.altlocs);

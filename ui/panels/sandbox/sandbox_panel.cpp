@@ -105,8 +105,8 @@ void drawing_row(PanelContext& ctx) {
   ImGui::SameLine(0, ctx.px(10));
   checkbox(ctx, "sandbox.cells", "Power diagram", m.content.cells);
   tooltip(ctx,
-          "The cell of a ball has the points of which it is nearest by power distance |x − c|² "
-          "− r². It does not depend on α.");
+          "The cell of a ball is the set of points nearest to it by power distance |x − c|² − r². "
+          "Cells do not depend on α.");
   ImGui::SameLine(0, ctx.px(10));
   checkbox(ctx, "sandbox.complex", "Complex", m.content.complex);
   tooltip(ctx,
@@ -119,8 +119,8 @@ void drawing_row(PanelContext& ctx) {
   ImGui::SetNextItemWidth(ctx.px(64));
   number_field(ctx, "sandbox.snap", m.snap_angstrom, kSnapRule);
   tooltip(ctx,
-          "Step in Å for positions and radii set with the mouse, which allows exact ties. 0 or "
-          "the key Alt: as fine as the lattice.");
+          "Positions and radii set with the mouse are multiples of this step, in Å. So exact ties "
+          "are possible. 0, or the key Alt, allows every position of the lattice.");
 }
 
 std::string counts_text(const ViewState& s) {

@@ -86,7 +86,7 @@ std::string size_text(std::uint64_t bytes) {
 
 std::string budget_text(std::uint64_t free_bytes) {
   if (drawing_budget(free_bytes) == 0)
-    return "the " + size_text(free_bytes) + " that are free are kept for the program itself";
+    return "the " + size_text(free_bytes) + " of free memory are kept for the program itself";
   return "drawing may take " + size_text(drawing_budget(free_bytes)) + " of the " +
          size_text(free_bytes) + " that are free";
 }
@@ -265,7 +265,7 @@ std::string beyond_opengl_text(const ComplexMesh& mesh, std::size_t balls, std::
                 mesh.triangles.size(), mesh.edges.size(), mesh.empty() ? 0 : balls});
   if (largest <= most) return {};
   return "The complex is not drawn: OpenGL on this machine draws at most " + grouped(most) +
-         " faces, edges or balls of one kind, and here are " + grouped(largest) +
+         " faces, edges or balls of one kind, and this complex has " + grouped(largest) +
          ". Hide atoms, select fewer, or choose a smaller alpha; a newer driver may draw more.";
 }
 

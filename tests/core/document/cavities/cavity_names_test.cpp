@@ -27,13 +27,13 @@ TEST(CavityWords, WhereANetworkFallsApartIsSaidWithWhatWasTried) {
   end.largest_volume_sa_angstrom3 = 1234.5678;
   EXPECT_EQ(
       falls_apart_text(end, 1.4),
-      "At a solvent radius of 1.7 Å no network is left of it, but 1 cavity, the largest of "
-      "1235 Å³. At 1.6 Å there still is one. With this solvent radius it falls apart at alpha "
+      "At a solvent radius of 1.7 Å the network has fallen apart: 1 cavity left, the largest of "
+      "1235 Å³. At 1.6 Å it has not. With this solvent radius it falls apart at alpha "
       "2.31 Å², with 512 cavities.");
   EXPECT_EQ(falls_apart_text(end, 1.65).find("1.6 Å"), std::string::npos);
   NetworkEnd none;
   none.largest_radius_angstrom = 4.4;
-  EXPECT_EQ(falls_apart_text(none, 1.45), "At a solvent radius of 4.4 Å there still is a network.");
+  EXPECT_EQ(falls_apart_text(none, 1.45), "At a solvent radius of 4.4 Å a network still remains.");
 }
 
 }  // namespace

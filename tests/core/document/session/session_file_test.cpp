@@ -236,7 +236,7 @@ TEST(SessionFile, AlphaKeepsItsDigits) {
     EXPECT_EQ(read_session(file.path()).session.settings.request.alpha_angstrom2, alpha) << text;
   }
   const auto read = [](const std::string& value) {
-    return parse_session("S.json", with(",\"compute\": { \"alpha_angstrom2\": " + value + " }"))
+    return parse_session("S.json", with(",\"request\": { \"alpha_angstrom2\": " + value + " }"))
         .session.settings.request.alpha_angstrom2;
   };
   EXPECT_EQ(read("1.4"), read("\"1.4\""));
@@ -250,16 +250,16 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
     EXPECT_NE(told.find(what), std::string::npos) << more << told;
     EXPECT_NE(told.find("Write such a value"), std::string::npos) << told;
   };
-  expect(",\n\"compute\": {\n\"alpha_angstrom2\":\n \"soon\" }", "5",
-         "\"compute.alpha_angstrom2\" is \"soon\", and must be a number from");
-  expect(",\n\"compute\": {\n\"alpha_angstrom2\":\n \"0.1234567890123456789\" }", "5",
+  expect(",\n\"request\": {\n\"alpha_angstrom2\":\n \"soon\" }", "5",
+         "\"request.alpha_angstrom2\" is \"soon\", and must be a number from");
+  expect(",\n\"request\": {\n\"alpha_angstrom2\":\n \"0.1234567890123456789\" }", "5",
          "with at most 18 digits behind the point");
   expect(",\n\n\"display\": { \"ball_scale\": 7 }", "4",
          "is 7, and must be a number from 0.05 to 1");
   expect(",\"display\": { \"ball_colour\": \"green\" }", "2", "Write element, chain");
   expect(",\"display\": { \"balls\": 1 }", "2", "must be true or false");
   expect(",\"display\": [ ]", "2", "is a list, and must be an object");
-  expect(",\"compute\": { \"threads\": 1.5 }", "2", "a whole number");
+  expect(",\"request\": { \"threads\": 1.5 }", "2", "a whole number");
   expect(",\"open\": { \"model\": 0 }", "2", "a whole number from 1");
   expect(",\"open\": { \"chains\": [\"A\",\n{}] }", "3", "\"open.chains.1\"");
   expect(",\"open\": { \"chains\": \"A\" }", "2", "a list, in square brackets, of at most");
@@ -281,7 +281,8 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
   expect(",\"annotations\": { \"marks\": [{ \"to_angstrom\": [1, 2,\n2e9] }] }", "3",
          "from -1000000000 to 1000000000 Å");
   expect(",\"camera\": { \"position_angstrom\": [1, 2] }", "2", "three numbers");
-  expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2", "not the way that it looks");
+  expect(",\"camera\": { \"position_angstrom\": [0, 1, 0] }", "2",
+         "not parallel to its direction of view");
   expect(",\"panels\": { \"alpha_slider\": { \"low_angstrom2\": 99 } }", "2", "below its high end");
   expect(",\"picture\": { \"width\": 7 }", "2", "\"picture.width\" is 7");
   expect(",\"recording\": { \"content\": { \"kind\": \"film\" } }", "2", "\"turntable\"");
@@ -290,9 +291,9 @@ TEST(SessionFile, AWrongValueIsToldWithItsLine) {
 
 TEST(SessionFile, ManyFaultsAreCountedAndTheFirstLineIsTold) {
   const std::string told =
-      fault(with(",\n\"display\": { \"balls\": 1 },\n\"compute\": { \"threads\": -1 }"));
+      fault(with(",\n\"display\": { \"balls\": 1 },\n\"request\": { \"threads\": -1 }"));
   EXPECT_NE(told.find("line 3: \"display.balls\""), std::string::npos) << told;
-  EXPECT_NE(told.find("; 1 more of its values"), std::string::npos) << told;
+  EXPECT_NE(told.find("; 1 more of its values are invalid"), std::string::npos) << told;
 }
 
 TEST(SessionFile, WhatIsUnknownIsToldAndLeftOut) {
@@ -328,6 +329,33 @@ TEST(SessionFile, FormerNamesAreReadAndTold) {
   EXPECT_NE(both.notes[0].find("does not know \"display.silhouettes_pixels\""), std::string::npos);
 }
 
+TEST(SessionFile, FormerNamesOfObjectsListsAndSchemesAreReadAndTold) {
+  const ReadSession read = parse_session(
+      "S.json", with(",\n\"compute\": { \"threads\": 3 },\n\"open\": { \"treat\": "
+                     "[\"PU8=ligand\"] },\n\"cavity_table\": { \"split_networks\": true },\n"
+                     "\"display\": { \"ball_colour\": \"residue_kind\" }"));
+  const Settings& s = read.session.settings;
+  EXPECT_EQ(s.request.threads, 3);
+  EXPECT_EQ(s.open.balls.treated, std::vector<std::string>{"PU8=ligand"});
+  EXPECT_TRUE(s.cavity_settings.split_networks);
+  EXPECT_EQ(s.display.ball_paint, (Paint{.by = ColourBy::residue_class}));
+  std::vector<std::string> notes = read.notes;
+  std::sort(notes.begin(), notes.end());
+  const std::string still = " now. The older name is still read in this version.";
+  EXPECT_EQ(notes, (std::vector<std::string>{
+                       "Line 3: \"compute\" is called \"request\"" + still,
+                       "Line 4: \"open.treat\" is called \"treatments\"" + still,
+                       "Line 5: \"cavity_table\" is called \"cavity_settings\"" + still,
+                       "Line 6: \"display.ball_colour\": \"residue_kind\" is called "
+                       "\"residue_class\"" +
+                           still}));
+  const std::string told = fault(with(",\n\"compute\": { \"threads\": -1 }"));
+  EXPECT_NE(told.find("line 3: \"compute.threads\" is -1"), std::string::npos) << told;
+  const std::string wrong = fault(with(",\n\"open\": {\n\"treat\": [\"PU8=metal\"] }"));
+  EXPECT_NE(wrong.find("line 4: \"open.treat.0\" cannot be understood"), std::string::npos)
+      << wrong;
+}
+
 TEST(SessionFile, WhatIsNoSessionIsToldSo) {
   const auto expect = [](const std::string& text, const char* what) {
     const std::string told = fault(text);
@@ -339,7 +367,7 @@ TEST(SessionFile, WhatIsNoSessionIsToldSo) {
   expect("[1]", "the JSON file has another content");
   expect("{}", "it has no \"alphascope_session\"");
   expect("{\"alphascope_session\": 2}", "newer version");
-  expect("{\"alphascope_session\": \"1\"}", "version of a session is unknown");
+  expect("{\"alphascope_session\": \"1\"}", "version of this session is unknown");
   expect("{\"alphascope_session\": 1}", "\"molecule\"");
   expect(std::string(5000000, '['), "are nested here");
   expect("{\"a\":" + std::string(30000, '{'), "are nested here");
@@ -455,8 +483,8 @@ TEST(SessionFile, ANameThatIsThereTwiceIsRefusedWithItsLine) {
   const struct {
     std::string rest, place;
     std::size_t line;
-  } cases[] = {{"\"compute\": {\n\"alpha_angstrom2\": 1.4,\n\"alpha_angstrom2\": 9}}",
-                "\"compute.alpha_angstrom2\"", 6},
+  } cases[] = {{"\"request\": {\n\"alpha_angstrom2\": 1.4,\n\"alpha_angstrom2\": 9}}",
+                "\"request.alpha_angstrom2\"", 6},
                {"\"light_theme\": true,\n\"light_theme\": true}", "\"light_theme\"", 5},
                {"\"appearance\": {\"colours\": [{},\n{\"atoms\": [],\n\"atoms\": []}]}}",
                 "\"appearance.colours.1.atoms\"", 6},
@@ -491,7 +519,7 @@ TEST(SessionFile, AWrongTreatmentIsRefusedWithItsPlace) {
   const auto reason = [](const std::string& treatment, std::size_t line) {
     const std::string text =
         "{\"alphascope_session\": 1,\n\"molecule\": {\"absolute_path\": \"/a\", \"sha256\": \"" +
-        kHash + "\"},\n\"open\": {\n\"treat\": [\"PU8=ligand\",\n\"" + treatment + "\"]}}";
+        kHash + "\"},\n\"open\": {\n\"treatments\": [\"PU8=ligand\",\n\"" + treatment + "\"]}}";
     try {
       parse_session("s.json", text);
     } catch (const ReadError& error) {
@@ -501,13 +529,14 @@ TEST(SessionFile, AWrongTreatmentIsRefusedWithItsPlace) {
     }
     return std::string("none");
   };
-  EXPECT_EQ(reason("A:QIG 1=metal", 5),
-            "\"open.treat.1\" cannot be understood: \"A:QIG 1=metal\" does not say what residues "
-            "are; write them as \"A:PU8 301=ligand\" or \"PU8=ligand\", with polymer, ligand, ion, "
-            "water or dummy");
+  EXPECT_EQ(
+      reason("A:QIG 1=metal", 5),
+      "\"open.treatments.1\" cannot be understood: \"A:QIG 1=metal\" does not say what residues "
+      "are; write them as \"A:PU8 301=ligand\" or \"PU8=ligand\", with polymer, ligand, ion, "
+      "water or dummy");
   EXPECT_TRUE(reason("resi (=ion", 5)
-                  .starts_with("\"open.treat.1\" cannot be understood: \"resi (\" does not say "
-                               "which residues, column 6: "));
+                  .starts_with("\"open.treatments.1\" cannot be understood: \"resi (\" names no "
+                               "residues, column 6: "));
   EXPECT_EQ(reason("A:QIG 1=ion", 5), "none");
 }
 

@@ -75,7 +75,7 @@ TEST(CavityPreset, EveryOtherChoiceIsNamed) {
         b.overrides.push_back({"", "", 6, 1'700'000});
       },
       "radii changed by hand");
-  one([](BallOptions& b) { b.treated = {"LIG=polymer"}; }, "what residues are is set by hand");
+  one([](BallOptions& b) { b.treated = {"LIG=polymer"}; }, "kinds of residues are set by hand");
   request.solvent_radius_angstrom = 1.2;
   request.alpha_angstrom2 = -0.5;
   EXPECT_EQ(differences(preset, request, RadiiSet::protor),
@@ -92,10 +92,10 @@ TEST(CavityPreset, AGuessedResidueIsNotComparable) {
   EXPECT_TRUE(differences_from_castp(open.balls, report, request).empty());
   report.guessed_residues = 1;
   EXPECT_EQ(differences_from_castp(open.balls, report, request),
-            std::vector<std::string>{"what 1 residue is is guessed"});
+            std::vector<std::string>{"the kind of 1 residue is guessed"});
   report.guessed_residues = 2;
   EXPECT_EQ(differences_from_castp(open.balls, report, request),
-            std::vector<std::string>{"what 2 residues are is guessed"});
+            std::vector<std::string>{"the kinds of 2 residues are guessed"});
 }
 
 }  // namespace

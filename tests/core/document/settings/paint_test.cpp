@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "core/chart/chart.hpp"
 #include "core/document/measures/paint_balls.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_class.hpp"
@@ -95,7 +96,7 @@ TEST(PaintBalls, AFileWithoutBFactorsSaysSo) {
   EXPECT_EQ(painted.lacks, "The file gives no B factors, so all balls are grey.");
   EXPECT_FALSE(painted.key);
   EXPECT_EQ(painted.colours, (std::vector<Rgb8>(2, kNoValueColour)));
-  for (const ColourBy by : {ColourBy::residue_kind, ColourBy::residue_index}) {
+  for (const ColourBy by : {ColourBy::residue_class, ColourBy::residue_index}) {
     EXPECT_EQ(paint_balls({molecule, atoms}, {.by = by}).lacks,
               "The file names no residues, so all balls are grey.");
   }
@@ -139,13 +140,13 @@ TEST(PaintBalls, PlacesAreCountedAlongEachChainWithoutLigandsAndWater) {
   EXPECT_EQ(ball_values({balls.molecule, middle}, ColourBy::residue_index).numbers[0], 50);
 }
 
-TEST(PaintBalls, KindsOfResidues) {
+TEST(PaintBalls, ClassesOfResidues) {
   const Balls balls;
-  const PaintedBalls painted = balls.painted({.by = ColourBy::residue_kind});
+  const PaintedBalls painted = balls.painted({.by = ColourBy::residue_class});
   EXPECT_EQ(names(painted),
             (Names{"small non-polar", "hydrophobic", "negative", "positive", "ligand", "water"}));
   EXPECT_EQ(painted.colours[0], painted.colours[1]);
-  EXPECT_EQ(painted.key->title, "kind of residue (Lesk)");
+  EXPECT_EQ(painted.key->title, "class of residue (Lesk)");
 }
 
 TEST(PaintBalls, ElementsAndChainsAreListedAsFarAsThereAreBalls) {
@@ -189,9 +190,9 @@ TEST(PaintBalls, ComponentsComeByTheirSizeAndTiesByTheirLowestBall) {
   const PaintedBalls painted = paint_balls(of, {.by = ColourBy::component});
   EXPECT_EQ(names(painted),
             (Names{"1: 2 balls", "2: 2 balls", "one ball alone", "not in the complex"}));
-  EXPECT_EQ(painted.colours[0], category_colour(0));
-  EXPECT_EQ(painted.colours[4], category_colour(0));
-  EXPECT_EQ(painted.colours[1], category_colour(1));
+  EXPECT_EQ(painted.colours[0], chart_colour(0));
+  EXPECT_EQ(painted.colours[4], chart_colour(0));
+  EXPECT_EQ(painted.colours[1], chart_colour(1));
   EXPECT_EQ(painted.colours[2], painted.colours[6]);
   EXPECT_NE(painted.colours[2], painted.colours[5]);
   complex.tetrahedra_only = true;
@@ -301,6 +302,19 @@ TEST(PaintWords, EveryPaintComesBack) {
   EXPECT_EQ(read_paint(" b_factor , 0 : 60 Å² , cividis ", PaintTarget::balls).paint,
             (Paint{ColourBy::b_factor, ColourMap::cividis, ColourRange{0, 60}, {}}));
   EXPECT_EQ(read_paint("b_factor,−5:10", PaintTarget::balls).paint.range, (ColourRange{-5, 10}));
+}
+
+TEST(PaintWords, AFormerSchemeIsReadAndTold) {
+  for (const PaintTarget what : {PaintTarget::balls, PaintTarget::simplices}) {
+    const PaintWords words = read_paint("residue_kind", what);
+    EXPECT_EQ(words.error, "");
+    EXPECT_EQ(words.paint, (Paint{.by = ColourBy::residue_class}));
+    EXPECT_EQ(words.note,
+              "\"residue_kind\" is called \"residue_class\" now. The older name is still read in "
+              "this version.");
+    EXPECT_EQ(paint_text(words.paint), "residue_class");
+    EXPECT_EQ(read_paint("residue_class", what).note, "");
+  }
 }
 
 TEST(PaintWords, WhatIsWrongIsNamedWithTheRemedy) {

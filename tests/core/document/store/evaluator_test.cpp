@@ -55,7 +55,7 @@ TEST_F(EvaluatorTest, MakesNothingThatDoesNotFit) {
     FAIL() << "It was made.";
   } catch (const NoRoom& error) {
     EXPECT_STREQ(error.what(),
-                 "large: It needs about 2.00 GB of memory, and 1.00 GB is available for it.");
+                 "large: This result needs about 2.00 GB of memory, and 1.00 GB is available.");
   }
   EXPECT_EQ(made, 0);
   budget = 2'000'000'000;

@@ -298,7 +298,7 @@ TEST_F(StoreChainTest, NoRoomPassesWhenThereIsSome) {
   budget = 9;
   const Derived<double> d = settle(sum, inputs(5, 1));
   EXPECT_EQ(d.state, DerivedState::no_room);
-  EXPECT_EQ(d.why.substr(0, 26), "ground: It needs about 0.0") << d.why;
+  EXPECT_EQ(d.why.substr(0, 35), "ground: This result needs about 0.0") << d.why;
   budget = 1000;
   frame();
   EXPECT_EQ(*settle(sum, inputs(5, 1)).value, 6);

@@ -63,7 +63,7 @@ TEST_F(StoreTest, WhatDoesNotFitIsNotMadeAndSaysSo) {
   budget = 2'000'000'000;
   const Derived<int> d = settle(number("large", 3'000'000'000), inputs(1));
   EXPECT_EQ(d.state, DerivedState::no_room);
-  EXPECT_EQ(d.why, "It needs about 3.00 GB of memory, and 2.00 GB is available for it.");
+  EXPECT_EQ(d.why, "This result needs about 3.00 GB of memory, and 2.00 GB is available.");
   EXPECT_EQ(made, 0);
   ASSERT_EQ(store.jobs().size(), 1u);
   EXPECT_EQ(store.jobs()[0].state, DerivedState::no_room);

@@ -9,7 +9,6 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/amber_radii.hpp"
-#include "core/run/work_threads.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
 #include "ui/number_text.hpp"

@@ -3,7 +3,6 @@
 #include "ui/colour_legend.hpp"
 
 #include "core/chart/colour_map.hpp"
-#include "core/chart/colour_scale.hpp"
 #include "core/document/measures/paint_balls.hpp"
 #include "ui/rgb8.hpp"
 

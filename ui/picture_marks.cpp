@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/chart/ticks.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/run/work_threads.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/caption.hpp"
 #include "ui/colour_legend.hpp"

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "app/session/system_memory.hpp"
-#include "core/complex/alpha_complex.hpp"
 #include "core/document/reference/reference.hpp"
 
 namespace alphascope::cli {

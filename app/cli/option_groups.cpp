@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/read/file_format.hpp"
 

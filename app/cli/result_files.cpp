@@ -4,10 +4,8 @@
 
 #include "app/cli/text/terminal.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/amber_radii.hpp"
-#include "core/run/work_threads.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope::cli {

@@ -20,7 +20,6 @@
 #include "app/viewer/viewer.hpp"
 #include "core/document/session/preferences.hpp"
 #include "core/document/session/session_file.hpp"
-#include "core/engine/gpu_device.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/read_error.hpp"
 #include "core/files/small_text.hpp"

@@ -10,7 +10,6 @@
 #include "app/options/option_values.hpp"
 #include "app/options/parse_arguments.hpp"
 #include "app/viewer/script/script.hpp"
-#include "core/chart/colour_scale.hpp"
 #include "core/document/commands/number_input.hpp"
 #include "core/document/picture/frame_names.hpp"
 #include "core/document/picture/recording.hpp"
@@ -18,7 +17,6 @@
 #include "core/document/settings/display_preset.hpp"
 #include "core/files/output_ending.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/read/file_format.hpp"
 

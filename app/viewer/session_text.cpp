@@ -4,10 +4,8 @@
 
 #include <algorithm>
 
-#include "core/document/export/program_name.hpp"
 #include "core/geometry/grown_radius.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/steps_state.hpp"

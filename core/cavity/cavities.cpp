@@ -11,7 +11,6 @@
 #include "core/cavity/mouths.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/run/parallel.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "core/triangulation/membership.hpp"
 #include "core/triangulation/union_find.hpp"
 

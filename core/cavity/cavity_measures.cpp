@@ -18,7 +18,6 @@
 #include "core/measure/wide_fixed_sum.hpp"
 #include "core/predicates/orthosphere.hpp"
 #include "core/run/parallel.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "core/triangulation/hash_steps.hpp"
 #include "core/triangulation/incidence.hpp"
 #include "core/triangulation/membership.hpp"

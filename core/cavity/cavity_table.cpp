@@ -10,7 +10,6 @@
 #include "core/cavity/split_networks.hpp"
 #include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/predicates/wide_int.hpp"
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/membership.hpp"
 

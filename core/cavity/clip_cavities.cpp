@@ -9,7 +9,6 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/exact_outside.hpp"
 #include "core/measure/exact_sum.hpp"
-#include "core/triangulation/hash_steps.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,7 +8,6 @@
 #include "core/cavity/cavity_ground.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/wide_int.hpp"
-#include "core/triangulation/hash_steps.hpp"
 #include "core/triangulation/membership.hpp"
 #include "core/triangulation/union_find.hpp"
 

@@ -10,7 +10,6 @@
 #include "core/cavity/cavity_ground.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
-#include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/flow_predicate.hpp"
 #include "core/run/stage_timer.hpp"

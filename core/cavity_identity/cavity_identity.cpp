@@ -15,7 +15,6 @@
 #include "core/predicates/perturbation.hpp"
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
-#include "core/triangulation/filtration.hpp"
 
 namespace alphascope {
 namespace {

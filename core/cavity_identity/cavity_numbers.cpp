@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/cavity/cavity_ground.hpp"
-#include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
 
 namespace alphascope {

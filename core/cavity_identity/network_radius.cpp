@@ -13,7 +13,6 @@
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/network_parting.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
-#include "core/predicates/exact_rho.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/membership.hpp"
 

@@ -7,7 +7,6 @@
 
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/molecule/rgb8.hpp"
 

@@ -17,7 +17,6 @@
 #include <utility>
 
 #include "core/files/temporary_names.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/run/child_program.hpp"
 #include "core/run/uninterrupted_step.hpp"
 

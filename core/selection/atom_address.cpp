@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/geometry/alpha.hpp"
-#include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"

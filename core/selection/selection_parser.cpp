@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"

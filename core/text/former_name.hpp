@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A sentence for names that have changed. A former name is read for one more version.
 #pragma once
 

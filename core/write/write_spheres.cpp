@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/complex/alpha_complex.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {

@@ -20,10 +20,7 @@
 #include "core/channel/bottlenecks.hpp"
 #include "core/channel/channel.hpp"
 #include "core/channel/clearance.hpp"
-#include "core/predicates/orthosphere.hpp"
-#include "core/run/stage_timer.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "core/triangulation/flow.hpp"
 #include "tests/bench/read_balls.hpp"
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/read_molecule.hpp"
 #include "tests/fuzz/check_molecule.hpp"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes any bytes as gzip data. The result is a text within the limit, or a ReadError.
 #include "core/files/gzip.hpp"
-#include "core/geometry/ball_set.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/molecule/name_table.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

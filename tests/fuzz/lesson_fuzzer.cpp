@@ -5,7 +5,6 @@
 
 #include "core/document/lessons/lesson.hpp"
 #include "core/document/lessons/lesson_facts.hpp"
-#include "core/document/reference/ref_set.hpp"
 #include "core/files/read_error.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 

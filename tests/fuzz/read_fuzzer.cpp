@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes any bytes as a file of one format. The molecule keeps its promises, or there is a
 // ReadError.
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"

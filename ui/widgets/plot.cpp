@@ -6,14 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
-#include "core/document/reference/appearance.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/geometry/real_point.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/explain/steps_state.hpp"

@@ -6,9 +6,6 @@
 
 #include <algorithm>
 
-#include "core/chart/flat_drawing.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "ui/widgets/widgets.hpp"
 

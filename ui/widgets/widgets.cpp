@@ -9,13 +9,8 @@
 #include <cmath>
 
 #include "core/chart/colour_scale.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/export/program_name.hpp"
-#include "core/document/reference/atom_set.hpp"
-#include "core/document/reference/ref_set.hpp"
-#include "core/document/settings/clip.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "ui/calls.hpp"
 #include "ui/fitted_text.hpp"

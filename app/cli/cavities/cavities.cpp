@@ -16,8 +16,6 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/predicates/flow_predicate.hpp"
-#include "core/predicates/wide_int.hpp"
-#include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -12,7 +12,6 @@
 #include "core/document/channels/network_results.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/predicates/flow_predicate.hpp"
-#include "core/predicates/wide_int.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/text/grouped_number.hpp"
 

@@ -6,7 +6,6 @@
 #include "app/cli/failure.hpp"
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_export.hpp"
-#include "core/predicates/orthosphere.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {

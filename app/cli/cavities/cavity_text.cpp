@@ -10,7 +10,6 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
-#include "core/document/store/key.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/document/store/key.hpp"
-
 namespace alphascope::cli {
 namespace {
 

@@ -12,7 +12,6 @@
 #include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/text/terminal.hpp"
-#include "core/channel/channel.hpp"
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
 #include "core/document/channels/channel_columns.hpp"
@@ -20,7 +19,6 @@
 #include "core/document/reference/measurement_columns.hpp"
 #include "core/document/tables/column_info.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 
 namespace alphascope::cli {

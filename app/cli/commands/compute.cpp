@@ -22,8 +22,8 @@
 #include "app/session/rounding_note.hpp"
 #include "app/session/system_memory.hpp"
 #include "core/complex/own_dimension.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/document/settings/request_columns.hpp"
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -17,7 +17,6 @@
 #include "app/session/engine_cache.hpp"
 #include "core/document/measures/measure_json.hpp"
 #include "core/document/measures/measure_names.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/radii/radii_set.hpp"
 
 namespace alphascope::cli {

@@ -4,12 +4,10 @@
 #include <stdexcept>
 
 #include "app/viewer/commands/command_parts.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/reference/measurement_columns.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/session/setting_ids.hpp"
 #include "core/document/session/settings_fields.hpp"
-#include "core/document/store/key.hpp"
 #include "core/explain/power_diagram.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"

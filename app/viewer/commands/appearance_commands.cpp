@@ -4,10 +4,7 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
-#include "core/chart/colour_scale.hpp"
 #include "core/chart/colour_text.hpp"
-#include "core/document/export/program_name.hpp"
-#include "core/document/picture/caption_parts.hpp"
 #include "core/document/reference/appearance.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"

@@ -3,10 +3,8 @@
 #include <algorithm>
 
 #include "app/viewer/commands/command_parts.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/named_view.hpp"
-#include "core/document/store/key.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 

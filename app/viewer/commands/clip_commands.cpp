@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that cut the picture open.
 #include "app/viewer/commands/command_parts.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/settings/clip.hpp"
-#include "core/document/store/key.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"

@@ -4,7 +4,6 @@
 
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/session/setting_ids.hpp"
-#include "core/document/store/key.hpp"
 #include "core/engine/gpu_device.hpp"
 #include "core/molecule/molecule.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"

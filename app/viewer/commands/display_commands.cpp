@@ -8,7 +8,6 @@
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/document/store/answer.hpp"
-#include "core/document/store/key.hpp"
 #include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/viewer/commands/command_parts.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/reference/atom_measurements.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"

@@ -4,14 +4,12 @@
 #include <stdexcept>
 
 #include "app/viewer/commands/command_parts.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/picture/caption_parts.hpp"
 #include "core/document/picture/frame_names.hpp"
 #include "core/document/picture/picture_options.hpp"
 #include "core/document/picture/recording.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/run/cancel_token.hpp"
 #include "ui/panels/dialogs/picture_requests.hpp"
 #include "ui/panels/lessons/lesson_state.hpp"
 

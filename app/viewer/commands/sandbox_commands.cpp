@@ -2,7 +2,6 @@
 // Commands that create and edit balls of the sandbox.
 #include "app/viewer/commands/command_parts.hpp"
 #include "app/viewer/resources.hpp"
-#include "core/document/settings/clip.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"
 #include "core/molecule/sandbox.hpp"

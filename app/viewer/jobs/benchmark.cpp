@@ -9,7 +9,6 @@
 
 #include "app/bench/thesis_charts.hpp"
 #include "app/bench/thesis_table.hpp"
-#include "core/chart/colour_scale.hpp"
 #include "core/chart/layout.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
@@ -21,9 +20,9 @@
 #include "core/selection/provenance.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
+#include "core/write/csv.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/running_job.hpp"
-#include "core/write/csv.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

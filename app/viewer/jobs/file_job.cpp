@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/document/export/program_name.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/thread_priority.hpp"
 #include "core/run/work_threads.hpp"

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/document/picture/caption_parts.hpp"
-#include "core/engine/cold_and_warm.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {

@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/document/export/program_name.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/thread_priority.hpp"

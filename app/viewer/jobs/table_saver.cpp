@@ -5,14 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/document/export/program_name.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {

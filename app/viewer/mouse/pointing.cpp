@@ -10,7 +10,6 @@
 #include <variant>
 
 #include "core/complex/own_dimension.hpp"
-#include "core/radii/radii_set.hpp"
 #include "ui/panels/frame/context_state.hpp"
 #include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"

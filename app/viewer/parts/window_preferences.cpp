@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/settings/request.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/geometry/ball_set.hpp"
-#include "core/geometry/real_point.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/theme.hpp"

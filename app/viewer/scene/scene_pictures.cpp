@@ -6,7 +6,6 @@
 #include "app/session/engine_cache.hpp"
 #include "app/session/result_header.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "ui/scene/picture/picture_maker.hpp"
 
 namespace alphascope {

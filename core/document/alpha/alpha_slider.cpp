@@ -7,10 +7,7 @@
 
 #include "core/document/alpha/signature.hpp"
 #include "core/document/commands/number_input.hpp"
-#include "core/document/reference/ref_set.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/selection/selection_error.hpp"
 
 namespace alphascope {
 namespace {

@@ -17,7 +17,7 @@
 #include "core/document/cavities/cavity_records.hpp"
 #include "core/document/cavities/known_cavities.hpp"
 #include "core/document/export/program_name.hpp"
-#include "core/document/store/key.hpp"
+#include "core/document/settings/request_columns.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/ball_index.hpp"
@@ -26,7 +26,6 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/provenance.hpp"
-#include "core/document/settings/request_columns.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,7 +6,6 @@
 #include "core/document/cavities/cavity_columns.hpp"
 #include "core/document/tables/column_json.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/predicates/wide_int.hpp"
 #include "core/selection/atom_address.hpp"
 
 namespace alphascope {

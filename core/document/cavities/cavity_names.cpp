@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/complex/triangulation.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"

@@ -8,7 +8,6 @@
 #include "core/channel/channel.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/document/channels/channel_results.hpp"
-#include "core/document/store/key.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/real_point.hpp"

@@ -2,8 +2,6 @@
 // Writes channels as CSV and JSON; also the functions of channel_json.hpp.
 #include "core/document/channels/channel_records.hpp"
 
-#include "core/cavity/cavity_lives.hpp"
-#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/channels/channel_columns.hpp"
 #include "core/document/channels/channel_json.hpp"
 #include "core/document/channels/channel_text.hpp"
@@ -12,8 +10,6 @@
 #include "core/document/store/key.hpp"
 #include "core/document/tables/column_json.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/predicates/wide_int.hpp"
-#include "core/triangulation/flow.hpp"
 #include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {

@@ -9,7 +9,6 @@
 
 #include "core/cavity/cavities.hpp"
 #include "core/cavity/cavity_table.hpp"
-#include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/channel/bottlenecks.hpp"
 #include "core/channel/centre_line.hpp"
 #include "core/document/cavities/cavity_results.hpp"
@@ -19,9 +18,7 @@
 #include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/engine/known_results.hpp"
-#include "core/predicates/orthosphere.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {

@@ -7,7 +7,6 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_results.hpp"
-#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/triangulation/memory_need.hpp"
 

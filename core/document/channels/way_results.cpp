@@ -7,8 +7,6 @@
 
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/channel/by_place.hpp"
-#include "core/channel/clearance.hpp"
-#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/definition.hpp"
@@ -18,7 +16,6 @@
 #include "core/molecule/name_table.hpp"
 #include "core/molecule/residue_kind.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/memory_need.hpp"
 

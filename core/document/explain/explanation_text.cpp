@@ -11,7 +11,6 @@
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/point_text.hpp"
 #include "core/geometry/shortest_number.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/text/short_number.hpp"

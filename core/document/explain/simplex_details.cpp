@@ -5,12 +5,9 @@
 #include <algorithm>
 
 #include "core/complex/own_dimension.hpp"
-#include "core/document/reference/ref_set.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/measure/angles.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
 

@@ -9,10 +9,10 @@
 
 #include "core/document/measures/measure_names.hpp"
 #include "core/document/measures/measure_records.hpp"
+#include "core/document/settings/request_columns.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/shortest_number.hpp"
-#include "core/document/settings/request_columns.hpp"
 
 namespace alphascope {
 namespace {

@@ -2,7 +2,6 @@
 // Definitions of measures and derivatives with their memory, and shares of exposed area.
 #include "core/document/measures/measure_results.hpp"
 
-#include "core/document/reference/reference.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_groups.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "core/document/measures/measure_columns.hpp"
 #include "core/document/reference/ref_set.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/document/store/key.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"

@@ -10,7 +10,6 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 

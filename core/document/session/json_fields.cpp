@@ -10,7 +10,6 @@
 #include "core/files/read_error.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/molecule.hpp"
-#include "core/radii/radii_set.hpp"
 #include "core/text/former_name.hpp"
 
 namespace alphascope {

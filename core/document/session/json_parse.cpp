@@ -6,7 +6,6 @@
 #include "core/document/session/json_fields.hpp"
 #include "core/files/read_error.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/selection_expression.hpp"
 

@@ -10,7 +10,6 @@
 #include "core/files/read_error.hpp"
 #include "core/files/text_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/selection/selection_expression.hpp"
 

@@ -9,7 +9,6 @@
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/text/former_name.hpp"
 
 namespace alphascope {

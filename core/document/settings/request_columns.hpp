@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The columns of tables whose rows have a request: alpha and solvent radius, as requested.
 #pragma once
 

@@ -7,7 +7,6 @@
 
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 
 namespace alphascope {

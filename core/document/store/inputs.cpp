@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/complex/alpha_complex.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/document/store/key.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"

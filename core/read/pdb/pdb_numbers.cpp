@@ -6,7 +6,6 @@
 
 #include "core/files/line_reader.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 
 namespace alphascope {

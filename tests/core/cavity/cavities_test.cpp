@@ -19,8 +19,6 @@
 #include "core/geometry/lattice_point.hpp"
 #include "core/predicates/flow_predicate.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/filtration.hpp"
-#include "core/triangulation/hash_steps.hpp"
 #include "core/triangulation/membership.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"

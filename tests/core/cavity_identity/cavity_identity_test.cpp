@@ -11,10 +11,8 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
-#include "core/complex/face_class.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "tests/core/cavity/rational_location.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"

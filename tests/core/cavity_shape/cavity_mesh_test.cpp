@@ -12,7 +12,6 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/predicates/lifted.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "tests/support/molecules.hpp"
 
 namespace alphascope {

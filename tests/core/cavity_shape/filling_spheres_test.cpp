@@ -13,7 +13,6 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/predicates/lifted.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 

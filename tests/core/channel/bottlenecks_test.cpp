@@ -13,7 +13,6 @@
 #include "core/channel/channel.hpp"
 #include "core/channel/clearance.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/support/random_balls.hpp"

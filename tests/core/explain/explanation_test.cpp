@@ -14,11 +14,8 @@
 #include <stdexcept>
 
 #include "core/document/explain/simplex_details.hpp"
-#include "core/document/reference/ref_set.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/explain/local_star.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

@@ -15,7 +15,6 @@
 #include "core/radii/radii_set.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/core/read/twin_dialects.hpp"
 

@@ -12,9 +12,7 @@
 #include "core/files/text_file.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/predicates/wide_int.hpp"
 #include "core/triangulation/filtration.hpp"
-#include "core/triangulation/hash_steps.hpp"
 
 namespace alphascope::testing {
 namespace {

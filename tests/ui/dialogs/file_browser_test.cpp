@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/panel.hpp"

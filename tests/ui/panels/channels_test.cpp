@@ -8,11 +8,7 @@
 #include <string>
 
 #include "core/cavity/cavity_table.hpp"
-#include "core/cavity_identity/cavity_numbers.hpp"
-#include "core/channel/clearance.hpp"
-#include "core/document/cavities/known_cavities.hpp"
 #include "core/document/channels/channel_text.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"

@@ -6,7 +6,6 @@
 
 #include "app/viewer/options.hpp"
 #include "core/geometry/shortest_number.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 
-#include "core/document/reference/reference.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "tests/ui/panel_state.hpp"

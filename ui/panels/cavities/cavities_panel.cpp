@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/cavity/cavity_ground.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/cavities/cavity_export.hpp"
 #include "core/document/cavities/cavity_tables.hpp"
 #include "core/document/channels/channel_results.hpp"
@@ -20,7 +19,6 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/selection/selection_error.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"

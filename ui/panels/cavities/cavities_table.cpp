@@ -4,15 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/chart/flat_drawing.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/store/key.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/selection/selection_error.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/widgets/format.hpp"

@@ -8,7 +8,6 @@
 
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
-#include "core/selection/selection_error.hpp"
 
 namespace alphascope {
 namespace {

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
@@ -16,7 +14,6 @@
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/number_field.hpp"

@@ -7,18 +7,13 @@
 #include <vector>
 
 #include "core/cavity/cavity_table.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "core/complex/alpha_complex.hpp"
-#include "core/complex/face_class.hpp"
 #include "core/document/cavities/known_cavities.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/neighbours/uniform_grid.hpp"
-#include "core/predicates/exact_rho.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"

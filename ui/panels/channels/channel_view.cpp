@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/document/store/answer.hpp"
 #include "ui/layer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/theme.hpp"
 #include "ui/rgb8.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 namespace {

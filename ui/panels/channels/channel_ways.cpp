@@ -4,13 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/document/channels/channel_columns.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/document/store/key.hpp"
 #include "core/document/tables/column.hpp"
-#include "core/engine/known_results.hpp"
 #include "core/selection/selection_error.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/calls.hpp"

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/channel/clearance.hpp"
 #include "core/chart/svg.hpp"
 #include "core/document/channels/channel_export.hpp"
 #include "core/document/channels/channel_records.hpp"
-#include "core/document/commands/commands.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -17,7 +15,6 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/molecule/residue_kind.hpp"
-#include "core/radii/radii_set.hpp"
 #include "core/text/as_sentence.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
@@ -25,7 +22,6 @@
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"

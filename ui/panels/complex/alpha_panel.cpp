@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/alpha/alpha_slider.hpp"
 #include "core/document/alpha/signature.hpp"
-#include "core/document/commands/commands.hpp"
 #include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
 #include "core/radii/radii_set.hpp"

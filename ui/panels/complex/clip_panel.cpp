@@ -7,10 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/chart/flat_drawing.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/picture/recording.hpp"
 #include "core/document/settings/clip.hpp"
 #include "core/geometry/alpha.hpp"

@@ -4,7 +4,6 @@
 
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/document/settings/clip.hpp"
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/document/store/answer.hpp"

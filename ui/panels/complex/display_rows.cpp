@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "core/document/commands/commands.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/view_state.hpp"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/document/reference/appearance.hpp"
-#include "core/document/settings/clip.hpp"
 #include "core/document/settings/request.hpp"
 #include "core/engine/engine_choice.hpp"
 #include "core/engine/gpu_device.hpp"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/document/reference/appearance.hpp"
 #include "ui/calls.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/number_field.hpp"

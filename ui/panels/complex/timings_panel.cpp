@@ -2,17 +2,12 @@
 // The page of timings: our engine's times beside CGAL's, and whether both complexes are equal.
 #include <optional>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/chart/flat_drawing.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/run/cancel_token.hpp"
-#include "core/run/work_threads.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/complex/timings_state.hpp"
 #include "ui/panels/complex/timings_text.hpp"

@@ -4,7 +4,6 @@
 
 #include "core/document/store/answer.hpp"
 #include "core/engine/cold_and_warm.hpp"
-#include "core/run/work_threads.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/running_job.hpp"

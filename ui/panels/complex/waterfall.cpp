@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/complex/engine_info.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/engine/cold_and_warm.hpp"

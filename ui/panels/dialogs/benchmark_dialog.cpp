@@ -5,12 +5,9 @@
 
 #include <algorithm>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "core/chart/layout.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/export/program_name.hpp"
-#include "core/engine/cold_and_warm.hpp"
 #include "core/engine/engine_choice.hpp"
 #include "core/engine/gpu_device.hpp"
 #include "core/geometry/lattice_alpha.hpp"

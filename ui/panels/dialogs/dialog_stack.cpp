@@ -7,13 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/reference/atom_set.hpp"
-#include "core/document/reference/ref_set.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/picture_requests.hpp"

@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"
 #include "core/molecule/assembly.hpp"
-#include "core/run/cancel_token.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"

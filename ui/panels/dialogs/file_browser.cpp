@@ -7,12 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "core/chart/flat_drawing.hpp"
-#include "core/document/picture/caption_parts.hpp"
-#include "core/document/reference/atom_set.hpp"
-#include "core/document/reference/ref_set.hpp"
 #include "core/document/settings/open_options.hpp"
-#include "core/engine/cold_and_warm.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/radii/radii_choice.hpp"
 #include "core/text/grouped_number.hpp"
@@ -22,7 +17,6 @@
 #include "ui/panels/dialogs/folder_listing.hpp"
 #include "ui/panels/dialogs/save_state.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"

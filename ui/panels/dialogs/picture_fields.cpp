@@ -4,16 +4,10 @@
 
 #include <imgui.h>
 
-#include "core/chart/flat_drawing.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/picture/picture_options.hpp"
-#include "core/document/reference/atom_set.hpp"
-#include "core/document/reference/ref_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/run/work_threads.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/caption.hpp"
 #include "ui/panels/view_state.hpp"

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "core/document/alpha/alpha_slider.hpp"
-#include "core/document/commands/commands.hpp"
 #include "core/document/export/program_name.hpp"
 #include "core/document/lessons/lesson.hpp"
 #include "core/document/picture/frame_names.hpp"

@@ -7,8 +7,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/document/commands/commands.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/key.hpp"
 #include "core/files/atomic_file.hpp"

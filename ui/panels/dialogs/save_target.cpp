@@ -7,13 +7,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/chart/flat_drawing.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/text/as_sentence.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"

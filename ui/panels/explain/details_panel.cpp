@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/explanation_results.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/steps_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/store.hpp"
-#include "core/engine/cold_and_warm.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/short_number.hpp"
 #include "ui/calls.hpp"

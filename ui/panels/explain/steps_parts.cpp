@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/step_names.hpp"
 #include "core/document/explain/steps_results.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/reference/appearance.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/lattice_alpha.hpp"

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page “Why?”: sentences on why the selected simplex is in the complex or not. Buttons lead to
 // the balls that decide, and the view shows the orthosphere.
-#include "core/chart/flat_drawing.hpp"
-#include "core/document/commands/commands.hpp"
 #include "core/document/explain/explanation_results.hpp"
 #include "core/document/explain/explanation_text.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/why_layer.hpp"

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"

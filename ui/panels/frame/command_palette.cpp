@@ -6,11 +6,9 @@
 
 #include <algorithm>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/command_search.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/ref_set.hpp"
 #include "core/geometry/alpha.hpp"
@@ -18,7 +16,6 @@
 #include "core/text/letter_case.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"

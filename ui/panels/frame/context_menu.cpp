@@ -7,11 +7,8 @@
 #include <functional>
 #include <utility>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/run/cancel_token.hpp"

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/flat_drawing.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/running_job.hpp"

@@ -3,8 +3,6 @@
 // one line.
 #include <algorithm>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/store/answer.hpp"

@@ -5,13 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/complex/alpha_complex.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
-#include "core/document/reference/atom_set.hpp"
-#include "core/document/reference/ref_set.hpp"
-#include "core/engine/cold_and_warm.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"

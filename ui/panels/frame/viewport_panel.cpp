@@ -4,23 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/dimension_words.hpp"
-#include "core/document/export/program_name.hpp"
-#include "core/document/reference/atom_set.hpp"
-#include "core/document/reference/ref_set.hpp"
 #include "core/document/settings/clip.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/predicates/spanning_balls.hpp"
 #include "core/read/file_format.hpp"
-#include "core/run/work_threads.hpp"
 #include "ui/calls.hpp"
 #include "ui/caption.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/frame/context_state.hpp"
 #include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/frame/running_jobs.hpp"

@@ -8,13 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/predicates/exact_rho.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/frame/scroll_state.hpp"
 #include "ui/panels/lessons/lesson_state.hpp"

@@ -6,13 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/chart/flat_drawing.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/lessons/lesson.hpp"
-#include "core/document/reference/atom_set.hpp"
-#include "core/document/reference/ref_set.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/style.hpp"

@@ -7,17 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/cavities/cavity_results.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/lessons/lesson_facts.hpp"
-#include "core/document/reference/atom_set.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "ui/calls.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/lessons/lesson_text.hpp"
 #include "ui/panels/panel.hpp"

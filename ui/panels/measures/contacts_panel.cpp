@@ -12,7 +12,6 @@
 #include "core/document/settings/request.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/calls.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_info.hpp"

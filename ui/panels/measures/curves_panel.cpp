@@ -16,7 +16,6 @@
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/measures/curve_state.hpp"
 #include "ui/panels/measures/curves_plot.hpp"
 #include "ui/panels/measures/lives_view.hpp"

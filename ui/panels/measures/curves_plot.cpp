@@ -7,10 +7,8 @@
 #include <vector>
 
 #include "core/cavity_identity/cavity_curves.hpp"
-#include "core/chart/colour_scale.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
-#include "core/document/commands/commands.hpp"
 #include "ui/panels/measures/curve_state.hpp"
 #include "ui/widgets/plot.hpp"
 

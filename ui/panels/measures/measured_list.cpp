@@ -5,7 +5,6 @@
 #include "core/document/commands/commands.hpp"
 #include "core/document/reference/measurement_columns.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/document/store/key.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/selection/atom_address.hpp"

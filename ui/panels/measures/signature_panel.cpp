@@ -8,13 +8,10 @@
 #include <vector>
 
 #include "core/chart/chart.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "core/chart/svg.hpp"
 #include "core/chart/ticks.hpp"
 #include "core/document/alpha/signature.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/settings/clip.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/document/store/finished_text.hpp"
 #include "core/document/store/store.hpp"
@@ -27,7 +24,6 @@
 #include "ui/layer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/playback.hpp"

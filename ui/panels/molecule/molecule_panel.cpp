@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The section on the molecule: opens files, and shows the name, dropped atoms and notes. It also
 // draws the rows of the other sources of this folder.
-#include "core/chart/flat_drawing.hpp"
-#include "core/engine/cold_and_warm.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panel.hpp"

@@ -5,14 +5,11 @@
 
 #include <algorithm>
 
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/settings/clip.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/selection/residue_groups.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/calls.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_info.hpp"

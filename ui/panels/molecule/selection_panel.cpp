@@ -6,11 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/export/program_name.hpp"
-#include "core/document/settings/clip.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -20,7 +16,6 @@
 #include "core/selection/selection_error.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/calls.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/molecule/expression_state.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panels.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"
@@ -12,7 +11,6 @@
 #include "core/text/grouped_number.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
-#include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/playback.hpp"
 #include "ui/panels/view_info.hpp"

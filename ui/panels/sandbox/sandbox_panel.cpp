@@ -3,7 +3,6 @@
 // in the table can be typed.
 #include <algorithm>
 
-#include "core/chart/colour_scale.hpp"
 #include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/dimension_words.hpp"

@@ -13,12 +13,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "core/chart/colour_scale.hpp"
-#include "core/complex/alpha_complex.hpp"
 #include "core/geometry/alpha.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 
 namespace alphascope {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/reference/reference.hpp"
 #include "core/engine/engine.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/keeping_engine.hpp"

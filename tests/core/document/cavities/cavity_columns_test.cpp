@@ -17,17 +17,14 @@
 #include "core/document/export/program_name.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
-#include "core/document/store/inputs.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/predicates/wide_int.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/filtration.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests descriptions of cavities in words.
 #include "core/document/cavities/cavity_names.hpp"
-#include "core/complex/face_class.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/predicates/wide_int.hpp"
 #include "core/write/csv.hpp"
 
 #include <gtest/gtest.h>

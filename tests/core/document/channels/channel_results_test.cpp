@@ -3,11 +3,7 @@
 // without an answer gives a reason.
 #include "core/document/channels/channel_results.hpp"
 
-#include "core/complex/face_class.hpp"
 #include "core/document/cavities/cavity_results.hpp"
-#include "core/document/cavities/known_cavities.hpp"
-#include "core/document/reference/reference.hpp"
-#include "core/triangulation/filtration.hpp"
 #include "core/triangulation/flow.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/core/document/store/store_fixture.hpp"

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <set>
 
-#include "core/document/reference/reference.hpp"
 #include "core/engine/engine.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/radii/amber_radii.hpp"

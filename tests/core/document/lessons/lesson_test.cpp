@@ -9,12 +9,10 @@
 
 #include "core/document/lessons/lesson_facts.hpp"
 #include "core/document/reference/ref_set.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/engine/engine.hpp"
 #include "core/files/read_error.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
-#include "core/predicates/orthosphere.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 

@@ -4,11 +4,9 @@
 
 #include "core/document/measures/measure_columns.hpp"
 #include "core/document/measures/measure_records.hpp"
-#include "core/document/reference/ref_set.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/engine/engine.hpp"
-#include "core/selection/selection_error.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
 

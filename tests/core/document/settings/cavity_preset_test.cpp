@@ -5,7 +5,6 @@
 #include "core/document/settings/request.hpp"
 #include "core/molecule/element.hpp"
 #include "core/radii/radii_choice.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/selection/ball_options.hpp"
 #include "core/selection/prepare_balls.hpp"
 

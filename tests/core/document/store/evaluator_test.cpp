@@ -5,7 +5,6 @@
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/store/key.hpp"
 #include "core/predicates/flow_predicate.hpp"
-#include "core/predicates/orthosphere.hpp"
 #include "core/run/internal_error.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/support/five_balls.hpp"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
-#include "core/complex/face_class.hpp"
 #include "core/document/store/key.hpp"
 #include "core/run/parallel.hpp"
 #include "tests/core/document/store/store_fixture.hpp"

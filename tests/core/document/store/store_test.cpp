@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the store of derived results: made once a key, in the background, under a budget.
-#include "core/complex/face_class.hpp"
 #include "core/document/store/key.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <map>
 
+#include "core/cavity/cavities.hpp"
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_measures.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"

@@ -14,6 +14,8 @@
 namespace alphascope {
 
 enum class CurveAxis { alpha, solvent, model };
+struct CavityGround;
+struct CavityParameters;
 
 struct CurveCavity {
   std::array<BallIndex, 4> sink;  // its deepest sink

@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/cavity/cavities.hpp"
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity/tetrahedron_order.hpp"
 #include "core/cavity_identity/point_location.hpp"
 #include "core/complex/face_class.hpp"

@@ -12,10 +12,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/cavity/cavity_table.hpp"
-#include "core/geometry/ball_set.hpp"
+#include "core/complex/simplices.hpp"
+#include "core/geometry/ball_index.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
+
+struct BallSet;
+struct CavityTable;
 
 // Indices are those of Cavities::cavities. Among equal shares that of the first sink counts as the
 // larger one. Sinks are compared by their centres, in lexicographic order, at the later positions.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/geometry/ball_set.hpp"
 
 namespace alphascope {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity/network_parting.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

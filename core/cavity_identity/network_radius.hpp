@@ -5,11 +5,14 @@
 #include <optional>
 #include <string_view>
 
-#include "core/cavity/cavity_table.hpp"
-#include "core/geometry/ball_set.hpp"
-#include "core/predicates/flow_predicate.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/predicates/flow_ties.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
+
+struct BallSet;
+struct CavityTable;
 
 // The stage name given to RunContext::progress.
 inline constexpr std::string_view kNetworkStage = "where networks fall apart";

@@ -5,16 +5,11 @@
 // attached. Host and device; notation of lifted.hpp.
 #pragma once
 
+#include "core/predicates/flow_ties.hpp"
 #include "core/predicates/foot_predicate.hpp"
 #include "core/predicates/perturbation.hpp"
 
 namespace alphascope {
-
-// The rule for ties: the orthocentre lies in the plane of a face.
-enum class FlowTies {
-  perturbed,  // the perturbed weights decide, as in the triangulation
-  strict      // a tie is no flow
-};
 
 // Sets beyond[n] for ball n. It is +1 where the orthocentre is strictly beyond the face opposite to
 // n, -1 where it is strictly on n's side, and 0 where doubles do not decide. All vectors must be

@@ -3,11 +3,15 @@
 // settings and requests into it.
 #pragma once
 
-#include "core/document/commands/commands.hpp"
-#include "core/document/store/answer.hpp"
-#include "ui/widgets/widgets.hpp"
+#include <cstddef>
+#include <string>
+#include <vector>
 
 namespace alphascope {
+
+struct Answer;
+struct CommandSpec;
+struct PanelContext;
 
 struct MoleculeState;  // molecule_state.hpp
 

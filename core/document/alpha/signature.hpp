@@ -8,9 +8,15 @@
 #include <cmath>
 #include <vector>
 
+#include "core/complex/simplices.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/geometry/lattice.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
+
+struct AlphaComplex;
+struct RunContext;
 
 struct Signature {
   Lattice lattice;

@@ -10,6 +10,7 @@
 #include "core/complex/triangulation.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/write/csv.hpp"
 
 namespace alphascope {

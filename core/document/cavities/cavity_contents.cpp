@@ -8,8 +8,13 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_identity/cavity_of_points.hpp"
+#include "core/complex/face_class.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/predicates/orthosphere.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/selection/atom_address.hpp"
@@ -17,6 +22,7 @@
 #include "core/selection/ball_options.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/text/grouped_number.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

@@ -13,6 +13,8 @@
 
 namespace alphascope {
 
+class BallReferences;
+
 // A ligand, an ion or a water. It belongs to the cavity whose tetrahedra contain the centres of
 // most of its atoms. On a tie it belongs to the cavity with the larger SA volume.
 struct ContainedResidue {

@@ -7,6 +7,7 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_point.hpp"

@@ -8,6 +8,10 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_identity/network_radius.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"

@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "core/cavity/cavity_table.hpp"
-#include "core/cavity_identity/network_radius.hpp"
-#include "core/document/reference/reference.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/geometry/ball_index.hpp"
 
 namespace alphascope {
+
+class BallReferences;
+struct CavityTable;
+struct NetworkEnd;
 
 // `references` refer to the same balls without solvent radius, which have the same indices.
 

@@ -4,11 +4,20 @@
 
 #include "core/cavity/cavity_depth.hpp"
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_lives.hpp"
+#include "core/cavity/cavity_measures.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/derived.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/predicates/flow_predicate.hpp"
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

@@ -3,14 +3,26 @@
 #pragma once
 
 #include <array>
-#include "core/cavity/cavity_lives.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/cavity_identity/cavity_numbers.hpp"
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/cavity/cavity_measures.hpp"
 #include "core/document/cavities/cavity_names.hpp"
-#include "core/document/reference/reference.hpp"
-#include "core/document/store/derived.hpp"
+#include "core/geometry/ball_index.hpp"
 
 namespace alphascope {
+
+class BallReferences;
+struct CavityNumbers;
+template <class T>
+struct Definition;
+struct CavityGround;
+struct CavityLives;
+struct CavityTable;
+struct ExactCavityMeasures;
+struct Inputs;
+struct Key;
 
 // Flow and incidences of the whole triangulation. They are made once for a set of balls and do not
 // depend on alpha.

@@ -3,8 +3,12 @@
 #include "core/document/cavities/cavity_tables.hpp"
 
 #include "core/document/cavities/cavity_json.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

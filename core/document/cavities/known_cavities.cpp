@@ -3,6 +3,7 @@
 #include "core/document/cavities/known_cavities.hpp"
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_lives.hpp"
 
 namespace alphascope {
 

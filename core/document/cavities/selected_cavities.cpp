@@ -8,13 +8,19 @@
 #include <optional>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity_identity/cavity_identity.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/cavity_shape/cavity_shape.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/selection/ball_options.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

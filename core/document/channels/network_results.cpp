@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/triangulation/memory_need.hpp"

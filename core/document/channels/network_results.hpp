@@ -7,6 +7,7 @@
 
 #include "core/cavity_identity/network_radius.hpp"
 #include "core/document/store/definition.hpp"
+#include "core/geometry/ball_index.hpp"
 
 namespace alphascope {
 

@@ -11,6 +11,8 @@
 
 namespace alphascope {
 
+class BallReferences;
+
 // One to four balls, or a sentence with the reason why there are none.
 struct SelectedSimplex {
   std::vector<BallIndex> balls;  // ascending

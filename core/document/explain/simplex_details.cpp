@@ -5,11 +5,15 @@
 #include <algorithm>
 
 #include "core/complex/own_dimension.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/measure/angles.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

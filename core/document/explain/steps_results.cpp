@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
@@ -14,6 +16,7 @@
 #include "core/run/internal_error.hpp"
 #include "core/text/as_sentence.hpp"
 #include "core/text/grouped_number.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

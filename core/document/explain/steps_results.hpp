@@ -14,6 +14,8 @@
 
 namespace alphascope {
 
+class BallReferences;
+
 // An entry for each StepsEngine.
 struct StepsEngineSpec {
   StepsEngine engine;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/files/line_reader.hpp"
 #include "core/geometry/grown_radius.hpp"
 #include "core/geometry/lattice_alpha.hpp"

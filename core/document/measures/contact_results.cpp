@@ -6,10 +6,15 @@
 #include <map>
 #include <utility>
 
+#include "core/complex/alpha_complex.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/document/store/derived.hpp"
+#include "core/geometry/ball_index.hpp"
 
 namespace alphascope {
 

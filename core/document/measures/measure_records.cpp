@@ -4,7 +4,10 @@
 
 #include "core/document/measures/measure_columns.hpp"
 #include "core/document/measures/measure_json.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/tables/column_json.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,8 @@
 
 #include "core/document/measures/measure_columns.hpp"
 #include "core/document/reference/ref_set.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
@@ -15,6 +17,7 @@
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

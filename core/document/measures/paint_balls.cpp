@@ -9,9 +9,11 @@
 #include <numeric>
 
 #include "core/chart/chart.hpp"
+#include "core/complex/triangulation.hpp"
 #include "core/document/measures/measure_results.hpp"
 #include "core/document/reference/ref_set.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/definition.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_class.hpp"
 #include "core/molecule/rgb8.hpp"

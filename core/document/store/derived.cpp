@@ -3,8 +3,10 @@
 #include "core/document/store/derived.hpp"
 
 #include "core/document/store/store.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/run/freed_memory.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
 
 namespace alphascope {
 

@@ -2,12 +2,14 @@
 // The derived results on which all others depend: triangulation and filtration.
 #pragma once
 
-#include "core/complex/triangulation.hpp"
-#include "core/document/store/definition.hpp"
-#include "core/engine/known_results.hpp"
-#include "core/triangulation/filtration.hpp"
-
 namespace alphascope {
+
+class Filtration;
+template <class T>
+struct Definition;
+struct Inputs;
+struct ResultsForAllAlphas;
+struct Triangulation;
 
 class Store;
 

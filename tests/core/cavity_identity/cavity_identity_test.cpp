@@ -9,7 +9,9 @@
 #include <map>
 #include <numeric>
 
+#include "core/cavity/cavities.hpp"
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

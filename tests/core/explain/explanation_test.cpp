@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "core/document/explain/simplex_details.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/explain/local_star.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/name_table.hpp"

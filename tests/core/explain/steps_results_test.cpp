@@ -10,6 +10,8 @@
 #include "core/document/explain/step_names.hpp"
 #include "core/document/reference/ref_set.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"

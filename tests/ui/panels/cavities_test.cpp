@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "core/cavity_identity/cavity_identity.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/lattice_alpha.hpp"

@@ -9,6 +9,7 @@
 #include "core/document/cavities/cavity_tables.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/commands/commands.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/document/settings/cavity_settings.hpp"
 #include "core/document/settings/open_options.hpp"

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/cavity_identity/cavity_identity.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/store/store.hpp"

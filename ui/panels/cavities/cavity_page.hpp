@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cavity_identity/cavity_identity.hpp"
 #include "core/document/cavities/known_cavities.hpp"
 #include "core/document/cavities/selected_cavities.hpp"
 #include "core/document/reference/atom_set.hpp"

@@ -7,6 +7,9 @@
 
 namespace alphascope {
 
+template <class T>
+struct Derived;
+
 // --- cavity_following.cpp
 
 // Brings CavityState::page up to date with the table on screen and the chosen cavities. Makes the

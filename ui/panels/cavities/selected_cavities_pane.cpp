@@ -5,10 +5,13 @@
 #include <string>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity_identity/cavity_identity.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/chart/colour_map.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/reference/appearance.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"

@@ -6,8 +6,10 @@
 
 #include "core/document/alpha/alpha_slider.hpp"
 #include "core/document/alpha/signature.hpp"
+#include "core/document/settings/request.hpp"
 #include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/radii/radii_set.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"

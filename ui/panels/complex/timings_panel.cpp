@@ -19,6 +19,7 @@
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/complex/engine_info.hpp"
+#include "core/complex/face_class.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/engine/cold_and_warm.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/run/stage_timer.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"

@@ -28,6 +28,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,8 @@
 
 namespace alphascope {
 
+class BallReferences;
+
 struct DetailsState {
   // The last answer. It is shown only for the same balls and atoms; null: none.
   std::shared_ptr<const SimplexDetails> shown;

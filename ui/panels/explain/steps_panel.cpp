@@ -7,6 +7,7 @@
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/steps_results.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/settings/request.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/short_number.hpp"
@@ -19,6 +20,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/window_settings.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

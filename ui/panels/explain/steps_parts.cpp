@@ -24,6 +24,7 @@
 #include "ui/panels/window_settings.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/widgets/table_cells.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

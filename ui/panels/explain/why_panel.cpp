@@ -14,6 +14,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/window_settings.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

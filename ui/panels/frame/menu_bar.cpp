@@ -8,7 +8,9 @@
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/widgets/key_state.hpp"
 #include "ui/widgets/keys.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 

@@ -11,6 +11,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 

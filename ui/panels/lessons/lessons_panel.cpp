@@ -20,6 +20,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -19,6 +19,7 @@
 #include "ui/panels/window_settings.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

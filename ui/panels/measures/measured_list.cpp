@@ -14,6 +14,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/table_cells.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

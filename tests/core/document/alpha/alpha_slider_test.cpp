@@ -6,7 +6,10 @@
 
 #include <cmath>
 
+#include "core/complex/face_class.hpp"
 #include "core/document/alpha/signature.hpp"
+#include "core/engine/known_results.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/radii/amber_radii.hpp"
 
 namespace alphascope {

@@ -8,8 +8,10 @@
 #include <map>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity_identity/cavity_identity.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"

@@ -8,8 +8,11 @@
 #include <cmath>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_measures.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/document/store/key.hpp"
 #include "core/molecule/sandbox.hpp"

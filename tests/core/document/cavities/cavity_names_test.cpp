@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests descriptions of cavities in words.
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/cavity_identity/network_radius.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/prepare_balls.hpp"

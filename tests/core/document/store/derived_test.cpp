@@ -3,6 +3,7 @@
 #include "core/document/store/derived.hpp"
 
 #include "core/engine/engine.hpp"
+#include "core/triangulation/filtration.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/support/five_balls.hpp"
 

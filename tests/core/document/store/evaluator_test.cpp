@@ -2,6 +2,7 @@
 // Tests results made at once: in order, each once, within the available memory.
 #include "core/document/store/evaluator.hpp"
 
+#include "core/cavity/cavities.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/store/key.hpp"
 #include "core/predicates/flow_predicate.hpp"

@@ -92,7 +92,7 @@ TEST(DroppedFiles, TheFirstMoleculeIsOpenedAndAllAreTold) {
   const DroppedFiles several = choose_dropped({"/a/notes.txt", "/a/x.pdb", "/b/y.cif.gz"});
   EXPECT_EQ(several.opened, "/a/x.pdb");
   EXPECT_EQ(several.note,
-            "Opened: x.pdb\nNot opened: notes.txt (no molecule, by its name)\n"
+            "Opened: x.pdb\nNot opened: notes.txt (its name is not that of a molecule)\n"
             "Not opened: y.cif.gz\nThe window shows one molecule at a time.");
   std::vector<fs::path> many(20, "/a/z.pdb");
   EXPECT_NE(choose_dropped(many).note.find("and 11 more"), std::string::npos);

@@ -166,7 +166,7 @@ TEST(Lesson, FaultsHaveFileLineAndReason) {
             "two.md, line 33: it has characters that cannot be shown. Write it as plain text in "
             "UTF-8.");
   EXPECT_EQ(fault(with("How many?", "## Empty")),
-            "two.md, line 27: the step has no text. Say what it shows.");
+            "two.md, line 27: the step has no text. Write below the heading what the step shows.");
 }
 
 TEST(Lesson, LimitsAreKept) {

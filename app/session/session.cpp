@@ -10,7 +10,6 @@
 #include "core/measure/engine_measures.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/run/freed_on_other_thread.hpp"
-#include "ui/panels/view_info.hpp"
 
 namespace alphascope {
 

@@ -16,7 +16,9 @@
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/frame/scroll_state.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/keys.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {

@@ -19,6 +19,7 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/options/option_values.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/channel/ways_through.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/channels/channel_export.hpp"

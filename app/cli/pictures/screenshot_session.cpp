@@ -7,7 +7,6 @@
 #include "core/files/file_hash.hpp"
 #include "core/files/read_error.hpp"
 #include "core/selection/selection_expression.hpp"
-#include "ui/panels/view_info.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -17,6 +17,7 @@
 #include "core/document/cavities/cavity_records.hpp"
 #include "core/document/cavities/known_cavities.hpp"
 #include "core/document/export/program_name.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/document/settings/request_columns.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"

@@ -2,13 +2,11 @@
 // Functions that the sources of the page of cavities share with each other and with other pages.
 #pragma once
 
+#include "core/document/store/definition.hpp"
 #include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
-
-template <class T>
-struct Derived;
 
 // --- cavity_following.cpp
 

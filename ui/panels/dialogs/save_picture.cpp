@@ -8,6 +8,7 @@
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/picture_fields.hpp"
+#include "ui/panels/dialogs/picture_requests.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/panels.hpp"

@@ -25,6 +25,7 @@
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 #include "ui/widgets/table_cells.hpp"
 
 namespace alphascope {

@@ -3,6 +3,8 @@
 // source beside this one.
 #include "app/viewer/commands/commands.hpp"
 
+#include <stdexcept>
+
 #include <filesystem>
 #include <utility>
 
@@ -20,6 +22,7 @@
 #include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
+#include "ui/panels/dialogs/picture_requests.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/panel_list.hpp"

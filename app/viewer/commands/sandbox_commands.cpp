@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that create and edit balls of the sandbox.
 #include "app/viewer/commands/command_parts.hpp"
+
+#include <stdexcept>
 #include "app/viewer/resources.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"

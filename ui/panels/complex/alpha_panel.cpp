@@ -6,6 +6,7 @@
 
 #include "core/document/alpha/alpha_slider.hpp"
 #include "core/document/alpha/signature.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/settings/request.hpp"
 #include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"

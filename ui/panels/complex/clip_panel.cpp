@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/commands/commands.hpp"
 #include "core/document/picture/recording.hpp"
 #include "core/document/settings/clip.hpp"
 #include "core/geometry/alpha.hpp"

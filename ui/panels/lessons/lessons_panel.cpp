@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/lessons/lesson_facts.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/document/store/store.hpp"

@@ -2,6 +2,7 @@
 // Runs CGAL's own parallel triangulation.
 #include "tests/bench/cgal_parallel.hpp"
 
+#include "core/complex/triangulation.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "tests/support/reference/cgal_cells.hpp"
 

@@ -21,7 +21,6 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/union_measures.hpp"
-#include "core/molecule/molecule.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "gpu/measure/gpu_measure.hpp"

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/cavity/cavity_ground.hpp"
 #include "core/complex/triangulation.hpp"
 #include "core/files/text_file.hpp"
 #include "core/geometry/ball_set.hpp"

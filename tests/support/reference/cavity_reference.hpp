@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/cavity/cavity_measures.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::testing {
 

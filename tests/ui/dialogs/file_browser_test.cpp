@@ -36,7 +36,7 @@ class FileBrowser : public ::testing::Test {
   std::string selected() { return state().browser.selected.filename().string(); }
   void list() {
     p.frame(2);
-    if (const auto wanted = wanted_listing(memory())) {
+    if (const auto wanted = wanted_listing(state().browser)) {
       p.state.listing = std::make_shared<const FolderListing>(list_folder(*wanted));
     }
     p.frame(3);

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/radii/radii_set.hpp"
 #include "tests/support/well_formed_xml.hpp"

@@ -23,7 +23,7 @@ using testing::Size;
 
 const AtomGroup kIron{"HEM", "FE", 26};
 
-ViewState molecule_state() {
+WholeState molecule_state() {
   WholeState s = loaded_state();
   MoleculeInfo& m = s.molecule;
   m.dropped_atoms = 221;

@@ -46,7 +46,7 @@ const ResidueGroup kHaems = residues("HEM", ResidueKind::ligand, ResidueReason::
 const ResidueGroup kWaters = residues("HOH", ResidueKind::water, ResidueReason::water_name, 221);
 const ResidueGroup kGuessed = residues("QQ1", ResidueKind::ligand, ResidueReason::no_polymer, 2);
 
-ViewState state_with_residues() {
+WholeState state_with_residues() {
   WholeState s = loaded_state();
   s.molecule.sha256 = std::string(64, 'a');
   s.molecule.residues = in_list({kHaems, kWaters});

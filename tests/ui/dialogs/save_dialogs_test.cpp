@@ -30,7 +30,7 @@ class SaveDialogs : public ::testing::Test {
   std::string path(const std::string& name) { return (folder_ / name).string(); }
   void list() {
     p.frame(2);
-    if (const auto wanted = wanted_listing(memory())) {
+    if (const auto wanted = wanted_listing(state().browser)) {
       p.state.listing = std::make_shared<const FolderListing>(list_folder(*wanted));
     }
     p.frame(3);

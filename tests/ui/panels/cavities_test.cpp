@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/cavity_identity/cavity_identity.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/lattice_alpha.hpp"

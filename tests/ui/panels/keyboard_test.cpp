@@ -354,7 +354,7 @@ class TypedPath : public Keyboard {
   ~TypedPath() override { fs::remove_all(folder_); }
   void list() {
     p.frame(2);
-    if (const auto wanted = wanted_listing(memory())) {
+    if (const auto wanted = wanted_listing(state().browser)) {
       p.state.listing = std::make_shared<const FolderListing>(list_folder(*wanted));
     }
     p.frame(3);

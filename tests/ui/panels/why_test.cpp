@@ -3,7 +3,9 @@
 // lead.
 #include <algorithm>
 
+#include "core/document/explain/explanation_results.hpp"
 #include "core/document/explain/explanation_text.hpp"
+#include "core/document/explain/simplex_details.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/explain/why_state.hpp"

@@ -19,7 +19,7 @@ std::string escaped(const std::string& text) {
         result += "\\e";
         break;
       case '-':
-        result += "\\-";  // a minus sign, which can be copied into a shell; not a hyphen
+        result += "\\-";  // a minus sign, which can be copied into a shell, not a hyphen
         break;
       case '\'':
         result += "\\(aq";

@@ -10,12 +10,12 @@
 #include "core/complex/face_class.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/geometry/ball_index.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
 struct AlphaComplex;
 struct BallSet;
-struct RunContext;
 
 struct NeighbourBall {
   BallIndex ball = 0;

@@ -9,6 +9,7 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/reference.hpp"

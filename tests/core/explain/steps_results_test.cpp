@@ -10,6 +10,7 @@
 #include "core/document/explain/step_names.hpp"
 #include "core/document/reference/ref_set.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/engine/known_results.hpp"
 #include "core/radii/amber_radii.hpp"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/document/store/definition.hpp"
 #include "core/engine/engine.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"

@@ -3,7 +3,9 @@
 // without an answer gives a reason.
 #include "core/document/channels/channel_results.hpp"
 
+#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
 #include "core/triangulation/flow.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/core/document/store/store_fixture.hpp"

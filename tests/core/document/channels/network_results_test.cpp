@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "tests/core/cavity/chambers.hpp"
 #include "tests/core/document/store/store_fixture.hpp"

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/document/reference/ref_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
 

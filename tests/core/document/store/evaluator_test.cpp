@@ -3,6 +3,7 @@
 #include "core/document/store/evaluator.hpp"
 
 #include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/store/key.hpp"
 #include "core/predicates/flow_predicate.hpp"

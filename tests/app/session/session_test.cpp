@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/measure/engine_measures.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/triangulation/filtration.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/files/read_error.hpp"
 #include "core/geometry/alpha.hpp"
-#include "core/geometry/lattice.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/molecule.hpp"

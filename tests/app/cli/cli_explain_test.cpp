@@ -97,7 +97,7 @@ TEST_F(CliExplain, RefusesWhatIsNoSimplex) {
     const char *options, *said;
   } cases[] = {{"", "give --simplex I,J,K,L or --atoms ATOMS"},
                {"--simplex 1,2,1", "--simplex names ball 1 twice"},
-               {"--simplex 0,1,2,3,4", "--simplex has 5 balls: a simplex has 1 to 4"},
+               {"--simplex 0,1,2,3,4", "--simplex has 5 balls; a simplex has 1 to 4"},
                {"--simplex 3,327", "there is no ball 327: 1crn.pdb has 327 balls, 0 to 326."},
                {"--simplex 1,x", "\"x\" is not a whole number"},
                {"--atoms A:", "--atoms names 327 atoms that are balls"},

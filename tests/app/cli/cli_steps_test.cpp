@@ -48,7 +48,7 @@ TEST_F(CliSteps, ShowsOneCornerOfACube) {
 
   const std::string text = run("steps " + corner).out;
   for (const char* part :
-       {"1. Grid", "Kernel I: neighbours: 7 neighbours", "Prefix sum", "6 pairs are left",
+       {"1. Grid", "Kernel I: neighbours: 7 neighbours", "Prefix sum", "pairs: 6 of 7 left",
         "Kernel III", "3 edges, 3 triangles and 0 tetrahedra"}) {
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
   }

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "core/document/picture/caption_parts.hpp"
-#include "core/document/store/answer.hpp"
 
 namespace alphascope {
+
+class CaptionParts;
+struct EngineAnswer;
+struct Molecule;
 
 inline constexpr const char* kCaptionGap = "   ";  // between words on one line
 

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/molecule/atom_colours.hpp"
 #include "core/molecule/rgb8.hpp"
 #include "ui/theme.hpp"
 

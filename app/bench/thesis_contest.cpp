@@ -11,6 +11,7 @@
 
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 namespace {

@@ -12,6 +12,8 @@
 
 namespace alphascope {
 
+class CancelToken;
+
 double median(std::vector<double> values);  // `values` must not be empty
 
 struct Contestant {

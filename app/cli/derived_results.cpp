@@ -7,6 +7,9 @@
 
 #include "app/session/system_memory.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::cli {
 

@@ -7,6 +7,7 @@
 
 #include "app/cli/input.hpp"
 #include "core/document/store/evaluator.hpp"
+#include "core/geometry/alpha.hpp"
 
 namespace alphascope::cli {
 

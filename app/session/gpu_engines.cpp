@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/geometry/ball_set.hpp"
+
 namespace alphascope {
 namespace {
 

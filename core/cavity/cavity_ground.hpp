@@ -5,17 +5,16 @@
 
 #include <memory>
 
-#include "core/complex/triangulation.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/incidence.hpp"
 
 namespace alphascope {
 
 struct BallSet;
+struct RunContext;
+struct Triangulation;
 
-// Below dimension 3 there are no
-// cavities, and incidence and flow are empty.
+// Below dimension 3 there are no cavities, and incidence and flow are empty.
 struct CavityGround {
   std::shared_ptr<const BallSet> balls;
   std::shared_ptr<const Triangulation> triangulation;

@@ -14,6 +14,8 @@
 #include "core/triangulation/incidence.hpp"
 #include "core/triangulation/membership.hpp"
 #include "core/triangulation/union_find.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/complex/face_class.hpp"
 
 namespace alphascope {
 namespace {

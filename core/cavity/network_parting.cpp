@@ -11,6 +11,7 @@
 #include "core/cavity/mouth_counts.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/membership.hpp"
+#include "core/geometry/lattice.hpp"
 
 namespace alphascope {
 namespace {

@@ -16,6 +16,8 @@
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/membership.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice.hpp"
 
 namespace alphascope {
 namespace {

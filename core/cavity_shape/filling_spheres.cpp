@@ -13,6 +13,8 @@
 #include "core/cavity_identity/point_location.hpp"
 #include "core/channel/orthocentre.hpp"
 #include "core/run/parallel.hpp"
+#include "core/channel/clearance.hpp"
+#include "core/neighbours/uniform_grid.hpp"
 
 namespace alphascope {
 namespace {

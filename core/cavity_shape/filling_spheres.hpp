@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "core/cavity/cavities.hpp"
-#include "core/channel/clearance.hpp"
+#include "core/geometry/real_point.hpp"
 
 namespace alphascope {
+
+class Clearance;
 
 struct FillingSphere {
   RealPoint centre_angstrom;

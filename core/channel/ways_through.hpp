@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "core/channel/channel.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
-#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
+
+struct BallSet;
+struct RunContext;
 
 // The stage name given to RunContext::progress.
 inline constexpr std::string_view kWaysStage = "ways through";

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
+
+struct Rgb8;
 
 // Bars are horizontal, so that the names of many categories stay readable.
 enum class ChartKind { bars, stacked_bars, lines };

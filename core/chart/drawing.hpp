@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/chart/chart.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 

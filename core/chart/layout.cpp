@@ -9,6 +9,7 @@
 #include "core/chart/drawing.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/chart/ticks.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/chart/plot.hpp"
 #include "core/chart/xml_text.hpp"
 #include "core/files/atomic_file.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 namespace {

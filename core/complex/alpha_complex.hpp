@@ -11,9 +11,9 @@
 
 #include "core/complex/engine_info.hpp"
 #include "core/complex/face_class.hpp"
-#include "core/complex/face_code.hpp"
+#include "core/complex/shared_faces.hpp"
 #include "core/complex/simplices.hpp"
-#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/stage_timer.hpp"
 

@@ -5,8 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <span>
 
 #include "core/complex/simplices.hpp"
 #include "core/geometry/host_device.hpp"
@@ -27,12 +25,6 @@ constexpr std::size_t tetrahedron_of(FaceCode face) {
 ALPHASCOPE_HOST_DEVICE constexpr std::size_t face_corner(FaceCode face, std::size_t k) {
   return k < face % 4 ? k : k + 1;
 }
-
-// Codes that several objects share; no object may change them.
-struct SharedFaces {
-  std::shared_ptr<const void> owner;  // keeps them alive
-  std::span<FaceCode> faces;
-};
 
 // The vertices of a face, ascending.
 inline std::array<BallIndex, 3> face_vertices(const Simplices<4>& tetrahedra, FaceCode face) {

@@ -8,6 +8,7 @@
 
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/spanning_balls.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

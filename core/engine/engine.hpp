@@ -10,11 +10,11 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/engine/known_results.hpp"
 #include "core/geometry/alpha.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope {
 
+struct RunContext;
 struct UnionMeasures;
 
 struct AlphaRequest {

@@ -9,6 +9,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

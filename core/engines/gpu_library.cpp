@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 

@@ -10,13 +10,14 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/explain/steps_engine.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/tuples/tuple_options.hpp"
 
 namespace alphascope {
+
+struct BallSet;
 
 enum class StepKind : std::uint8_t {
   left_out,  // the ball is not in the grid

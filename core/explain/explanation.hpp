@@ -12,12 +12,13 @@
 
 #include "core/complex/face_class.hpp"
 #include "core/explain/recorded_steps.hpp"
-#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
+
+struct BallSet;
 
 // The position of a ball relative to the simplex' orthosphere.
 struct BallMargin {

@@ -9,7 +9,6 @@
 
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/host_device.hpp"
-#include "core/geometry/int128.hpp"
 
 namespace alphascope {
 

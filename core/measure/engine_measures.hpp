@@ -5,10 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "core/engine/engine.hpp"
 #include "core/measure/union_measures.hpp"
 
 namespace alphascope {
+
+class Engine;
+class WorkThreads;
 
 // Measures with the device that made them, and how.
 struct MeasuredUnion {

@@ -7,6 +7,7 @@
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/union_measures.hpp"
 #include "core/triangulation/union_find.hpp"
+#include "core/complex/alpha_complex.hpp"
 
 namespace alphascope {
 Components components(std::size_t balls, const AlphaComplex& complex) {

@@ -15,6 +15,7 @@
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/simplex_terms.hpp"
 #include "core/run/parallel.hpp"
+#include "core/complex/alpha_complex.hpp"
 
 namespace alphascope {
 namespace {

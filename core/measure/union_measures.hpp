@@ -8,12 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "core/complex/alpha_complex.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/measure/measured_quantity.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
+
+struct AlphaComplex;
 
 // Measures, per ball by its index. Balls that are not in the complex have area and volume 0.
 struct UnionMeasures {

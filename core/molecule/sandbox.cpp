@@ -8,6 +8,7 @@
 
 #include "core/geometry/lattice_point.hpp"
 #include "core/molecule/molecule.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

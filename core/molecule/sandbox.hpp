@@ -9,11 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
 
+struct BallSet;
 struct Molecule;
 
 struct SandboxBall {

@@ -16,6 +16,13 @@
 
 namespace alphascope {
 
+struct WorkFailure {
+  std::string message;
+  bool cancelled = false;  // by cancel(); a newer request cancels without a message
+  bool too_late = false;   // the job had finished before the cancel, so its effects remain
+  bool out_of_memory = false;
+};
+
 // Only the main thread calls submit(), cancel() and poll(). Jobs run on the worker's own thread.
 class Worker {
  public:
@@ -25,12 +32,7 @@ class Worker {
   // cancelled.
   using Job = std::function<Delivery(const RunContext&)>;
 
-  struct Failure {
-    std::string message;
-    bool cancelled = false;  // by cancel(); a newer request cancels without a message
-    bool too_late = false;   // the job had finished before the cancel, so its effects remain
-    bool out_of_memory = false;
-  };
+  using Failure = WorkFailure;
   // Runs on the main thread, inside poll().
   using FailureHandler = std::function<void(const Failure&)>;
 

@@ -58,19 +58,4 @@ struct BallOptions {
   friend bool operator==(const BallOptions&, const BallOptions&) = default;
 };
 
-// The reason why an atom is no ball.
-enum class DropReason : std::uint8_t {
-  chain,
-  selection,
-  dummy,
-  water,
-  ion,
-  ligand,
-  polymer,
-  hydrogen,
-  altloc,
-  zero_radius,
-  without_radius
-};
-
 }  // namespace alphascope

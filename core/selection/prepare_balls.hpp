@@ -11,6 +11,7 @@
 #include "core/geometry/lattice.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/selection/ball_options.hpp"
+#include "core/selection/drop_reason.hpp"
 
 namespace alphascope {
 

@@ -15,6 +15,8 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/ties.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/complex/face_class.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,12 +6,16 @@
 #include <memory>
 #include <vector>
 
-#include "core/complex/alpha_complex.hpp"
-#include "core/complex/triangulation.hpp"
+#include "core/complex/simplices.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/hash_steps.hpp"
 
 namespace alphascope {
+
+struct AlphaComplex;
+struct BallSet;
+struct LatticeAlpha;
+struct Triangulation;
 
 // For each simplex of one dimension, the alphas from which on it is regular and interior. They are
 // copies of alpha values: square lattice units, rounded to float. NaN stands for never, so that
@@ -42,7 +46,7 @@ class Filtration {
              const RunContext& context = {});
 
   // The largest alpha of the filtration, square lattice units.
-  const LatticeAlpha& alpha_max_on_lattice() const { return top_->alpha_on_lattice; }
+  const LatticeAlpha& alpha_max_on_lattice() const;
   // The complex at alpha_max: all simplices with their alpha values.
   const AlphaComplex& top() const { return *top_; }
   const ClassLevelsByDimension& levels() const { return levels_; }

@@ -12,6 +12,10 @@
 #include "core/run/parallel.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/complex/face_class.hpp"
+#include "core/complex/triangulation.hpp"
+#include "core/run/stage_timer.hpp"
 
 namespace alphascope {
 namespace {
@@ -238,6 +242,10 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls,
   context.report(stage::kClassification, 0.8);
   levels_.vertices = class_levels<1>(top_->vertices, {top_->edges, &levels_.edges}, cancel);
   hash_steps_ = HashStepsByDimension(*top_, cancel);
+}
+
+const LatticeAlpha& Filtration::alpha_max_on_lattice() const {
+  return top_->alpha_on_lattice;
 }
 
 std::size_t Filtration::level_bytes() const {

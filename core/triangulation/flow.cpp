@@ -8,6 +8,7 @@
 
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"
+#include "core/predicates/flow_predicate.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,11 +9,12 @@
 #include <cstdint>
 
 #include "core/complex/triangulation.hpp"
-#include "core/geometry/ball_set.hpp"
-#include "core/predicates/flow_predicate.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/predicates/flow_ties.hpp"
 
 namespace alphascope {
+
+struct BallSet;
 
 // The flow of the tetrahedra of a triangulation of dimension 3. It does not depend on alpha: a
 // tetrahedron outside K_alpha flows only to tetrahedra outside K_alpha.

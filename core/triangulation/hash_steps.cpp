@@ -9,6 +9,8 @@
 #include <array>
 
 #include "core/complex/simplex_hash.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 namespace {
@@ -77,6 +79,12 @@ HashSteps::HashSteps(const SimplexList<N>& list, const CancelToken& cancel)
   std::uint64_t sum = 0;
   for (std::size_t n = 0; n < steps_.size(); ++n) steps_[n].sum = sum += sums[n];
 }
+
+HashStepsByDimension::HashStepsByDimension(const AlphaComplex& top, const CancelToken& cancel)
+    : vertices(top.vertices, cancel),
+      edges(top.edges, cancel),
+      triangles(top.triangles, cancel),
+      tetrahedra(top.tetrahedra, cancel) {}
 
 template HashSteps::HashSteps(const SimplexList<1>&, const CancelToken&);
 template HashSteps::HashSteps(const SimplexList<2>&, const CancelToken&);

@@ -9,10 +9,12 @@
 #include <limits>
 #include <vector>
 
-#include "core/complex/alpha_complex.hpp"
-#include "core/run/cancel_token.hpp"
-
 namespace alphascope {
+
+template <int N>
+struct SimplexList;
+class CancelToken;
+struct AlphaComplex;
 
 class HashSteps {
  public:
@@ -45,11 +47,7 @@ struct HashStepsByDimension {
   HashSteps vertices, edges, triangles, tetrahedra;
 
   HashStepsByDimension() = default;
-  HashStepsByDimension(const AlphaComplex& top, const CancelToken& cancel)
-      : vertices(top.vertices, cancel),
-        edges(top.edges, cancel),
-        triangles(top.triangles, cancel),
-        tetrahedra(top.tetrahedra, cancel) {}
+  HashStepsByDimension(const AlphaComplex& top, const CancelToken& cancel);
 };
 
 }  // namespace alphascope

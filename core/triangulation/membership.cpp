@@ -11,6 +11,10 @@
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/ties.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/complex/triangulation.hpp"
+#include "core/triangulation/flow.hpp"
+#include "core/triangulation/incidence.hpp"
 
 namespace alphascope {
 namespace {

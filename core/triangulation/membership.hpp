@@ -4,13 +4,20 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
-#include "core/triangulation/filtration.hpp"
-#include "core/triangulation/flow.hpp"
-#include "core/triangulation/incidence.hpp"
+#include "core/complex/simplices.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
+
+class Filtration;
+struct BallSet;
+struct Flow;
+struct Incidence;
+struct LatticeAlpha;
+struct Triangulation;
 
 // 1 for a simplex in K_alpha, 0 for any other. Indices are those of the triangulation's tetrahedra,
 // of its Incidence and, for vertices, of the balls.

@@ -6,6 +6,7 @@
 #include "core/complex/face_groups.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"
+#include "core/complex/alpha_complex.hpp"
 
 namespace alphascope {
 namespace {

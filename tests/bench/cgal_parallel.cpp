@@ -5,6 +5,7 @@
 #include "core/complex/triangulation.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "tests/support/reference/cgal_cells.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::testing {
 

@@ -16,6 +16,7 @@
 
 #include "tests/support/engines.hpp"
 #include "tests/support/reference/oracle_check.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace {
 

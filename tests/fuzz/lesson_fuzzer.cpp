@@ -7,6 +7,9 @@
 #include "core/document/lessons/lesson_facts.hpp"
 #include "core/files/read_error.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include "tests/gpu/how_much.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 namespace {

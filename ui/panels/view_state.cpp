@@ -56,6 +56,22 @@ ViewState::ViewState(const ViewValues& values, ViewParts& parts)
       mouse(parts.mouse),
       scroll(parts.scroll) {}
 
+bool ViewState::has_molecule() const {
+  return molecule.loaded;
+}
+
+const std::string& ViewState::file_name() const {
+  return molecule.name;
+}
+
+const std::string& ViewState::file_hash() const {
+  return molecule.sha256;
+}
+
+Theme ViewState::theme() const {
+  return window.theme;
+}
+
 void ViewState::show_error(const std::string& title, const std::string& text) {
   const std::pair<std::string, std::string> news{title, text};
   if (error.empty()) {

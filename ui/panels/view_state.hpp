@@ -162,6 +162,13 @@ struct ViewState : ViewValues {
   MouseState& mouse;
   ScrollState& scroll;
 
+  // Answers to questions that many panels ask. A panel that asks no more of a part does not include
+  // it.
+  bool has_molecule() const;
+  const std::string& file_name() const;  // "4hhb.pdb.gz"; empty: none
+  const std::string& file_hash() const;  // SHA-256 of the molecule's file
+  Theme theme() const;
+
   // The state of these parts, which must outlive it.
   ViewState(const ViewValues& values, ViewParts& parts);
   // Copies would refer to the same parts.

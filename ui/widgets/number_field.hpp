@@ -5,10 +5,12 @@
 
 #include <string>
 
-#include "core/document/commands/number_input.hpp"
-#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
+
+class Alpha;
+struct NumberRule;
+struct PanelContext;
 
 // Enter, Tab or a click elsewhere accepts the typed text; Escape discards it. Text that is not a
 // number within the rule does not change the value. It stays in the field, with the reason below,

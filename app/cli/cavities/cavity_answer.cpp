@@ -16,6 +16,11 @@
 #include "core/predicates/flow_predicate.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/text/grouped_number.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/store/derived.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope::cli {
 namespace {

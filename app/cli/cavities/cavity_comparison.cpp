@@ -16,6 +16,7 @@
 #include "core/predicates/wide_int.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -7,6 +7,7 @@
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_export.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope::cli {
 

@@ -10,6 +10,7 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
+#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -34,6 +34,7 @@
 #include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/flow.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope::cli {
 namespace {

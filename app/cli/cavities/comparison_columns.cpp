@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/cavity/cavity_table.hpp"
+
 namespace alphascope::cli {
 namespace {
 

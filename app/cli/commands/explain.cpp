@@ -21,6 +21,7 @@
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -26,6 +26,7 @@
 #include "core/selection/treatments.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::cli {
 namespace {

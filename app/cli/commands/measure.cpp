@@ -18,6 +18,7 @@
 #include "core/document/measures/measure_json.hpp"
 #include "core/document/measures/measure_names.hpp"
 #include "core/radii/radii_set.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope::cli {
 namespace {

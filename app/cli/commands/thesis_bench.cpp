@@ -21,6 +21,7 @@
 #include "core/molecule/name_table.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/text/printable.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::cli {
 namespace {

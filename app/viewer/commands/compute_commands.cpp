@@ -11,7 +11,7 @@
 #include "ui/panels/playback.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/window_settings.hpp"
-#include "ui/widgets/set_alpha.hpp"
+#include "core/document/settings/request.hpp"
 
 namespace alphascope {
 namespace {

@@ -24,6 +24,7 @@
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/document/export/complex_export.hpp"
 #include "ui/panels/window_settings.hpp"
-#include "ui/widgets/set_alpha.hpp"
+#include "core/document/settings/request.hpp"
 
 namespace alphascope {
 namespace {

@@ -11,6 +11,7 @@
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/running_job.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -7,6 +7,7 @@
 #include "app/viewer/mouse/gestures.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 

@@ -13,6 +13,7 @@
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/view_state.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 

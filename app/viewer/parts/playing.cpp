@@ -7,7 +7,7 @@
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/playback.hpp"
 #include "ui/panels/window_settings.hpp"
-#include "ui/widgets/set_alpha.hpp"
+#include "core/document/settings/request.hpp"
 
 namespace alphascope {
 

@@ -26,6 +26,7 @@
 #include "ui/no_calls.hpp"
 #include "ui/panels/whole_state.hpp"
 #include "ui/widgets/keys.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

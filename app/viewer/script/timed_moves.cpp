@@ -13,7 +13,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "core/run/picture_stages.hpp"
-#include "ui/widgets/set_alpha.hpp"
+#include "core/document/settings/request.hpp"
 
 namespace alphascope {
 namespace {

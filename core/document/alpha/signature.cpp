@@ -11,6 +11,8 @@
 #include "core/document/store/derived.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 

@@ -12,6 +12,10 @@
 #include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/write/csv.hpp"
+#include "core/cavity/cavity_lives.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,13 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "core/cavity/cavity_lives.hpp"
-#include "core/complex/triangulation.hpp"
-#include "core/document/reference/reference.hpp"
-#include "core/document/tables/column.hpp"
-#include "core/geometry/lattice.hpp"
-
 namespace alphascope {
+
+class BallReferences;
+template <class Row>
+struct Column;
+struct CavityLives;
+struct Lattice;
+struct Triangulation;
 
 // A CavityLife in Å²: a pocket from `born` on, a void from `closed` on if closed < gone, filled at
 // `gone`. born <= closed.

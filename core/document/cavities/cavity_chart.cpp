@@ -9,6 +9,7 @@
 #include "core/predicates/orthosphere.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/write/csv.hpp"
+#include "core/cavity_identity/cavity_curves.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,10 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "core/cavity_identity/cavity_curves.hpp"
 #include "core/chart/chart.hpp"
 
 namespace alphascope {
+
+enum class CurveAxis;
+enum class CurveNumbers;
+struct CavityCurves;
+struct CurveLinks;
 
 // SA volume (Å³), SA area (Å²), exact volume (Å³; only on curves that have it).
 enum class CurveQuantity { volume, area, exact_volume };

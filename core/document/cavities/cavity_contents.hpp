@@ -6,14 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/store/derived.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/selection/ball_options.hpp"
+#include "core/cavity/cavities.hpp"
+#include "core/selection/drop_reason.hpp"
 
 namespace alphascope {
 
+template <class T>
+struct Definition;
 class BallReferences;
+struct CavityTable;
+struct Molecule;
 
 // A ligand, an ion or a water. It belongs to the cavity whose tetrahedra contain the centres of
 // most of its atoms. On a tie it belongs to the cavity with the larger SA volume.

@@ -15,6 +15,8 @@
 #include "core/predicates/exact_rho.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,6 +9,8 @@
 
 namespace alphascope {
 
+class BallReferences;
+
 // First sample of curves against alpha, Å².
 inline constexpr double kCurveAlphaLeastAngstrom2 = -3;
 // Curves against alpha for the balls on screen; the present alpha does not matter. Samples go to 10

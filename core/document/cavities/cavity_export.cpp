@@ -19,6 +19,8 @@
 #include "core/write/viewer_script.hpp"
 #include "core/write/write_mesh.hpp"
 #include "core/write/write_spheres.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -13,6 +13,9 @@
 
 namespace alphascope {
 
+template <class T>
+struct Definition;
+
 std::span<const ShapeExportInfo> cavity_exports();
 
 // Exports the rows of `facts`, in their order. `header` states their provenance in printable text.

@@ -7,6 +7,11 @@
 #include "core/document/tables/column_json.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_measures.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
+#include "core/document/cavities/cavity_names.hpp"
 
 namespace alphascope {
 namespace {

@@ -7,7 +7,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/cavity/cavity_measures.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/geometry/ball_index.hpp"
 

@@ -9,6 +9,10 @@
 #include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,6 +6,11 @@
 
 namespace alphascope {
 
+template <class T>
+struct Definition;
+struct Inputs;
+struct Key;
+
 // Filter for rows. They are written in the order of the table, however they are sorted on screen.
 struct CavityRowsWanted {
   bool voids = true, pockets = true;

@@ -4,8 +4,30 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_lives.hpp"
+#include "core/cavity/cavity_measures.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
+#include "core/document/cavities/cavity_names.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice.hpp"
+#include "core/molecule/molecule.hpp"
+#include "core/molecule/name_table.hpp"
+#include "core/document/reference/reference.hpp"
 
 namespace alphascope {
+
+std::size_t KnownCavities::size() const {
+  return all ? all->size() : 0;
+}
+
+const ExactCavityMeasures& KnownCavities::exact_measures(std::size_t row) const {
+  return exact->of[table().order[row]];
+}
+
+std::string KnownCavities::name(std::size_t row) const {
+  return cavity_name(*atoms, table(), row);
+}
 
 bool KnownCavities::differs_from_exact(std::size_t row) const {
   return alphascope::differs_from_exact(table().measure(row).volume_sa_angstrom3,

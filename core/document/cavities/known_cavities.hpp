@@ -5,21 +5,18 @@
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <vector>
-
-#include "core/channel/bottlenecks.hpp"
-#include "core/document/cavities/cavity_contents.hpp"
-#include "core/document/cavities/cavity_names.hpp"
-#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope {
 
-// The bottlenecks on the ways out of the cavities on screen, computed in the background.
-struct CavityBottlenecks {
-  // More rows would take minutes: each new value needs two triangulations.
-  static constexpr std::size_t kMostRows = 100;
-  std::vector<Bottleneck> rows;  // for the first rows of the CavityTable
-};
+class BallReferences;
+struct CavityBottlenecks;
+struct CavityContents;
+struct CavityDepths;
+struct CavityLines;
+struct CavityLives;
+struct CavityTable;
+struct ExactCavityMeasures;
+struct ExactVolumes;
 
 // Results that are not known yet, or not wanted, are null. A function may be called only if the
 // results that it reads are there.
@@ -34,13 +31,11 @@ struct KnownCavities {
   std::shared_ptr<const CavityBottlenecks> bottlenecks;  // of the window alone
 
   const CavityTable& table() const { return *all; }
-  std::size_t size() const { return all ? all->size() : 0; }
-  const ExactCavityMeasures& exact_measures(std::size_t row) const {
-    return exact->of[table().order[row]];
-  }
+  std::size_t size() const;
+  const ExactCavityMeasures& exact_measures(std::size_t row) const;
   bool differs_from_exact(std::size_t row) const;
   const char* kind(std::size_t row) const;  // "void", "pocket", or "part" of a network
-  std::string name(std::size_t row) const { return cavity_name(*atoms, table(), row); }
+  std::string name(std::size_t row) const;
   std::size_t lining_residues(std::size_t row) const;  // their number
   // "A:HEM 142 (41 of 43 atoms)"; empty for an empty cavity.
   std::string contents_text(std::size_t row) const;

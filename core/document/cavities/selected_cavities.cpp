@@ -21,6 +21,11 @@
 #include "core/selection/ball_options.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_shape/filling_spheres.hpp"
+#include "core/channel/clearance.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "core/cavity_shape/filling_spheres.hpp"
-#include "core/document/cavities/cavity_contents.hpp"
-#include "core/document/cavities/cavity_results.hpp"
 #include "core/geometry/real_point.hpp"
-#include "core/selection/ball_options.hpp"
+#include "core/complex/simplices.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/selection/drop_reason.hpp"
 
 namespace alphascope {
 
-// The parts of selected cavities that are drawn.
-struct DrawnCavityParts {
-  bool surfaces = true, tetrahedra = false, spheres = false, rims = true, numbers = false;
-  friend bool operator==(const DrawnCavityParts&, const DrawnCavityParts&) = default;
-};
+template <class T>
+struct Definition;
+struct CavityLines;
+struct CavityTable;
+struct DrawnCavityParts;
+struct FillingSphere;
 
 struct SelectedCavity {
   std::size_t row = 0;  // of the table

@@ -17,6 +17,7 @@
 #include "core/write/viewer_script.hpp"
 #include "core/write/write_mesh.hpp"
 #include "core/write/write_spheres.hpp"
+#include "core/channel/clearance.hpp"
 
 namespace alphascope {
 namespace {

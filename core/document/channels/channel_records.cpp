@@ -11,6 +11,7 @@
 #include "core/document/tables/column_json.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,6 +6,7 @@
 #include "core/document/export/record_source.hpp"
 #include "core/document/store/key.hpp"
 #include "core/write/csv.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 

@@ -6,10 +6,12 @@
 #include <array>
 
 #include "core/cavity_identity/network_radius.hpp"
-#include "core/document/store/definition.hpp"
 #include "core/geometry/ball_index.hpp"
 
 namespace alphascope {
+
+template <class T>
+struct Definition;
 
 struct FoundNetworkEnd {
   std::array<BallIndex, 4> sink;  // of the network

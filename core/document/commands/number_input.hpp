@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/geometry/alpha.hpp"
-#include "core/geometry/lattice.hpp"
 
 namespace alphascope {
 

@@ -6,6 +6,7 @@
 
 #include "core/complex/own_dimension.hpp"
 #include "core/text/grouped_number.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

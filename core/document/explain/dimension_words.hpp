@@ -5,10 +5,11 @@
 
 #include <string>
 
-#include "core/complex/alpha_complex.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
+
+struct AlphaComplex;
+struct BallSet;
 
 // "at the point", "on the line", "in the plane", "in space" for dimensions 0 to 3.
 const char* where_text(int dimension);

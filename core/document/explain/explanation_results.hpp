@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "core/document/explain/explanation_text.hpp"
-#include "core/document/reference/ref_set.hpp"
 #include "core/document/store/derived.hpp"
 
 namespace alphascope {
 
 class BallReferences;
+class RefSet;
 
 // One to four balls, or a sentence with the reason why there are none.
 struct SelectedSimplex {

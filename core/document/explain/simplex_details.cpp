@@ -14,6 +14,7 @@
 #include "core/radii/radii_set.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

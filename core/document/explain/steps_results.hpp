@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "core/document/explain/steps_text.hpp"
-#include "core/document/reference/ref_set.hpp"
 #include "core/document/store/derived.hpp"
 
 namespace alphascope {
 
 class BallReferences;
+struct Selection;
 
 // An entry for each StepsEngine.
 struct StepsEngineSpec {

@@ -6,6 +6,8 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/radii/radii_set.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 

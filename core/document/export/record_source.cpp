@@ -5,6 +5,7 @@
 #include "core/geometry/ball_set.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 

@@ -5,11 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/document/export/program_name.hpp"
 #include "core/geometry/lattice.hpp"
 #include "core/selection/ball_options.hpp"
-#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 
@@ -28,7 +29,7 @@ struct RecordSource {
 
   Lattice lattice() const;
   RecordSource on(const Lattice& lattice) const;
-  Provenance provenance() const;
+  std::vector<std::pair<std::string, std::string>> provenance() const;  // of provenance.hpp
 };
 
 }  // namespace alphascope

@@ -9,6 +9,7 @@
 #include "core/files/read_error.hpp"
 #include "core/files/text_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/run/stage_timer.hpp"
 
 namespace alphascope {
 namespace {

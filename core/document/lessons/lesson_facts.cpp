@@ -19,6 +19,9 @@
 #include "core/selection/selection_expression.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/short_number.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/measure/union_measures.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,12 +9,12 @@
 #include <string>
 #include <string_view>
 
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/measures/measure_results.hpp"
-#include "core/document/store/answer.hpp"
-#include "core/triangulation/filtration.hpp"
-
 namespace alphascope {
+
+class Filtration;
+struct Answer;
+struct CavityTable;
+struct MeasuredComplex;
 
 // Sources of facts on the complex on screen. The functions are called only if a text mentions their
 // facts. They may be empty, and return null until the result is ready.

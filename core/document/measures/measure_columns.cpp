@@ -13,6 +13,7 @@
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,7 @@
 #include "core/document/store/inputs.hpp"
 #include "core/document/tables/column_json.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 namespace {

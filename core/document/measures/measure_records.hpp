@@ -9,6 +9,7 @@
 #include "core/document/measures/measure_rows.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/write/csv.hpp"
+#include "core/selection/provenance.hpp"
 
 namespace alphascope {
 

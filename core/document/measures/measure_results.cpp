@@ -7,6 +7,8 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/engine/known_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -7,9 +7,10 @@
 
 #include "core/document/store/derived.hpp"
 #include "core/measure/engine_measures.hpp"
-#include "core/molecule/molecule.hpp"
 
 namespace alphascope {
+
+struct Molecule;
 
 struct MeasuredComplex {
   std::shared_ptr<const MeasuredUnion> by;  // the measures, and the device that computed them

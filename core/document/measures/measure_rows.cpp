@@ -18,6 +18,8 @@
 #include "core/selection/atom_groups.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/engine/known_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,21 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "core/document/measures/measure_names.hpp"
 #include "core/document/measures/measure_results.hpp"
-#include "core/document/store/answer.hpp"
+#include "core/document/measures/measure_query.hpp"
 
 namespace alphascope {
 
-// A filter for rows, and their order.
-struct MeasureQuery {
-  MeasureGrouping per = MeasureGrouping::residue;
-  std::string filter = {};        // part of the name, in upper or lower case; empty: all rows
-  std::string column = "number";  // to sort by: an id of measure_columns()
-  bool descending = false;
-  bool derivatives = false;  // with MeasureGrouping::atom only
-  friend bool operator==(const MeasureQuery&, const MeasureQuery&) = default;
-};
+struct Answer;
 
 struct MeasureRow {
   std::string name;  // "A:HIS 87"; a component has the name of its first atom

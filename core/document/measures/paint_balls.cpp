@@ -19,6 +19,7 @@
 #include "core/molecule/rgb8.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/text/grouped_number.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope {
 namespace {

@@ -2,6 +2,8 @@
 // Tests which atoms are drawn beside the body.
 #include "core/document/settings/display.hpp"
 
+#include "core/selection/ball_options.hpp"
+
 namespace alphascope {
 
 bool shows(const AtomsBesideBody& shown, DropReason reason, Element element) {

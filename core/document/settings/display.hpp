@@ -3,20 +3,10 @@
 // only.
 #pragma once
 
+#include "core/document/settings/beside_body.hpp"
 #include "core/document/settings/paint.hpp"
-#include "core/selection/ball_options.hpp"
 
 namespace alphascope {
-
-// The atoms outside the body that are drawn beside it. Nothing is computed from them.
-struct AtomsBesideBody {
-  bool ligands = true, ions = true, waters = false;
-  bool hydrogens = false;  // of all kinds
-  friend bool operator==(const AtomsBesideBody&, const AtomsBesideBody&) = default;
-};
-
-// Whether an atom is drawn that the options leave out of the body for this reason.
-bool shows(const AtomsBesideBody& shown, DropReason reason, Element element);
 
 // Each member has a row in display_fields.cpp.
 struct DisplaySettings {

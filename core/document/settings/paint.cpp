@@ -10,6 +10,7 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/text/former_name.hpp"
+#include "core/document/commands/number_input.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "core/chart/colour_scale.hpp"
-#include "core/document/commands/number_input.hpp"
 #include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
+
+struct NumberRule;
 
 enum class ColourBy : std::uint8_t {
   element,

@@ -20,6 +20,10 @@ struct Request {
   friend bool operator==(const Request&, const Request&) = default;
 };
 
+// Sets alpha, Å²; values beyond kAlphaRule's bounds become the nearest bound. Keys, buttons and
+// playback, which raise or lower it in steps, use this.
+void set_alpha(Request& request, const Alpha& angstrom2);
+
 // Whether one engine can answer both requests for the same balls.
 inline bool same_engine(const Request& a, const Request& b) {
   return a.engine == b.engine && a.threads == b.threads && a.tuples == b.tuples;

@@ -8,6 +8,7 @@
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/name_table.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

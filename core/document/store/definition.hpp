@@ -2,18 +2,20 @@
 // The definition of a derived result for the store: its inputs, its memory, and how it is made.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
-#include "core/run/cancel_token.hpp"
-#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
+
+struct Inputs;
+struct MemoryNeed;
+struct RunContext;
 
 // The thread on which a result is made.
 enum class Lane : std::uint8_t {

@@ -7,6 +7,8 @@
 #include "core/run/freed_memory.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 

@@ -9,6 +9,7 @@
 
 #include "core/document/store/definition.hpp"
 #include "core/document/store/key.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/document/store/key.hpp"
+#include "core/document/store/store_work.hpp"
 
 namespace alphascope {
 namespace {
@@ -22,8 +23,32 @@ bool is_trouble(DerivedState state) {
 Store::Store(std::function<void()> wake, std::function<std::uint64_t()> budget, Threads threads)
     : budget_(std::move(budget)),
       threads_(std::move(threads)),
-      background_(wake),
-      interactive_(std::move(wake)) {}
+      background_(std::make_unique<Work>(wake)),
+      interactive_(std::make_unique<Work>(std::move(wake))) {}
+
+Store::~Store() = default;
+
+Derived<void> Store::want_any(const AnyDefinition& definition, const Inputs& inputs,
+                              Priority priority) {
+  const Entry& e = ask(definition, inputs, priority);
+  Derived<void> derived{e.state, e.wanted, {}, nullptr, share(e), e.why};
+  if (e.values.empty()) return derived;
+  derived.have = e.values.front().key;
+  derived.value = e.values.front().result;
+  return derived;
+}
+
+bool Store::is_asked_for(const Entry& e) const {
+  return e.asked_at + 1 >= frame_;
+}
+
+Store::Work& Store::work(const Entry& e) const {
+  return lane(e) == Lane::background ? *background_ : *interactive_;
+}
+
+bool Store::runs(const Entry& e) const {
+  return work(e).running == &e;
+}
 
 Store::Entry& Store::entry(const AnyDefinition& definition) {
   const auto found = std::find_if(entries_.begin(), entries_.end(),
@@ -47,6 +72,12 @@ std::shared_ptr<const void> Store::find_held(const AnyDefinition& definition,
     }
   }
   return nullptr;
+}
+
+Store::Entry& Store::ask(const AnyDefinition& definition, const Inputs& inputs,
+                         Priority priority) {
+  return ask(definition, inputs, priority,
+             priority == Priority::visible && definition.lane == Lane::interactive);
 }
 
 Store::Entry& Store::ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority,
@@ -191,14 +222,14 @@ std::uint64_t Store::times_made(std::string_view id) const {
 // A running result stays in the lane in which it began. The sources of a visible interactive result
 // are made in the interactive lane as well.
 Lane Store::lane(const Entry& e) const {
-  if (background_.running == &e) return Lane::background;
+  if (background_->running == &e) return Lane::background;
   const bool awaited = e.awaited_at != 0 && e.awaited_at + 1 >= frame_;
-  const bool interactive = e.lane == Lane::interactive || interactive_.running == &e || awaited;
+  const bool interactive = e.lane == Lane::interactive || interactive_->running == &e || awaited;
   return interactive ? Lane::interactive : Lane::background;
 }
 
 bool Store::busy() const {
-  return background_.running != nullptr || interactive_.running != nullptr ||
+  return background_->running != nullptr || interactive_->running != nullptr ||
          std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
            return e.state == DerivedState::waiting && is_asked_for(e);
          });
@@ -223,7 +254,7 @@ std::vector<JobInfo> Store::jobs() const {
 }
 
 bool Store::poll() {
-  for (Work* lane : {&background_, &interactive_}) {
+  for (Work* lane : {background_.get(), interactive_.get()}) {
     lane->worker.poll();
     if (lane->running != nullptr && !is_asked_for(*lane->running)) lane->worker.cancel();
   }
@@ -231,8 +262,8 @@ bool Store::poll() {
     if (!is_asked_for(e)) e.link = nullptr;  // the link holds sources
   }
   const bool retried = retry_where_room_is();
-  if (!background_held_) begin_next(background_);
-  begin_next(interactive_);
+  if (!background_held_) begin_next(*background_);
+  begin_next(*interactive_);
   return std::exchange(arrived_, false) || retried;
 }
 
@@ -278,7 +309,7 @@ Store::Eviction Store::eviction(const Entry& e, const Value& value, const Entry&
 }
 
 bool Store::could_fit(const Entry& wanted, std::uint64_t budget) const {
-  std::uint64_t stays = background_.peak + interactive_.peak + held_bytes();
+  std::uint64_t stays = background_->peak + interactive_->peak + held_bytes();
   for (const Entry& e : entries_) {
     for (const Value& value : e.values) {
       if (eviction(e, value, wanted) != Eviction::never) stays -= value.bytes;
@@ -290,7 +321,7 @@ bool Store::could_fit(const Entry& wanted, std::uint64_t budget) const {
 // Drops the results that are needed least, if that makes enough room.
 bool Store::make_room(Entry& wanted) {
   const std::uint64_t budget = budget_();
-  const auto taken = [&] { return background_.peak + interactive_.peak + held_bytes(); };
+  const auto taken = [&] { return background_->peak + interactive_->peak + held_bytes(); };
   if (!could_fit(wanted, budget)) {
     const std::uint64_t now = taken();
     wanted.why = no_room_text(wanted.need.peak, budget > now ? budget - now : 0);

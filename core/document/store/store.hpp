@@ -11,14 +11,16 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/document/store/definition.hpp"
-#include "core/document/store/key.hpp"
-#include "core/run/work_threads.hpp"
-#include "core/run/worker.hpp"
 
 namespace alphascope {
+
+class WorkThreads;
+struct Key;
+struct WorkFailure;
 
 enum class Priority : std::uint8_t { background, visible };  // visible: a user looks at it
 
@@ -38,6 +40,9 @@ class Store {
   using Threads = std::function<std::shared_ptr<WorkThreads>()>;
   // `wake` as in Worker. `budget` returns the limit of held_bytes().
   Store(std::function<void()> wake, std::function<std::uint64_t()> budget, Threads threads = {});
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
 
   // The present state of a result. If it is missing, the store makes it, after its sources. Call
   // this in each frame in which the result is wanted. A result that was not asked for in this frame
@@ -46,12 +51,9 @@ class Store {
   template <class T>
   Derived<T> want(const Definition<T>& definition, const Inputs& inputs,
                   Priority priority = Priority::visible) {
-    const Entry& e = ask(definition, inputs, priority);
-    Derived<T> derived{e.state, e.wanted, {}, nullptr, share(e), e.why};
-    if (e.values.empty()) return derived;
-    derived.have = e.values.front().key;
-    derived.value = std::static_pointer_cast<const T>(e.values.front().result);
-    return derived;
+    Derived<void> any = want_any(definition, inputs, priority);
+    return {any.state, any.wanted, any.have, std::static_pointer_cast<const T>(any.value),
+            any.share, std::move(any.why)};
   }
 
   // The result for exactly these inputs, if the store holds it; else null. This is no request.
@@ -94,55 +96,16 @@ class Store {
   std::uint64_t times_made(std::string_view id) const;
 
  private:
-  struct Value {
-    Key key;
-    std::shared_ptr<const void> result;
-    std::uint64_t bytes = 0, used_at = 0;  // used_at: frame
-  };
-  // How the same worker makes a result as soon as its sources are made.
-  struct Link {
-    Inputs inputs;                       // with the sources made so far
-    std::vector<std::string_view> lack;  // ids of the missing sources
-    std::function<MemoryNeed(const Inputs&)> memory;
-    std::function<std::shared_ptr<const void>(const Inputs&, const RunContext&)> make;
-  };
-  struct Entry {
-    std::string id, title;
-    Lane lane = Lane::background;
-    bool keep_stale = true;
-    DerivedState state = DerivedState::none;
-    Key wanted;
-    Priority priority = Priority::background;  // the highest of this frame's
-    std::uint64_t asked_at = 0;                // a frame
-    std::uint64_t begun_at = 0;                // value of begun_ when it last began
-    MemoryNeed need;                           // of the wanted result
-    // Bytes that were free when there was too little room for it; 0: there was enough.
-    std::uint64_t refused = 0;
-    std::list<Value> values;  // the first is handed out; the others are older
-    std::function<std::shared_ptr<const void>(const RunContext&)> make;
-    bool lacks = false;  // a source is missing; state and why describe the source
-    std::string why;
-    std::shared_ptr<const Link> link;  // while a missing source can be made
-    std::uint64_t awaited_at = 0;      // a frame
-    std::uint64_t times_made = 0;
-  };
-  struct Made {
-    Entry* entry;
-    Value value;
-  };
+  // All in store_work.hpp.
+  struct Value;
+  struct Link;
+  struct Entry;
+  struct Made;
+  struct Work;
   class Chain;
-  struct Work {  // of one lane
-    explicit Work(std::function<void()> wake) : worker(std::move(wake)) {}
-    Entry* running = nullptr;
-    Key key;  // of the running result
-    std::uint64_t peak = 0;
-    Worker worker;
-  };
 
-  Entry& ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority) {
-    return ask(definition, inputs, priority,
-               priority == Priority::visible && definition.lane == Lane::interactive);
-  }
+  Derived<void> want_any(const AnyDefinition& definition, const Inputs& inputs, Priority priority);
+  Entry& ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority);
   // awaited: a visible result of the interactive lane waits for this one.
   Entry& ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority,
              bool awaited);
@@ -154,13 +117,10 @@ class Store {
   void set_wanted(Entry& e, const Key& key);
   bool take_held(Entry& e);
   void prepare(Entry& e, const AnyDefinition& definition, const Inputs& inputs, bool awaited);
-  bool is_asked_for(const Entry& e) const { return e.asked_at + 1 >= frame_; }
+  bool is_asked_for(const Entry& e) const;
   Lane lane(const Entry& e) const;
-  Work& work(const Entry& e) { return lane(e) == Lane::background ? background_ : interactive_; }
-  const Work& work(const Entry& e) const {
-    return lane(e) == Lane::background ? background_ : interactive_;
-  }
-  bool runs(const Entry& e) const { return work(e).running == &e; }
+  Work& work(const Entry& e) const;
+  bool runs(const Entry& e) const;
   double share(const Entry& e) const;
   bool retry_where_room_is();
   void begin_next(Work& lane);
@@ -172,7 +132,7 @@ class Store {
   Chain chain_after(Entry& first);
   void take(Work& lane, std::vector<Made> made);
   void keep(Entry& e, Value value);
-  void take_failure(Entry& e, const Worker::Failure& failure);
+  void take_failure(Entry& e, const WorkFailure& failure);
 
   const std::function<std::uint64_t()> budget_;
   const Threads threads_;
@@ -180,7 +140,8 @@ class Store {
   std::list<Entry> entries_;                     // a list, so references stay valid
   std::uint64_t frame_ = 1, begun_ = 0;
   bool arrived_ = false, background_held_ = false;
-  Work background_, interactive_;  // last, so that their threads end before members that jobs use
+  // Last, so that their threads end before members that jobs use.
+  const std::unique_ptr<Work> background_, interactive_;
 };
 
 }  // namespace alphascope

@@ -8,6 +8,8 @@
 #include "core/run/cancel_token.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/run/thread_priority.hpp"
+#include "core/run/work_threads.hpp"
+#include "core/document/store/store_work.hpp"
 
 namespace alphascope {
 namespace {
@@ -77,7 +79,7 @@ Store::Chain Store::chain_after(Entry& first) {
   }
   if (chain.steps.empty()) return chain;
   const std::uint64_t budget = budget_();
-  const std::uint64_t taken = background_.peak + interactive_.peak + held_bytes();
+  const std::uint64_t taken = background_->peak + interactive_->peak + held_bytes();
   chain.room = std::min(kChainBytes, budget > taken ? (budget - taken) / 2 : 0);
   return chain;
 }
@@ -92,7 +94,7 @@ void Store::begin(Entry& e) {
   e.begun_at = ++begun_;
   e.state = DerivedState::running;
   std::shared_ptr<WorkThreads> threads;
-  if (&lane == &background_) {
+  if (&lane == background_.get()) {
     threads = std::make_shared<WorkThreads>(1);
   } else {
     threads = threads_ ? threads_() : std::make_shared<WorkThreads>();
@@ -101,7 +103,7 @@ void Store::begin(Entry& e) {
       [this, &e, &lane, threads, key = e.wanted, make = std::exchange(e.make, nullptr),
        held = e.need.held,
        chain = std::move(chain)](const RunContext& context) -> Worker::Delivery {
-        if (&lane == &background_) lower_thread_priority(CpuShare::seventieth);
+        if (&lane == background_.get()) lower_thread_priority(CpuShare::seventieth);
         std::vector<Made> made;
         threads->run([&] {
           context.cancel.throw_if_cancelled();
@@ -113,7 +115,7 @@ void Store::begin(Entry& e) {
         }
         return [this, &lane, made] { take(lane, made); };
       },
-      [this, &e](const Worker::Failure& failure) { take_failure(e, failure); });
+      [this, &e](const WorkFailure& failure) { take_failure(e, failure); });
 }
 
 void Store::take(Work& lane, std::vector<Made> made) {
@@ -148,7 +150,7 @@ void Store::keep(Entry& e, Value value) {
   e.link = nullptr;
 }
 
-void Store::take_failure(Entry& e, const Worker::Failure& failure) {
+void Store::take_failure(Entry& e, const WorkFailure& failure) {
   Work& lane = work(e);
   lane.running = nullptr;
   lane.peak = 0;

@@ -15,6 +15,7 @@
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
+#include "core/channel/clearance.hpp"
 
 namespace alphascope {
 namespace {

@@ -13,6 +13,7 @@
 #include "core/triangulation/incidence.hpp"
 #include "core/triangulation/membership.hpp"
 #include "tests/support/random_balls.hpp"
+#include "core/predicates/lifted.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "core/complex/simplex_hash.hpp"
 #include "core/geometry/alpha.hpp"
+#include "core/complex/face_code.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,6 +9,7 @@
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/sanitizer.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 namespace {

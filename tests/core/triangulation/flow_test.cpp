@@ -15,6 +15,8 @@
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/five_balls.hpp"
 #include "tests/support/reference/rational_cavities.hpp"
+#include "core/predicates/flow_predicate.hpp"
+#include "core/predicates/perturbation.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "tests/support/reference/cgal_cells.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::testing {
 namespace {

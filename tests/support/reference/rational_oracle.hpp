@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::testing {
 

@@ -11,7 +11,7 @@
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
-#include "ui/widgets/set_alpha.hpp"
+#include "core/document/settings/request.hpp"
 
 namespace alphascope {
 namespace {

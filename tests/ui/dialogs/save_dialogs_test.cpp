@@ -10,6 +10,7 @@
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/panel.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -19,6 +19,9 @@
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -16,6 +16,9 @@
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/measures/curve_state.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_identity/cavity_curves.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -177,12 +180,12 @@ TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereIt
   EXPECT_FALSE(has("curves.plot"));
   EXPECT_FALSE(has("curves.axis.0")) << "only alpha";
   const CavityPage& page = *viewer_->state().cavities.page;
-  const CurveState::Lives& lives = memory().lives;
+  const ShownLives& lives = memory().lives;
   ASSERT_GT(lives.bars.longest.size(), 50u);
   ASSERT_EQ(lives.rows.size(), lives.bars.longest.size());
   std::optional<std::size_t> there, other;
   for (std::size_t k = 0; k < 15; ++k) {
-    const bool is_there = lives.rows[k] != CurveState::Lives::kNoRow;
+    const bool is_there = lives.rows[k] != ShownLives::kNoRow;
     EXPECT_EQ(is_there, lives.bars.longest[k].is_at(0)) << k;
     if (is_there && !there) there = k;
     if (!is_there && !other) other = k;

@@ -7,6 +7,7 @@
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/explain/details_state.hpp"
+#include "core/document/explain/simplex_details.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -12,6 +12,8 @@
 #include "core/text/short_number.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/ball_text.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

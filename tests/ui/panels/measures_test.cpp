@@ -8,6 +8,7 @@
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/measures/measure_state.hpp"
+#include "core/document/measures/measure_rows.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -16,6 +16,7 @@
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/style.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 

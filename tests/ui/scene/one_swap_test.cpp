@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "tests/ui/viewer_fixture.hpp"
-#include "ui/widgets/set_alpha.hpp"
+#include "core/document/settings/request.hpp"
 
 namespace alphascope::testing {
 namespace {

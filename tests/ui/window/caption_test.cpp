@@ -7,6 +7,7 @@
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/scene/picture/draw_marks.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -10,6 +10,8 @@
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
+#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/selection/atom_address.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 namespace {

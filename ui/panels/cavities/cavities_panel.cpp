@@ -4,15 +4,12 @@
 #include <string>
 #include <utility>
 
-#include "core/cavity/cavity_ground.hpp"
 #include "core/document/cavities/cavity_export.hpp"
 #include "core/document/cavities/cavity_tables.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
-#include "core/document/settings/cavity_settings.hpp"
-#include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
 #include "core/document/tables/cell_value.hpp"
@@ -27,12 +24,19 @@
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/panels/panels.hpp"
-#include "ui/panels/view_info.hpp"
-#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
-#include "ui/widgets/table_cells.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "ui/panels/cavities/cavity_columns.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/panels/view_state.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/cavity/cavity_ground.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/document/settings/cavity_settings.hpp"
 
 namespace alphascope {
 namespace {
@@ -223,7 +227,7 @@ std::string empty_text(const CavityPage& page) {
 
 // Says why there is no table yet.
 std::string waiting_text(const PanelContext& ctx, const Derived<CavityLines>& table) {
-  if (!ctx.state.molecule.loaded) return "Open a molecule: its cavities appear here.";
+  if (!ctx.state.has_molecule()) return "Open a molecule: its cavities appear here.";
   if (table.state == DerivedState::no_room || table.state == DerivedState::failed) {
     return "There is no table of cavities. " + table.why;
   }

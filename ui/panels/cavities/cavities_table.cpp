@@ -12,6 +12,13 @@
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
+#include "core/chart/colour_map.hpp"
+#include "core/document/cavities/cavity_columns.hpp"
+#include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "ui/panels/cavities/cavity_columns.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

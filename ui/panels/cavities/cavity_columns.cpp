@@ -8,6 +8,12 @@
 
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
+#include "core/document/cavities/cavity_columns.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/known_cavities.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
 
 namespace alphascope {
 namespace {
@@ -53,6 +59,16 @@ CellValue sort_value(const KnownCavities& rows, const CavityPageColumn& by, std:
 }
 
 }  // namespace
+
+bool CavityFilter::shows(const CavityLine& line) const {
+  const bool of_kind = kind == 0 || (kind == 1) == line.is_void;
+  return of_kind &&
+         (least_volume_angstrom3 == 0 || line.volume_sa_angstrom3 >= least_volume_angstrom3);
+}
+
+bool CavityPageColumn::is(std::string_view id) const {
+  return column->id == id;
+}
 
 const std::vector<CavityPageColumn>& cavity_page_columns() {
   static const std::vector<CavityPageColumn> columns = placed_columns();

@@ -7,11 +7,14 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/cavities/cavity_columns.hpp"
-#include "core/document/tables/column.hpp"
-#include "ui/panels/cavities/cavity_page.hpp"
-
 namespace alphascope {
+
+template <class Row>
+struct Column;
+struct CavityFilter;
+struct CavityPage;
+struct CavityRow;
+struct KnownCavities;
 
 // A column's place in the table. Its widgets are named by the column's id:
 // "cavities.column.volume_sa_angstrom3".
@@ -20,7 +23,7 @@ struct CavityPageColumn {
   float width;  // pixels at scale 1; for the name, the least width
   bool shown_first;
 
-  bool is(std::string_view id) const { return column->id == id; }
+  bool is(std::string_view id) const;
 };
 const std::vector<CavityPageColumn>& cavity_page_columns();  // in the order of the table
 

@@ -5,18 +5,23 @@
 #include <string>
 #include <utility>
 
-#include "core/cavity_identity/cavity_identity.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
-#include "ui/panels/view_info.hpp"
-#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/selected_cavities.hpp"
+#include "ui/panels/cavities/cavity_columns.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/document/store/store.hpp"
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -183,7 +188,7 @@ FollowedCavities follow_cavities(PanelContext& ctx) {
   CavityState& memory = ctx.state.cavities;
   if (!memory.page) memory.page = std::make_shared<CavityPage>();
   CavityPage& page = *memory.page;
-  begin_page(page, ctx.state.molecule.sha256);
+  begin_page(page, ctx.state.file_hash());
   FollowedCavities followed;
   followed.current = follow_lines(ctx, page, followed.wanted);
   if (page.rows.lines) {

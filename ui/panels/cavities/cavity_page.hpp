@@ -2,6 +2,7 @@
 // The state of the page of cavities between frames. Plain data.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -9,14 +10,22 @@
 #include <string>
 #include <vector>
 
-#include "core/cavity_identity/cavity_identity.hpp"
+#include "core/cavity_identity/cavity_match.hpp"
+#include "core/document/cavities/drawn_parts.hpp"
 #include "core/document/cavities/known_cavities.hpp"
-#include "core/document/cavities/selected_cavities.hpp"
 #include "core/document/reference/atom_set.hpp"
-#include "core/document/settings/display.hpp"
-#include "ui/layer.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/document/settings/beside_body.hpp"
+#include "core/geometry/ball_index.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
+
+struct BallSet;
+struct CavityLine;
+struct CavityLines;
+struct Layer;
+struct SelectedCavities;
 
 // The filter of rows, and their order.
 struct CavityFilter {
@@ -27,11 +36,7 @@ struct CavityFilter {
   bool descending = false;
   friend bool operator==(const CavityFilter&, const CavityFilter&) = default;
 
-  bool shows(const CavityLine& line) const {
-    const bool of_kind = kind == 0 || (kind == 1) == line.is_void;
-    return of_kind &&
-           (least_volume_angstrom3 == 0 || line.volume_sa_angstrom3 >= least_volume_angstrom3);
-  }
+  bool shows(const CavityLine& line) const;
 };
 
 struct CavityPage {
@@ -68,12 +73,12 @@ struct CavityPage {
   RefSet lining;
   std::optional<std::size_t> anchor;  // row clicked last, from which Shift+click reaches
   struct Choice {
-    CavitySinks sinks;  // sinks of the chosen rows, ascending
+    std::vector<std::array<BallIndex, 4>> sinks;  // sinks of the chosen rows, ascending
     DrawnCavityParts parts;
     std::uint64_t key = 0;  // changes with the sinks or the parts
   } choice;
   std::shared_ptr<const SelectedCavities> drawn;  // the cavities from which `layers` are made
-  Layers layers;
+  std::vector<std::shared_ptr<const Layer>> layers;
   std::shared_ptr<const BallSet> layers_of;  // Layer::balls
   std::uint64_t layers_key = 0;
   bool layers_are_old = true;

@@ -2,11 +2,21 @@
 // Functions that the sources of the page of cavities share with each other and with other pages.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "core/document/store/definition.hpp"
-#include "ui/panels/cavities/cavity_columns.hpp"
-#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
+
+class RefSet;
+struct CavityLine;
+struct CavityLines;
+struct CavityPage;
+struct Colour;
+struct PanelContext;
 
 // --- cavity_following.cpp
 

@@ -4,16 +4,11 @@
 #include <algorithm>
 #include <string>
 
-#include "core/cavity/cavity_ground.hpp"
-#include "core/cavity_identity/cavity_identity.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/chart/colour_map.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/reference/appearance.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/document/store/answer.hpp"
-#include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
@@ -23,10 +18,23 @@
 #include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/complex/display_rows.hpp"
-#include "ui/panels/view_state.hpp"
-#include "ui/panels/window_settings.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/format.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_shape/filling_spheres.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/selected_cavities.hpp"
+#include "core/document/store/inputs.hpp"
+#include "ui/layer.hpp"
+#include "ui/panels/cavities/cavity_columns.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "core/molecule/atom_colours.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/panels/view_state.hpp"
+#include "core/cavity/cavity_ground.hpp"
+#include "core/document/store/store.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/document/reference/appearance.hpp"
 
 namespace alphascope {
 namespace {
@@ -146,7 +154,7 @@ void make_layers(PanelContext& ctx, CavityPage& page) {
          ctx.state.settings.display.beside;
   old |= !(std::exchange(page.hidden, ctx.state.settings.appearance.hidden) ==
            ctx.state.settings.appearance.hidden);
-  old |= std::exchange(page.theme, ctx.state.window.theme) != ctx.state.window.theme;
+  old |= std::exchange(page.theme, ctx.state.theme()) != ctx.state.theme();
   const auto balls = page.drawn ? balls_of_layers(ctx, page) : nullptr;
   old |= std::exchange(page.layers_of, balls) != balls;
   if (!old) return;

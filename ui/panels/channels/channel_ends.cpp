@@ -4,19 +4,24 @@
 #include <cmath>
 
 #include "core/document/commands/commands.hpp"
-#include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/flow.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
-#include "ui/panels/view_state.hpp"
-#include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "core/document/channels/channel_results.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "ui/panels/channels/channel_state.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/panels/view_state.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/document/store/store.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,12 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "core/chart/plot.hpp"
-#include "core/document/channels/channel_text.hpp"
-#include "ui/panels/channels/channel_state.hpp"
-#include "ui/widgets/widgets.hpp"
+#include "core/channel/channel_ends.hpp"
 
 namespace alphascope {
+
+struct Channel;
+struct ChannelState;
+struct FoundWays;
+struct PanelContext;
+struct Plot;
 
 // The ends of a channel as the user set them. Without ends, `why` gives the reason and the remedy.
 struct ChannelRequest {

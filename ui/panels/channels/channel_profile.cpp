@@ -17,9 +17,13 @@
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
-#include "ui/theme.hpp"
-#include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
+#include "core/channel/channel.hpp"
+#include "core/document/channels/channel_text.hpp"
+#include "core/document/reference/ref_set.hpp"
+#include "core/molecule/rgb8.hpp"
+#include "ui/panels/channels/channel_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {

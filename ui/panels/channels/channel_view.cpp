@@ -10,6 +10,10 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/theme.hpp"
+#include "core/channel/channel.hpp"
+#include "core/document/channels/channel_text.hpp"
+#include "ui/panels/channels/channel_state.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,6 +10,10 @@
 #include "core/text/grouped_number.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "core/document/channels/channel_results.hpp"
+#include "core/document/channels/channel_text.hpp"
+#include "ui/panels/channels/channel_state.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

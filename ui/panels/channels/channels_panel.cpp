@@ -8,7 +8,6 @@
 #include "core/chart/svg.hpp"
 #include "core/document/channels/channel_export.hpp"
 #include "core/document/channels/channel_records.hpp"
-#include "core/document/settings/open_options.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/principal_axes.hpp"
@@ -24,12 +23,16 @@
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/panels/panels.hpp"
-#include "ui/panels/view_info.hpp"
-#include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
-#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/format.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/document/channels/channel_text.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/panels/view_state.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {
@@ -247,7 +250,7 @@ void details(PanelContext& ctx, const ChannelState& memory, bool current) {
                            channel_as_json(memory.shown, source),
                            {},
                            false,
-                           exports_of(memory.shown, source, ctx.state.molecule.name)});
+                           exports_of(memory.shown, source, ctx.state.file_name())});
   }
   tooltip(ctx,
           "The profile as a CSV or SVG file, the channel as a JSON file, or its surface, spheres "
@@ -388,12 +391,12 @@ void page(PanelContext& ctx, ChannelState& memory) {
 }
 
 void draw_channels(PanelContext& ctx, ChannelState& memory) {
-  reset_for_molecule(memory, ctx.state.molecule.sha256, [](const ChannelState& old) {
+  reset_for_molecule(memory, ctx.state.file_hash(), [](const ChannelState& old) {
     ChannelState fresh;
     fresh.balls_key = old.balls_key;  // no two sets of balls may share a key
     return fresh;
   });
-  if (!ctx.state.molecule.loaded || !ctx.state.references ||
+  if (!ctx.state.has_molecule() || !ctx.state.references ||
       ctx.state.references->prepared().balls->size() == 0) {
     muted_wrapped(ctx, "Open a molecule: the channels through it appear here.");
     record(ctx, "channels.waiting");

@@ -6,7 +6,6 @@
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
-#include "core/document/store/answer.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/prepare_balls.hpp"
@@ -15,12 +14,15 @@
 #include "ui/panels/complex/display_rows.hpp"
 #include "ui/panels/complex/paint_rows.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/panels/panels.hpp"
-#include "ui/panels/view_state.hpp"
-#include "ui/panels/viewport_info.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/format.hpp"
+#include "core/molecule/atom_colours.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "ui/number_text.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,9 +4,10 @@
 #pragma once
 
 #include "core/document/settings/display_fields.hpp"
-#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
+
+struct PanelContext;
 
 // The name of the control: "display.ball_scale".
 std::string control_name(const DisplayField& field);

@@ -7,6 +7,8 @@
 #include "ui/calls.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "core/document/commands/number_input.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,9 +6,10 @@
 
 #include "core/document/settings/paint.hpp"
 #include "core/molecule/rgb8.hpp"
-#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
+
+struct PanelContext;
 
 struct PaintRows {
   std::string name;  // beginning of the widgets' names: "display.ball"

@@ -2,8 +2,6 @@
 // The page of timings: our engine's times beside CGAL's, and whether both complexes are equal.
 #include <optional>
 
-#include "core/document/store/answer.hpp"
-#include "core/engine/cold_and_warm.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
@@ -18,8 +16,11 @@
 #include "ui/running_job.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
-#include "ui/widgets/style.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/panels/view_state.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/engine/cold_and_warm.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -141,7 +142,7 @@ void compare_button(PanelContext& ctx) {
 }
 
 void title(PanelContext& ctx, TimingsState& m) {
-  reset_for_molecule(m, ctx.state.molecule.sha256);
+  reset_for_molecule(m, ctx.state.file_hash());
   // Until the user chooses, the page shows warm runs as soon as there are any, and the first run
   // before that. So it is never empty. If the user chooses a run without times, missing_times()
   // explains why.

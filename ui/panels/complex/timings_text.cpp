@@ -8,6 +8,7 @@
 #include "ui/panels/view_info.hpp"
 #include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -56,7 +57,7 @@ std::vector<std::string> missing_times(const ViewState& state, bool cold) {
   if (!state.ours.any()) {
     return {awaited_job(state.jobs) != nullptr
                 ? "The time of each stage appears here when the computation is done."
-            : state.molecule.loaded
+            : state.has_molecule()
                 ? "Nothing is computed yet: move alpha."
                 : "Open a molecule: the time of each stage appears here, beside CGAL's."};
   }

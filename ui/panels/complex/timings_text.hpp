@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/engine/cold_and_warm.hpp"
-#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
+
+struct MeasuredRun;
+struct ViewState;
 
 // Says why times are missing from the chart of cold or warm runs, and how to get them. The result
 // has a sentence for each engine, or one if there are no times at all. It is empty if nothing is

@@ -20,6 +20,7 @@
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {

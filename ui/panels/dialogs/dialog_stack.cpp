@@ -17,6 +17,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/panels/dialogs/session_problem.hpp"
 
 namespace alphascope {
 namespace {

@@ -18,6 +18,7 @@
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/panels/dialogs/session_problem.hpp"
 
 namespace alphascope {
 namespace {

@@ -23,6 +23,7 @@
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/panels/dialogs/session_problem.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,11 +8,12 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/selection/prepare_balls.hpp"
 #include "ui/caption.hpp"
-#include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "core/document/store/answer.hpp"
+#include "ui/panels/view_state.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {

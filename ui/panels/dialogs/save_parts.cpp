@@ -18,6 +18,13 @@
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
+#include "core/document/export/record_source.hpp"
+#include "core/document/export/shape_export.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/triangulation/memory_need.hpp"
+#include "ui/panels/dialogs/table_state.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "core/document/export/file_writer.hpp"
 
 namespace alphascope {
 
@@ -82,7 +89,7 @@ std::vector<std::string> comments_on_screen(const PanelContext& ctx) {
 }
 
 std::string file_name_for(const PanelContext& ctx, const char* what) {
-  const std::string& file = ctx.state.molecule.name;
+  const std::string& file = ctx.state.file_name();
   return file.substr(0, std::min(file.find('.'), file.size())) + "-" + what;
 }
 

@@ -5,15 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "core/document/export/file_writer.hpp"
-#include "core/document/export/record_source.hpp"
-#include "core/document/export/shape_export.hpp"
-#include "core/document/store/definition.hpp"
-#include "ui/panels/dialogs/table_state.hpp"
-#include "ui/panels/dialogs/table_to_save.hpp"
-#include "ui/widgets/widgets.hpp"
-
 namespace alphascope {
+
+template <class T>
+struct Definition;
+struct FileWriter;
+struct FormatToSave;
+struct PanelContext;
+struct RecordSource;
+struct ShapeExportInfo;
+struct TableToSave;
 
 // Makes an entry for a format that is not a table's.
 FormatToSave format_to_save(const ShapeExportInfo& info, Definition<FileWriter> writer);

@@ -17,6 +17,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/panels/dialogs/table_state.hpp"
 
 namespace alphascope {
 namespace {

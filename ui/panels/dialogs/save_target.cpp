@@ -57,7 +57,7 @@ void propose_file(PanelContext& ctx, const char* title, const std::string& dialo
 }
 
 std::string name_of_file(const PanelContext& ctx, const std::string& ending) {
-  const std::string& file = ctx.state.molecule.name;
+  const std::string& file = ctx.state.file_name();
   const std::string stem = file.substr(0, std::min(file.find('.'), file.size()));
   return (stem.empty() ? "alphascope" : stem) + ending;
 }

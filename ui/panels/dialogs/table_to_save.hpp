@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "core/document/export/file_writer.hpp"
 #include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
+
+struct FileWriter;
 
 // A format for other programs, beside those of tables.
 struct FormatToSave {

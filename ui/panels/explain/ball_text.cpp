@@ -8,6 +8,9 @@
 #include "core/geometry/grown_radius.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "ui/number_text.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice.hpp"
 
 namespace alphascope {
 

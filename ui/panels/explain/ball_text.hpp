@@ -4,10 +4,14 @@
 
 #include <string>
 
-#include "core/document/settings/request.hpp"
-#include "core/geometry/ball_set.hpp"
+#include "core/geometry/ball_index.hpp"
 
 namespace alphascope {
+
+struct BallSet;
+struct Lattice;
+struct LatticePoint;
+struct Request;
 
 // Returns "12.345, 6.789, 0.123", in Å. It has as many decimals as the lattice, up to four.
 std::string place_text(const LatticePoint& point, const Lattice& lattice);

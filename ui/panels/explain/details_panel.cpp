@@ -12,13 +12,11 @@
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/document/store/key.hpp"
-#include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/atom_address.hpp"
-#include "core/selection/prepare_balls.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/ball_text.hpp"
@@ -29,6 +27,11 @@
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "core/document/explain/simplex_details.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "core/document/store/store.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include "core/document/explain/simplex_details.hpp"
 
 namespace alphascope {
 
 class BallReferences;
+struct SimplexDetails;
 
 struct DetailsState {
   // The last answer. It is shown only for the same balls and atoms; null: none.

@@ -10,6 +10,7 @@
 
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/text/grouped_number.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

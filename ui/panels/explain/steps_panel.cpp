@@ -7,10 +7,7 @@
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/steps_results.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/document/settings/request.hpp"
-#include "core/document/store/store.hpp"
 #include "core/geometry/shortest_number.hpp"
-#include "core/text/short_number.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/steps_layer.hpp"
@@ -18,9 +15,11 @@
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/panels/view_state.hpp"
-#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/panels/view_state.hpp"
+#include "core/document/store/definition.hpp"
+#include "gpu/dual_edge/result_copy.cuh"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {
@@ -87,11 +86,11 @@ std::string name_of_ball(const PanelContext& ctx, BallIndex ball) {
 void draw_step_in_view(PanelContext& ctx) {
   StepsState& memory = ctx.state.steps;
   StepsState::Drawn& drawn = memory.drawn;
-  const bool light = ctx.state.window.theme == Theme::light;
+  const bool light = ctx.state.theme() == Theme::light;
   if (drawn.layers.empty() || drawn.step != memory.at() || drawn.light != light) {
     const BallSteps& steps = memory.shown->steps;
     const StepScene scene{steps, steps.steps[memory.at()], name_of_ball(ctx, steps.ball),
-                          memory.balls, ctx.state.window.theme};
+                          memory.balls, ctx.state.theme()};
     drawn = {memory.at(), light, make_steps_layers(scene, ++memory.layers_made)};
   }
   if (!memory.marks) return;

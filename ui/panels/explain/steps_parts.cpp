@@ -8,23 +8,22 @@
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/step_names.hpp"
 #include "core/document/explain/steps_results.hpp"
-#include "core/document/reference/appearance.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/calls.hpp"
-#include "ui/number_text.hpp"
 #include "ui/panels/explain/steps_layer.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
-#include "ui/panels/view_state.hpp"
-#include "ui/panels/window_settings.hpp"
-#include "ui/widgets/style.hpp"
 #include "ui/widgets/table_cells.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/style.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/document/reference/appearance.hpp"
+#include "core/document/reference/reference.hpp"
 
 namespace alphascope {
 namespace {
@@ -77,7 +76,7 @@ void legend_line(PanelContext& ctx, StepMark mark, const std::string& text, bool
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float side = ImGui::GetFontSize() * 0.7f, down = (ImGui::GetTextLineHeight() - side) / 2;
   const ImVec2 low{at.x, at.y + down}, high{at.x + side, at.y + down + side};
-  const ImU32 colour = to_u32(step_colour(mark, ctx.state.window.theme));
+  const ImU32 colour = to_u32(step_colour(mark, ctx.state.theme()));
   if (box) {
     ImGui::GetWindowDrawList()->AddRect(low, high, colour, 0, 0, ctx.px(1.5f));
   } else {

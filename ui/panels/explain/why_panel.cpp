@@ -15,6 +15,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,16 +5,16 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/store/answer.hpp"
 #include "core/document/store/key.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/format.hpp"
-#include "ui/widgets/style.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "core/document/store/answer.hpp"
+#include "ui/widgets/style.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "ui/panels/view_info.hpp"
 
 namespace alphascope {
 namespace {

@@ -14,7 +14,6 @@
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/flat_view.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
-#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/picture_marks.hpp"
@@ -124,7 +123,7 @@ void draw_view_labels(PanelContext& ctx) {
   if (shows_flat_drawing(ctx.state)) return;
   draw_clip_handle(ctx);
   const ViewportInfo& v = ctx.state.viewport;
-  if (v.labels.empty() || v.texture == 0 || !ctx.state.molecule.loaded) return;
+  if (v.labels.empty() || v.texture == 0 || !ctx.state.has_molecule()) return;
   const ImVec2 corner = ImGui::GetWindowPos();
   const LabelLayout layout = lay_out_labels(v.labels, static_cast<float>(v.width),
                                             static_cast<float>(v.height), mark_type(ctx));

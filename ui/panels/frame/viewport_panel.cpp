@@ -15,8 +15,6 @@
 #include "ui/calls.hpp"
 #include "ui/caption.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
-#include "ui/panels/frame/context_state.hpp"
-#include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/frame/running_jobs.hpp"
 #include "ui/panels/frame/view_marks.hpp"
 #include "ui/panels/panels.hpp"
@@ -28,6 +26,12 @@
 #include "ui/running_job.hpp"
 #include "ui/view_problem.hpp"
 #include "ui/widgets/format.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/picture/caption_parts.hpp"
+#include "core/document/store/answer.hpp"
+#include "ui/theme.hpp"
+#include "ui/panels/frame/context_state.hpp"
+#include "ui/panels/frame/mouse_state.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {
@@ -40,7 +44,7 @@ void picture(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const ImVec2 end{corner.x + size.x, corner.y + size.y};
   const auto texture =
       reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(ctx.state.viewport.texture));
-  if (ctx.state.viewport.texture != 0 && ctx.state.molecule.loaded) {
+  if (ctx.state.viewport.texture != 0 && ctx.state.has_molecule()) {
     draw->AddImage(texture, corner, end, {0, 1}, {1, 0});
     if (ctx.state.viewport.outdated) {
       draw->AddRectFilled(corner, end, to_u32(ctx.palette.scene, 0.6f));
@@ -60,7 +64,7 @@ void mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
   const bool beside_menu =
       ctx.state.context.open && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
   v.hovered = false;
-  if (!ctx.state.molecule.loaded) return;
+  if (!ctx.state.has_molecule()) return;
   const ImGuiIO& io = ImGui::GetIO();
   const bool on_view = ImGui::IsItemHovered();
   const bool hovered = on_view && !clip_handle_mouse(ctx, corner, on_view);
@@ -137,7 +141,7 @@ float hidden_note(PanelContext& ctx, ImVec2 corner, float top) {
 // view.
 void problem(PanelContext& ctx, ImVec2 corner, ImVec2 size, float top) {
   const ViewportInfo& v = ctx.state.viewport;
-  if (v.problem == ViewProblem::none || !ctx.state.molecule.loaded || v.outdated) return;
+  if (v.problem == ViewProblem::none || !ctx.state.has_molecule() || v.outdated) return;
   begin_overlay(ctx, "##trouble", {corner.x + size.x / 2, corner.y + std::max(ctx.px(44), top)},
                 {0.5f, 0});
   ImGui::AlignTextToFramePadding();
@@ -248,7 +252,7 @@ float compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
 
 void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_height) {
   const ViewportInfo& v = ctx.state.viewport;
-  if (v.not_drawn.empty() || !ctx.state.molecule.loaded || v.outdated) return;
+  if (v.not_drawn.empty() || !ctx.state.has_molecule() || v.outdated) return;
   // The note is between legend and scale bar if it has room there, else above both.
   const float between = size.x - ctx.px(600);
   const bool above = between < ctx.px(300), empty = !(v.angstrom_per_pixel > 0);
@@ -311,7 +315,7 @@ void draw_viewport(PanelContext& ctx) {
     mouse(ctx, corner, size);
   }
   float legends_height = 0, top = 0;
-  if (ctx.state.molecule.loaded) {
+  if (ctx.state.has_molecule()) {
     legends_height = draw_view_marks(ctx, corner, size);
     caption(ctx, corner, size);
     outdated_note(ctx, corner);

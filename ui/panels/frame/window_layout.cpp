@@ -248,7 +248,7 @@ constexpr const char* kView = "##view";
 PanelContext context_of(const WindowParts& parts, const PanelFonts& fonts, float scale) {
   return {parts.state,  parts.rects,  parts.commands,
           parts.store,  parts.inputs, parts.calls,
-          parts.panels, fonts,        palette(parts.state.window.theme),
+          parts.panels, fonts,        palette(parts.state.theme()),
           scale};
 }
 

@@ -14,12 +14,12 @@
 #include "ui/calls.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {
@@ -102,7 +102,7 @@ void draw_table(PanelContext& ctx, const ChainContacts& contacts, bool current) 
 
 // Says why there is no table; empty: there can be one.
 std::string why_no_table(const PanelContext& ctx) {
-  if (!ctx.state.molecule.loaded) return "Open a molecule: contacts of its chains appear here.";
+  if (!ctx.state.has_molecule()) return "Open a molecule: contacts of its chains appear here.";
   if (ctx.state.settings.request.tetrahedra_only) {
     return "Only tetrahedra are computed. Contacts are edges: compute all simplices in Engine.";
   }

@@ -9,11 +9,22 @@
 
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
-#include "core/document/cavities/cavity_results.hpp"
-#include "core/molecule/atom_colours.hpp"
 #include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
+
+struct CavityLines;
+struct CavityLives;
+
+// The longest lives, the results from which they were made, and their rows in the table now.
+struct ShownLives {
+  static constexpr std::size_t kNoRow = ~std::size_t{0};
+  CavityBars bars;
+  std::shared_ptr<const CavityLives> of;
+  double from_angstrom2 = 0;
+  std::shared_ptr<const CavityLines> lines;
+  std::vector<std::size_t> rows;  // for each bar; kNoRow: its cavity is not in the table
+};
 
 struct CurveState {
   static constexpr int kLives = 3;  // not a CurveQuantity
@@ -28,21 +39,13 @@ struct CurveState {
   // The chart, and the results from which it was made.
   CavityChart chart;
   std::vector<Rgb8> colours;  // one for each series
-  CurveAxis chart_axis = CurveAxis::alpha;
+  CurveAxis chart_axis{};  // of alpha
   std::shared_ptr<const void> curves, links;
   std::shared_ptr<const CavityLines> lines;  // null: no cavity is chosen
   std::vector<std::size_t> rows;             // rows of `lines` that are plotted
   int chart_quantity = -1;
 
-  // The longest lives, the results from which they were made, and their rows in the table now.
-  struct Lives {
-    static constexpr std::size_t kNoRow = ~std::size_t{0};
-    CavityBars bars;
-    std::shared_ptr<const CavityLives> of;
-    double from_angstrom2 = 0;
-    std::shared_ptr<const CavityLines> lines;
-    std::vector<std::size_t> rows;  // for each bar; kNoRow: its cavity is not in the table
-  } lives;
+  ShownLives lives;
 };
 
 }  // namespace alphascope

@@ -9,25 +9,31 @@
 #include "core/chart/svg.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
-#include "core/document/settings/open_options.hpp"
 #include "core/document/store/finished_text.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/measures/curve_state.hpp"
 #include "ui/panels/measures/curves_plot.hpp"
 #include "ui/panels/measures/lives_view.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/panels/panels.hpp"
-#include "ui/panels/playback.hpp"
-#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
-#include "ui/widgets/set_alpha.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/cavity/cavities.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
+#include "core/document/store/inputs.hpp"
+#include "ui/panels/playback.hpp"
+#include "ui/panels/view_info.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {
@@ -207,7 +213,7 @@ void table_buttons(PanelContext& ctx, const CurveState& memory, bool current) {
               {},
               false,
               {figure_to_save(plot_svg(curves_plot(memory, shown_at(ctx, memory.chart_axis)),
-                                       ctx.state.molecule.name))}});
+                                       ctx.state.file_name()))}});
   }
   tooltip(ctx, "Saves the curves as a CSV file, or their plot as an SVG file.");
   ImGui::EndDisabled();
@@ -233,7 +239,7 @@ void draw_curves_plot(PanelContext& ctx, const CurveState& memory) {
 // --- when there is nothing to plot
 
 std::string waiting_text(const PanelContext& ctx, const CurveState& memory, const Curves& curves) {
-  if (!ctx.state.molecule.loaded) return "Open a molecule: curves of its cavities appear here.";
+  if (!ctx.state.has_molecule()) return "Open a molecule: curves of its cavities appear here.";
   if (axis_of(memory) == CurveAxis::model) {
     const std::string why = why_no_model_curve(ctx.inputs);
     if (!why.empty()) return why;
@@ -298,7 +304,7 @@ std::string nothing_text(const PanelContext& ctx) {
 
 void draw_curves(PanelContext& ctx, CurveState& memory) {
   choices(ctx, memory);
-  reset_for_molecule(memory, ctx.state.molecule.sha256, [](const CurveState& old) {
+  reset_for_molecule(memory, ctx.state.file_hash(), [](const CurveState& old) {
     CurveState fresh;
     fresh.axis = old.axis;
     fresh.quantity = old.quantity;

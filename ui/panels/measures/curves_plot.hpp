@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <string>
 
-#include "core/chart/plot.hpp"
 
 namespace alphascope {
 
 struct CurveState;
+struct Plot;
 
 // `shown` is the present setting on the x axis.
 Plot curves_plot(const CurveState& memory, double shown);

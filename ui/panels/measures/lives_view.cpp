@@ -24,20 +24,25 @@
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
-#include "ui/panels/playback.hpp"
-#include "ui/panels/view_info.hpp"
-#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
-#include "ui/widgets/set_alpha.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/cavity/cavity_lives.hpp"
+#include "core/chart/colour_map.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "ui/panels/view_state.hpp"
+#include "core/document/reference/reference.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/panels/playback.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 
 namespace alphascope {
 namespace {
 
-using Lives = CurveState::Lives;
 
 constexpr double kStep = 0.01;  // Å², as the slider's step
 constexpr std::size_t kMostBars = 100;
@@ -53,10 +58,10 @@ struct Known {
 // --- bars and rows
 
 // Finds the row of each bar in the table on screen.
-void find_rows(Lives& memory, const CavityPage& page) {
+void find_rows(ShownLives& memory, const CavityPage& page) {
   if (memory.lines == page.rows.lines) return;
   memory.lines = page.rows.lines;
-  memory.rows.assign(memory.bars.longest.size(), Lives::kNoRow);
+  memory.rows.assign(memory.bars.longest.size(), ShownLives::kNoRow);
   std::map<std::uint32_t, std::size_t> bar_of;
   for (std::size_t k = 0; k < memory.bars.longest.size(); ++k) {
     bar_of[memory.bars.longest[k].sink] = k;
@@ -68,7 +73,7 @@ void find_rows(Lives& memory, const CavityPage& page) {
 }
 
 // Makes the bars anew if their results changed. Returns whether there are any results yet.
-bool follow(PanelContext& ctx, Lives& memory, Known& known, const Derived<CavityLives>& lives) {
+bool follow(PanelContext& ctx, ShownLives& memory, Known& known, const Derived<CavityLives>& lives) {
   const Derived<CavityGround> ground = ctx.store.want(cavity_ground(), ctx.inputs);
   known.ground = ground.value;
   known.current = lives.ready() && ground.ready() && ctx.inputs.atoms;
@@ -87,14 +92,14 @@ bool follow(PanelContext& ctx, Lives& memory, Known& known, const Derived<Cavity
 }
 
 // Returns the row of a bar; kNoRow if the table on screen is of other balls than the bars.
-std::size_t row_of(const Lives& memory, const CavityPage& page, std::size_t bar) {
+std::size_t row_of(const ShownLives& memory, const CavityPage& page, std::size_t bar) {
   const bool same = memory.lines && memory.lines == page.rows.lines;
-  return same ? memory.rows.at(bar) : Lives::kNoRow;
+  return same ? memory.rows.at(bar) : ShownLives::kNoRow;
 }
 
 // --- the line above the bars
 
-void legend(PanelContext& ctx, const Lives& memory, std::size_t drawn) {
+void legend(PanelContext& ctx, const ShownLives& memory, std::size_t drawn) {
   const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
   std::string text = "thin: pocket · thick: void · grey: does not exist at this alpha";
   if (drawn < memory.bars.all) {
@@ -128,7 +133,7 @@ struct BarsPlot {
   }
 };
 
-std::optional<BarsPlot> place(const PanelContext& ctx, const Lives& memory, double shown) {
+std::optional<BarsPlot> place(const PanelContext& ctx, const ShownLives& memory, double shown) {
   const auto area = plot_area(ctx, {.left = 16, .least_height = 30});
   if (!area) return {};
   BarsPlot bars{.area = *area};
@@ -162,13 +167,13 @@ void add_bar(BarsPlot& bars, const CavityBar& bar, std::size_t k, const ChartPai
   if (bar.is_ever_void()) part(closed, bar.gone_angstrom2, 0.8);
 }
 
-void add_bars(PanelContext& ctx, BarsPlot& bars, const Lives& memory, const CavityPage& page) {
+void add_bars(PanelContext& ctx, BarsPlot& bars, const ShownLives& memory, const CavityPage& page) {
   const PlotArea& area = bars.area;
   const double edge = area.x_at(area.left + ctx.px(2)) - area.x.low;
   for (std::size_t k = 0; k < bars.drawn; ++k) {
     const CavityBar& bar = memory.bars.longest[k];
     const std::size_t row = row_of(memory, page, k);
-    const bool there = row != Lives::kNoRow;
+    const bool there = row != ShownLives::kNoRow;
     add_bar(
         bars, bar, k,
         there ? plot_colour(cavity_colour(page, row)) : plot_ink(ChartColourRole::muted, 0.45f));
@@ -184,7 +189,7 @@ void add_bars(PanelContext& ctx, BarsPlot& bars, const Lives& memory, const Cavi
   }
 }
 
-void table_buttons(PanelContext& ctx, const Lives& memory, const Known& known) {
+void table_buttons(PanelContext& ctx, const ShownLives& memory, const Known& known) {
   const auto csv = [&] {
     std::vector<std::string> comments = comments_on_screen(ctx);
     comments.push_back(
@@ -202,7 +207,7 @@ void table_buttons(PanelContext& ctx, const Lives& memory, const Known& known) {
     std::vector<FormatToSave> figure;
     if (auto bars = place(ctx, memory, ctx.state.settings.request.alpha_angstrom2)) {
       add_bars(ctx, *bars, memory, *known.page);
-      figure.push_back(figure_to_save(plot_svg(bars->plot, ctx.state.molecule.name)));
+      figure.push_back(figure_to_save(plot_svg(bars->plot, ctx.state.file_name())));
     }
     open_save_dialog(ctx, {"Lives of cavities",
                            file_name_for(ctx, "lives"),
@@ -216,10 +221,10 @@ void table_buttons(PanelContext& ctx, const Lives& memory, const Known& known) {
   ImGui::EndDisabled();
 }
 
-std::string hover_text(const PanelContext& ctx, const Lives& memory, const Known& known,
+std::string hover_text(const PanelContext& ctx, const ShownLives& memory, const Known& known,
                        std::size_t bar) {
   const std::size_t row = row_of(memory, *known.page, bar);
-  const bool there = row != Lives::kNoRow;
+  const bool there = row != ShownLives::kNoRow;
   const auto& sink = known.ground->triangulation->tetrahedra[memory.bars.longest[bar].sink];
   return (there ? "Cavity " + std::to_string(row + 1)
                 : std::string("Does not exist at this alpha")) +
@@ -236,9 +241,9 @@ void set_alpha_to(PanelContext& ctx, double wanted) {
 
 // Chooses the cavity of a bar. One that is not in the table is chosen by its sink; the table finds
 // it after alpha has changed.
-void choose(PanelContext& ctx, const Lives& memory, const Known& known, std::size_t bar) {
+void choose(PanelContext& ctx, const ShownLives& memory, const Known& known, std::size_t bar) {
   const std::size_t row = row_of(memory, *known.page, bar);
-  if (row != Lives::kNoRow) return select_cavity(ctx, *known.page, row, HowSelected::alone);
+  if (row != ShownLives::kNoRow) return select_cavity(ctx, *known.page, row, HowSelected::alone);
   const auto& sink = known.ground->triangulation->tetrahedra[memory.bars.longest[bar].sink];
   ctx.state.settings.selection.cavities =
       RefSet(std::vector<Ref>{ctx.inputs.atoms->reference(sink)});
@@ -246,7 +251,7 @@ void choose(PanelContext& ctx, const Lives& memory, const Known& known, std::siz
   set_alpha_to(ctx, alpha_within(memory.bars.longest[bar], memory.from_angstrom2));
 }
 
-void take_mouse(PanelContext& ctx, const BarsPlot& bars, const Lives& memory, const Known& known) {
+void take_mouse(PanelContext& ctx, const BarsPlot& bars, const ShownLives& memory, const Known& known) {
   const PlotMouse mouse = plot_mouse(ctx, bars.area, "curves.lives");
   if (!known.current) return;
   const double at = std::round(mouse.x / kStep) * kStep;
@@ -270,7 +275,7 @@ void take_mouse(PanelContext& ctx, const BarsPlot& bars, const Lives& memory, co
 // --- when there is nothing to draw
 
 std::string waiting_text(const PanelContext& ctx, const Derived<CavityLives>& lives) {
-  if (!ctx.state.molecule.loaded) return "Open a molecule: the lives of its cavities appear here.";
+  if (!ctx.state.has_molecule()) return "Open a molecule: the lives of its cavities appear here.";
   if (lives.state == DerivedState::no_room || lives.state == DerivedState::failed) {
     return "There are no lives of cavities. " + lives.why;
   }
@@ -279,7 +284,7 @@ std::string waiting_text(const PanelContext& ctx, const Derived<CavityLives>& li
 
 }  // namespace
 
-void draw_cavity_lives(PanelContext& ctx, CurveState::Lives& memory) {
+void draw_cavity_lives(PanelContext& ctx, ShownLives& memory) {
   const FollowedCavities followed = follow_cavities(ctx);
   Known known;
   known.page = ctx.state.cavities.page.get();

@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "core/document/measures/measure_rows.hpp"
-#include "core/document/reference/reference.hpp"
+#include "core/document/measures/measure_query.hpp"
+#include "core/document/reference/ref_set.hpp"
 
 namespace alphascope {
+
+struct MeasureRows;
+struct MeasuredComplex;
 
 struct MeasureState {
   std::string molecule;  // SHA-256 of the molecule's file

@@ -21,12 +21,14 @@
 #include "ui/panels/measures/measure_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/panels/panels.hpp"
-#include "ui/panels/view_info.hpp"
-#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
-#include "ui/widgets/style.hpp"
 #include "ui/widgets/table_cells.hpp"
+#include "core/document/store/inputs.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "core/document/reference/reference.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/style.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
 
 namespace alphascope {
 namespace {
@@ -317,7 +319,7 @@ void copy_when_there(PanelContext& ctx, MeasureState& memory) {
 
 // Says why there are no numbers yet.
 std::string waiting_text(const PanelContext& ctx, const Derived<MeasuredComplex>& measured) {
-  if (!ctx.state.molecule.loaded) return "Open a molecule: its area and volume appear here.";
+  if (!ctx.state.has_molecule()) return "Open a molecule: its area and volume appear here.";
   const AlphaComplex* complex = ctx.inputs.complex.get();
   if (complex && complex->tetrahedra_only) {
     return "Areas and volumes need all simplices. Switch “Tetrahedra only” off in the section "
@@ -347,7 +349,7 @@ void take_measures(PanelContext& ctx, MeasureState& memory,
 }
 
 void draw_measures(PanelContext& ctx, MeasureState& memory) {
-  reset_for_molecule(memory, ctx.state.molecule.sha256);
+  reset_for_molecule(memory, ctx.state.file_hash());
   ctx.state.measures_wanted = true;
   const bool whole = !ctx.inputs.complex || !ctx.inputs.complex->tetrahedra_only;
   Derived<MeasuredComplex> measured;

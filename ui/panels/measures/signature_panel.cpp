@@ -14,7 +14,6 @@
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/document/store/finished_text.hpp"
-#include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
@@ -25,14 +24,20 @@
 #include "ui/number_text.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/panels/panels.hpp"
-#include "ui/panels/playback.hpp"
-#include "ui/panels/view_info.hpp"
-#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
-#include "ui/widgets/set_alpha.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/chart/colour_scale.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/triangulation/memory_need.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/document/store/store.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/panels/view_info.hpp"
+#include "ui/panels/playback.hpp"
 
 namespace alphascope {
 namespace {
@@ -225,7 +230,7 @@ void save_button(PanelContext& ctx, const Signature& signature) {
          {},
          {},
          false,
-         {figure_to_save(plot_svg(plot, ctx.state.molecule.name))}});
+         {figure_to_save(plot_svg(plot, ctx.state.file_name()))}});
   }
   tooltip(ctx, "Numbers of simplices against alpha as a CSV file, or their plot as an SVG file.");
   ImGui::EndDisabled();
@@ -259,7 +264,7 @@ void plots(PanelContext& ctx, const Signature& signature) {
 
 // Says why there are no curves yet.
 std::string waiting_text(const PanelContext& ctx, const Derived<Signature>& signature) {
-  if (!ctx.state.molecule.loaded) return "Open a molecule: its signature appears here.";
+  if (!ctx.state.has_molecule()) return "Open a molecule: its signature appears here.";
   if (signature.state != DerivedState::waiting && !signature.why.empty()) {
     return "There is no signature. " + signature.why;
   }

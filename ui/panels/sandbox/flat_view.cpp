@@ -9,21 +9,21 @@
 #include "core/chart/colour_scale.hpp"
 #include "core/chart/flat_svg.hpp"
 #include "core/document/reference/ref_set.hpp"
-#include "core/document/settings/open_options.hpp"
-#include "core/document/store/answer.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "core/radii/radii_set.hpp"
-#include "core/selection/prepare_balls.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/panels/viewport_info.hpp"
-#include "ui/panels/window_settings.hpp"
 #include "ui/theme.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 namespace {
@@ -167,7 +167,7 @@ void draw_circle(ImDrawList* draw, const FlatStyle& style, ImVec2 centre, float 
 }
 
 void draw_shape(PanelContext& ctx, const Paper& paper, const FlatShape& shape) {
-  const bool dark = ctx.state.window.theme == Theme::dark;
+  const bool dark = ctx.state.theme() == Theme::dark;
   const FlatStyle style = flat_style(shape.kind, dark);
   const ImU32 fill = colour(style.fill), line = colour(style.line);
   // Lines of whole pixels take ImGui a third of the triangles.

@@ -8,7 +8,6 @@
 #include "core/radii/amber_radii.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"
-#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 
 #include <algorithm>
@@ -72,7 +71,7 @@ double snapped(double angstrom, double step) {
 
 bool shows_flat_drawing(const ViewState& state) {
   return state.sandbox.drawing && state.settings.open.sandbox &&
-         state.settings.open.sandbox->flat && state.molecule.loaded;
+         state.settings.open.sandbox->flat && state.has_molecule();
 }
 
 }  // namespace alphascope

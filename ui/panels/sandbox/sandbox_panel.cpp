@@ -6,20 +6,19 @@
 #include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/dimension_words.hpp"
-#include "core/document/settings/open_options.hpp"
-#include "core/document/store/answer.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "core/radii/radii_set.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/document/store/answer.hpp"
 
 namespace alphascope {
 namespace {

@@ -14,6 +14,8 @@
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/cavity/cavity_lives.hpp"
+#include "core/document/reference/reference.hpp"
 
 namespace alphascope {
 namespace {

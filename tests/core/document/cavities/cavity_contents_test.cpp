@@ -24,6 +24,8 @@
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/support/molecules.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope {
 namespace {

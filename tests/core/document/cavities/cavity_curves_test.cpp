@@ -23,6 +23,7 @@
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

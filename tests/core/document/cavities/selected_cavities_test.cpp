@@ -15,6 +15,9 @@
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/triangulation/flow.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

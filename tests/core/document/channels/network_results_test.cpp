@@ -10,6 +10,7 @@
 #include "core/document/cavities/cavity_results.hpp"
 #include "tests/core/cavity/chambers.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

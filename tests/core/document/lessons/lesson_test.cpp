@@ -15,6 +15,9 @@
 #include "core/geometry/lattice_point.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/document/measures/measure_results.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/triangulation/filtration.hpp"
 
 namespace alphascope {
 namespace {

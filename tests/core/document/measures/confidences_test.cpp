@@ -14,6 +14,7 @@
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/core/files/temporary_file.hpp"
+#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,6 +10,7 @@
 #include "core/selection/prepare_balls.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,6 +6,7 @@
 #include "core/triangulation/filtration.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/support/five_balls.hpp"
+#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,6 +10,8 @@
 #include "core/run/internal_error.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/support/five_balls.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,6 +5,9 @@
 
 #include "core/document/store/key.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "core/document/store/store.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope::testing {
 

@@ -11,6 +11,9 @@
 #include "core/document/store/key.hpp"
 #include "core/run/parallel.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/run/work_threads.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

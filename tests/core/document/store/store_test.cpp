@@ -2,6 +2,8 @@
 // Tests the store of derived results: made once a key, in the background, under a budget.
 #include "core/document/store/key.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/run/cancel_token.hpp"
 
 #include <mutex>
 #include <new>

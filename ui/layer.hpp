@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A layer is a panel's drawing in the view, beside balls and complex: simplices, balls, tubes and
-// labels. Plain data: panels fill it, the scene draws it.
+// labels. Plain data: panels fill it, the scene draws it. The view leaves out layers for which
+// memory is too small, and says so.
 #pragma once
 
 #include <array>
@@ -70,10 +71,6 @@ struct Layer {
   bool translucent = false;
   bool fades_rest = true;   // for bodies: balls and complex become pale, so they hide nothing
   bool in_pictures = true;  // also in pictures that are saved
-
-  // Most simplices of one kind in a layer. The view leaves out layers for which memory is too
-  // small, and says so.
-  static constexpr std::size_t kMostSimplices = 4000000;
 };
 
 // Largest opacity of balls and complex while a layer fades them.

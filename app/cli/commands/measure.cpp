@@ -19,6 +19,7 @@
 #include "core/document/measures/measure_names.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/document/store/inputs.hpp"
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -27,6 +27,8 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/provenance.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/cavity_bottlenecks.hpp"
 
 namespace alphascope {
 namespace {

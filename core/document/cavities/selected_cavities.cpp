@@ -26,6 +26,7 @@
 #include "core/channel/clearance.hpp"
 #include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/drawn_parts.hpp"
 
 namespace alphascope {
 namespace {

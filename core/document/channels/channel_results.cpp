@@ -20,6 +20,7 @@
 #include "core/engine/known_results.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/document/cavities/cavity_bottlenecks.hpp"
 
 namespace alphascope {
 namespace {

@@ -22,6 +22,8 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/measure/union_measures.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/document/measures/measure_results.hpp"
 
 namespace alphascope {
 namespace {

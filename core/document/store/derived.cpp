@@ -9,6 +9,7 @@
 #include "core/triangulation/filtration.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles sources of a folder a dozen at a time. Most compile time goes into templates of the
 # standard library, which neighbouring sources share. So combining them halves the compile time of
-# core/, app/, ui/ and tests. Sources may then depend on each other unnoticed. check_headers,
-# check_includes and builds without this option find such cases. Off by default with ccache, which
+# core/, app/, ui/ and tests. Sources may then depend on each other unnoticed.
+# check_sources, check_includes and builds without this option find such cases. Off by default with ccache, which
 # would find a source only together with the same neighbours. The presets ci, asan and tsan always
 # combine, because their builds begin from nothing.
 set(by_default ON)

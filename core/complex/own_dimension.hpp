@@ -13,6 +13,8 @@
 
 namespace alphascope {
 
+struct BallSet;
+
 // Sets the classes for the dimension of all centres (dimension_of_centres()). The largest simplices
 // become interior. Their faces become singular, regular or interior by the number of largest
 // simplices that they belong to, 0 to 2. Smaller faces follow from their cofaces, as in space. Does

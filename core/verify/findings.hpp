@@ -16,6 +16,8 @@
 
 namespace alphascope {
 
+struct BallSet;
+
 class Findings {
  public:
   template <int N>

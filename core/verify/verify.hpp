@@ -11,6 +11,8 @@
 
 namespace alphascope {
 
+struct BallSet;
+
 struct Verification {
   std::size_t checks = 0;             // number of facts that were checked
   std::size_t failures = 0;           // number of these that are false

@@ -8,6 +8,8 @@
 
 namespace alphascope {
 
+struct BallSet;
+
 // Proves that this is the regular triangulation of these balls, with ties broken as CGAL does, or
 // reports what is wrong. All in integers; verify_triangulation.cpp explains why the checks are
 // enough. The time grows with the number of tetrahedra, and with the number of the hull's facets

@@ -15,6 +15,8 @@
 
 namespace alphascope {
 
+struct BallSet;
+
 // The data to write. `balls` are those of which the complex was computed.
 struct VtkSource {
   const BallSet& balls;

@@ -13,6 +13,7 @@
 #include "gpu/memory/prefix_sum.cuh"
 #include "gpu/memory/result_memory.cuh"
 #include "gpu/outside/outside_kernels.cuh"
+#include "core/complex/shared_faces.hpp"
 
 namespace alphascope::gpu {
 

@@ -7,6 +7,7 @@
 
 #include "core/complex/face_code.hpp"
 #include "gpu/memory/device_complex.hpp"
+#include "core/complex/shared_faces.hpp"
 
 namespace alphascope::gpu {
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/document/reference/ref_set.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 

@@ -12,6 +12,7 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

@@ -16,6 +16,7 @@
 #include "core/molecule/name_table.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/radii/radii_set.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

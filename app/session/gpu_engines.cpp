@@ -3,8 +3,11 @@
 #include "app/session/gpu_engines.hpp"
 
 #include <dlfcn.h>
+#include <elf.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -31,6 +34,30 @@ Function function_of(void* library, const char* name) {
   return reinterpret_cast<Function>(::dlsym(library, name));
 }
 
+// Whether the file ends before the parts that its own header names. The dynamic linker maps such a
+// file, and the program then dies by a bus error. Any other damage is left to the linker.
+bool is_cut_off(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  const std::streamoff end = in.tellg();
+  const auto has = [&](std::uint64_t offset, std::uint64_t bytes) {
+    const auto size = static_cast<std::uint64_t>(end);
+    return offset <= size && bytes <= size - offset;
+  };
+  const auto read = [&](auto& part, std::uint64_t offset) {
+    in.seekg(static_cast<std::streamoff>(offset));
+    return static_cast<bool>(in.read(reinterpret_cast<char*>(&part), sizeof part));
+  };
+  Elf64_Ehdr header{};
+  if (end < 0 || !read(header, 0) || header.e_ident[EI_CLASS] != ELFCLASS64) return false;
+  if (!has(header.e_shoff, std::uint64_t{header.e_shnum} * sizeof(Elf64_Shdr))) return true;
+  for (std::uint64_t n = 0; n < header.e_phnum; ++n) {
+    Elf64_Phdr part{};
+    if (!read(part, header.e_phoff + n * sizeof part)) return true;
+    if (!has(part.p_offset, part.p_filesz)) return true;
+  }
+  return false;
+}
+
 // Loads a file that exists. It is never unloaded, because results refer to it.
 const GpuLibrary& load(const fs::path& file) {
   const std::string named = "The GPU library " + file.string();
@@ -38,6 +65,7 @@ const GpuLibrary& load(const fs::path& file) {
     throw Unusable(named + " is not used, because its path is not absolute. Correct or unset " +
                    kVariable + ".");
   }
+  if (is_cut_off(file)) throw Unusable(named + " is not complete. Reinstall it.");
   void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (library == nullptr) {
     const char* const reason = ::dlerror();

@@ -35,6 +35,7 @@
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/document/store/inputs.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -82,6 +82,18 @@ TEST(GpuEngines, SayThatTheLibraryIsDamaged) {
   fs::remove(file);
 }
 
+// A library of which the end is missing would end the program by a bus error.
+TEST(GpuEngines, SayThatTheLibraryIsCutOff) {
+  const fs::path file = fs::path(::testing::TempDir()) / "cut-off-gpu.so";
+  const std::uintmax_t size = fs::file_size(ALPHASCOPE_GOOD_GPU_LIBRARY);
+  for (const std::uintmax_t left : {size - 1, size / 2, size / 4, size / 16, std::uintmax_t{64}}) {
+    fs::copy_file(ALPHASCOPE_GOOD_GPU_LIBRARY, file, fs::copy_options::overwrite_existing);
+    fs::resize_file(file, left);
+    expect_unusable(file, {"The GPU library " + file.string() + " is not complete", "Reinstall it"});
+  }
+  fs::remove(file);
+}
+
 TEST(GpuEngines, RefuseAForeignLibrary) {
   expect_unusable(ALPHASCOPE_FOREIGN_LIBRARY, {"is not a GPU library of Alphascope"});
 }

@@ -18,7 +18,6 @@
 #include "ui/widgets/widgets.hpp"
 #include "ui/panels/view_state.hpp"
 #include "core/document/store/definition.hpp"
-#include "gpu/dual_edge/result_copy.cuh"
 #include "core/document/store/inputs.hpp"
 
 namespace alphascope {

@@ -69,7 +69,7 @@ void Viewer::begin_with(const ViewerOptions& options) {
   state_.settings.request.solvent_radius_angstrom = options.solvent;
   state_.settings.request.tetrahedra_only = options.tetrahedra_only;
   state_.window.auto_compare = options.compare;
-  draw_shots_only_ = options.draw_shots_only;
+  if (options.draw_shots_only) draw_shots_only();
   sender_.begin();
   if (const auto preset = preset_named(options.preset)) {
     state_.settings.display = with_preset(state_.settings.display, *preset);

@@ -64,7 +64,7 @@ class Viewer {
   // Draws pictures in the background with software OpenGL too, as with a GPU.
   void render_asynchronously() { scene_.render_asynchronously(); }
   // From now on panels are drawn only in the frames of shoot().
-  void draw_shots_only() { draw_shots_only_ = true; }
+  void draw_shots_only() { frame_.draw_shots_only(); }
   // Draws the scene at the finest quality, then the window, into a PNG file.
   void shoot(const std::filesystem::path& path, ScriptedInput* input);
 
@@ -132,7 +132,6 @@ class Viewer {
   Playing playing_{state_, session_, scene_, due_};
   bool quit_ = false;
   bool patient_ = false;
-  bool draw_shots_only_ = false;
   bool must_render_ = false;  // the picture does not show state_.result yet
   bool picture_is_new_ = false;
   JobList jobs_{state_, due_};

@@ -83,12 +83,10 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   pointing_.place_clip_handle();
   draw_over_picture(parts, frame_.fonts(), frame_.scale());
   if (undrawn) return frame_.end_undrawn();
-  if (draw_shots_only_ && !before_swap) {
-    frame_.end_undrawn();
+  if (before_swap) {
+    frame_.end(before_swap);
   } else {
-    frame_.end([&](unsigned framebuffer) {
-      if (before_swap) before_swap(framebuffer);
-    });
+    frame_.end();
   }
   memory_.give_back_when_due(busy());
 }

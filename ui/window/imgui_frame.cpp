@@ -121,6 +121,7 @@ void ImGuiFrame::end_undrawn() {
 }
 
 void ImGuiFrame::end() {
+  if (shots_only_) return end_undrawn();
   draw();
   host_.swap();
 }

@@ -35,8 +35,10 @@ class ImGuiFrame {
   // `scripted` is null, the host's input is used. Returns false while the window is minimised or
   // smaller than 64 pixels; the caller must then draw nothing.
   bool begin(Theme theme, ScriptedInput* scripted);
-  // Draws the frame and shows it.
+  // Draws the frame and shows it, unless draw_shots_only() was called.
   void end();
+  // From now on end() discards frames. Those with a `before_swap` are drawn.
+  void draw_shots_only() { shots_only_ = true; }
   // Waits until OpenGL has drawn everything.
   void finish();
   // Discards the frame; the screen stays as it is.
@@ -67,6 +69,7 @@ class ImGuiFrame {
   float scale_ = 0;
   unsigned framebuffer_ = 0;
   bool in_software_ = false;
+  bool shots_only_ = false;
 };
 
 }  // namespace alphascope

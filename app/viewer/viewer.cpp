@@ -44,10 +44,12 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
              [this] { return session_.threads(); }),
       session_([&host] { host.wake(); }, std::move(services)),
       lessons_(
-          {state_, commands_, session_, scene_, opening_, preferences_, history_, sender_, due_},
+          {state_, commands_, session_, scene_, opening_, preferences_, history_, sender_,
+           pace_.due()},
           [&host] { host.wake(); }, WindowLessons::folders(options.preferences)),
-      saving_({host, state_, scene_, session_, store_, inputs_.now(), lessons_.player(), due_},
-              jobs_) {
+      saving_(
+          {host, state_, scene_, session_, store_, inputs_.now(), lessons_.player(), pace_.due()},
+          jobs_) {
   for (ViewerJob* const job :
        {static_cast<ViewerJob*>(&folder_reader_), static_cast<ViewerJob*>(&benchmark_),
         static_cast<ViewerJob*>(&reading_), &opening_.writer()}) {
@@ -105,7 +107,7 @@ void Viewer::take_shown() {
   scene_.describe(state_.viewport);
   if (state_.result != scene_.drawn().answer) {
     state_.result = scene_.drawn().answer;
-    due_.ask_for_news();
+    pace_.due().ask_for_news();
     picture_is_new_ = true;
   }
   const auto& ours = session_.state().ours;
@@ -118,14 +120,14 @@ void Viewer::take_machine() {
   }
   state_.gpu = machine_.get().gpu;
   if (has_gpu(state_) && !file_.any()) preferences_.take_gpu();
-  due_.ask();
+  pace_.due().ask();
 }
 
 void Viewer::take_session() {
   take_machine();
   opening_.poll();
   lessons_.poll();
-  if (preferences_.poll()) due_.ask();
+  if (preferences_.poll()) pace_.due().ask();
   state_.listing = folder_reader_.listing(wanted_listing(state_.browser));
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
@@ -152,7 +154,7 @@ void Viewer::take_session() {
     take_error(changes.options && before == state_.settings.open);
   }
   if (changes.any()) {
-    due_.ask();
+    pace_.due().ask();
     memory_.read();
   }
   status_.update_badge();

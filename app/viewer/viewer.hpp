@@ -126,15 +126,14 @@ class Viewer {
   SceneController scene_;
   ShownMarks marks_{state_, scene_};
   Pointing pointing_{state_, scene_, marks_, frame_};
-  DueFrames due_;
-  FramePace pace_{due_};
-  MemoryWatch memory_{state_, due_};
-  Playing playing_{state_, session_, scene_, due_};
+  FramePace pace_;
+  MemoryWatch memory_{state_, pace_.due()};
+  Playing playing_{state_, session_, scene_, pace_.due()};
   bool quit_ = false;
   bool patient_ = false;
   bool must_render_ = false;  // the picture does not show state_.result yet
   bool picture_is_new_ = false;
-  JobList jobs_{state_, due_};
+  JobList jobs_{state_, pace_.due()};
   FolderReader folder_reader_;
   std::shared_ptr<Queued> queued_;
   WindowPreferences preferences_;
@@ -142,12 +141,12 @@ class Viewer {
   Benchmark benchmark_;
   Store store_;
   Session session_;  // after what its threads wake; before the classes below, which use it
-  PictureInputs inputs_{state_, session_, scene_, marks_, store_, due_};
-  SettingsSender sender_{state_, session_, scene_, store_, inputs_, due_};
+  PictureInputs inputs_{state_, session_, scene_, marks_, store_, pace_.due()};
+  SettingsSender sender_{state_, session_, scene_, store_, inputs_, pace_.due()};
   History history_{state_, session_, scene_};
   WorkStatus status_{state_, session_, scene_, store_, jobs_, [this] { cancel_computing(); }};
-  Opening opening_{host_,    state_,       scene_, session_,
-                   history_, preferences_, due_,   [this] { return benchmark_.busy(); }};
+  Opening opening_{host_,    state_,       scene_,      session_,
+                   history_, preferences_, pace_.due(), [this] { return benchmark_.busy(); }};
   ActivityJob reading_{
       JobId::opening,
       {[this] { return opening_.reading(); }, [] { return std::string("Opening the session"); },

@@ -98,7 +98,7 @@ class Viewer::Queued {
     void open_context_menu() override {
       queue.put("open_context_menu", [this] {
         v.pointing_.open_context_menu();
-        v.due_.ask();
+        v.pace_.due().ask();
       });
     }
 

@@ -24,7 +24,7 @@ void Viewer::act() {
   for (const PointerEvent& event : state_.viewport.events) {
     if (event.kind != PointerEvent::Kind::click) continue;
     pointing_.click(event);
-    due_.ask();
+    pace_.due().ask();
   }
   run_calls();
   lessons_.player().step();
@@ -48,7 +48,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   pace_.begin_frame();
   jobs_.describe();
   status_.update_background();
-  if (preferences_.follow_scale()) due_.ask();
+  if (preferences_.follow_scale()) pace_.due().ask();
   guarded([this] { pointing_.describe_under_mouse(); });
   if (!frame_.begin(state_.window.theme, input)) return inputs_.want_results_for_all_alphas();
   session_.set_dragging(interacting(state_));
@@ -141,8 +141,8 @@ bool Viewer::wait_for_frame() {
 bool Viewer::frame_is_due() const {
   const bool playing = state_.playback.alpha || state_.playback.models;
   const bool step_due = state_.steps.playing && playing_.seconds_to_next_step() <= 0;
-  return due_.any() || playing || step_due || working() || store_.busy() || scene_.wants_frame() ||
-         !sender_.options_are_sent();
+  return pace_.due().any() || playing || step_due || working() || store_.busy() ||
+         scene_.wants_frame() || !sender_.options_are_sent();
 }
 
 void Viewer::run() {
@@ -155,7 +155,7 @@ void Viewer::run() {
     guarded([this] { opening_.open_dropped(host_.take_dropped_files()); });
     take_results();
     if (!frame_is_due()) continue;
-    due_.count = std::max(0, due_.count - 1);
+    pace_.due().count_down();
     draw(nullptr, false);
   }
   host_.hide();

@@ -14,8 +14,6 @@
 namespace alphascope {
 namespace {
 
-constexpr int kFramesForNews = 3;  // frames until the dialog has its place
-
 // A paragraph that says what remains after a failure; empty if no molecule is open.
 std::string still(const ViewState& state, const char* what) {
   return state.molecule.loaded ? std::string("\n\n") + what : "";
@@ -34,7 +32,7 @@ void Viewer::guarded(const std::function<void()>& what) {
   } catch (const std::exception& error) {
     state_.show_error("The last action failed", error.what());
   }
-  due_.count = kFramesForNews;
+  pace_.due().ask();
 }
 
 void Viewer::take_error(bool only_the_model_changed) {

@@ -11,8 +11,9 @@ struct DueFrames {
   int count = kSettling;
   bool news = false;  // results have arrived that no frame shows yet
   bool any() const { return count > 0; }
-  void ask() { count = kSettling; }  // for a change that is to be seen
-  void ask_for_news() {              // for a result, which the next frame shows at once
+  void count_down() { count = any() ? count - 1 : 0; }  // for a frame that is being drawn
+  void ask() { count = kSettling; }                     // for a change that is to be seen
+  void ask_for_news() {  // for a result, which the next frame shows at once
     ask();
     news = true;
   }

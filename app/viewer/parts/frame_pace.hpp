@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decides when the next frame of the window is due.
+// Decides when the next frame of the window is due, and owns the count of frames to draw.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,8 @@ namespace alphascope {
 
 class FramePace {
  public:
-  explicit FramePace(DueFrames& due) : due_(due) {}
+  DueFrames& due() { return due_; }
+  const DueFrames& due() const { return due_; }
 
   void begin_frame();
   // Call with each wait for events. Keeps a frame for the tooltip of a mouse that comes to rest.
@@ -25,7 +26,7 @@ class FramePace {
  private:
   using Clock = std::chrono::steady_clock;
 
-  DueFrames& due_;
+  DueFrames due_;
   Clock::time_point begun_at_{};  // of the last frame
   std::optional<Clock::time_point> tooltip_due_;
 };

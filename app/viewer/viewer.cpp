@@ -8,9 +8,7 @@
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/commands/commands.hpp"
-#include "app/viewer/mouse/gestures.hpp"
 #include "app/viewer/resources.hpp"
-#include "app/viewer/session_text.hpp"
 #include "core/document/settings/display_preset.hpp"
 
 namespace alphascope {
@@ -95,25 +93,6 @@ bool Viewer::working_except_saving() const {
          opening_.busy() || lessons_.busy();
 }
 
-void Viewer::take_answer() {
-  const SessionState& s = session_.state();
-  scene_.set_answer(s.ours);
-  state_.device_text = s.ours->complex.engine.name + " on " + s.ours->complex.engine.device;
-  state_.engine_note = s.ours->note;
-}
-
-void Viewer::take_shown() {
-  must_render_ |= scene_.poll();
-  scene_.describe(state_.viewport);
-  if (state_.result != scene_.drawn().answer) {
-    state_.result = scene_.drawn().answer;
-    pace_.due().ask_for_news();
-    picture_is_new_ = true;
-  }
-  const auto& ours = session_.state().ours;
-  state_.pending = ours && ours != state_.result ? pending_text(*ours) : "";
-}
-
 void Viewer::take_machine() {
   if (state_.gpu || machine_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     return;
@@ -132,11 +111,7 @@ void Viewer::take_session() {
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
   if (changes.molecule && s.opened) memory_.note_freed(file_.take_molecule(line_scale()));
-  if (changes.answer && s.ours) take_answer();
-  if (s.prepared && !s.ours && !session_.activity().computing.busy) {
-    scene_.show_without_answer();  // the computation was cancelled or has failed
-  }
-  if (changes.agreement && s.agreement) scene_.set_agreement(s.agreement);
+  picture_.follow(changes);
   if (s.ours) {  // otherwise the next answer is being computed
     state_.ours = s.our_timings;
     status_.add_picture_stages();
@@ -167,15 +142,6 @@ void Viewer::send_controls() {
   state_.settings.selection.note_order();
   history_.note_changes(state_.playback.alpha || state_.playback.models || lessons_.plays() ||
                         saving_.sweeps());
-}
-
-// Whether this frame is left undrawn until the picture's tables are ready. Software OpenGL draws
-// with the same cores that make the tables. While a slider is dragged, one frame waits, so picture
-// and tables appear together.
-bool Viewer::waits_for_tables() {
-  const bool new_picture = std::exchange(picture_is_new_, false);
-  return new_picture && frame_.in_software() && interacting(state_) &&
-         store_.busy(Lane::interactive);
 }
 
 }  // namespace alphascope

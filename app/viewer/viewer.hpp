@@ -18,6 +18,7 @@
 #include "app/viewer/mouse/pointing.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/parts/frame_pace.hpp"
+#include "app/viewer/parts/frame_picture.hpp"
 #include "app/viewer/parts/history.hpp"
 #include "app/viewer/parts/memory_watch.hpp"
 #include "app/viewer/parts/opening.hpp"
@@ -103,18 +104,13 @@ class Viewer {
   void take_results();
   void take_machine();
   void take_session();  // moves results and failures of the session into the state
-  void take_answer();
   void take_error(bool only_the_model_changed);
-  void take_shown();  // updates the texts about the picture
-  bool waits_for_tables();
   void run_calls();      // makes the calls of the panels
   void send_controls();  // hands changed controls to session and scene
   void cancel_computing();
-  void draw(ScriptedInput* input, bool patient,
-            const std::function<void(unsigned)>& before_swap = {});
+  void draw(ScriptedInput* input, const std::function<void(unsigned)>& before_swap = {});
   void move_view();  // by the mouse
   void act();        // does what the panels and the mouse ask for
-  void draw_scene(const ScriptedInput* input, bool patient);
   bool frame_is_due() const;
 
   Host& host_;
@@ -130,9 +126,6 @@ class Viewer {
   MemoryWatch memory_{state_, pace_.due()};
   Playing playing_{state_, session_, scene_, pace_.due()};
   bool quit_ = false;
-  bool patient_ = false;
-  bool must_render_ = false;  // the picture does not show state_.result yet
-  bool picture_is_new_ = false;
   JobList jobs_{state_, pace_.due()};
   FolderReader folder_reader_;
   std::shared_ptr<Queued> queued_;
@@ -141,6 +134,7 @@ class Viewer {
   Benchmark benchmark_;
   Store store_;
   Session session_;  // after what its threads wake; before the classes below, which use it
+  FramePicture picture_{{host_, state_, frame_, scene_, store_, session_, pace_.due()}};
   PictureInputs inputs_{state_, session_, scene_, marks_, store_, pace_.due()};
   SettingsSender sender_{state_, session_, scene_, store_, inputs_, pace_.due()};
   History history_{state_, session_, scene_};

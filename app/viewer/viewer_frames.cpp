@@ -34,17 +34,7 @@ void Viewer::act() {
   preferences_.note();
 }
 
-// Draws the scene. It comes after the panels, which decide the picture's size, and before ImGui
-// shows the picture. If input is waiting, no scene is drawn, since slow pictures would delay the
-// window.
-void Viewer::draw_scene(const ScriptedInput* input, bool patient) {
-  if (input == nullptr && !must_render_ && host_.input().waiting()) return;
-  must_render_ = false;
-  guarded([&] { scene_.render(state_.viewport, interacting(state_), patient); });
-}
-
-void Viewer::draw(ScriptedInput* input, bool patient,
-                  const std::function<void(unsigned)>& before_swap) {
+void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& before_swap) {
   pace_.begin_frame();
   jobs_.describe();
   status_.update_background();
@@ -57,12 +47,9 @@ void Viewer::draw(ScriptedInput* input, bool patient,
   session_.set_finding_outer_faces(scene_.draws_outer_faces());
   history_.begin_frame();
   store_.next_frame();
-  guarded([&] {
+  guarded([this] {
     sender_.send_request();
-    // While the mouse turns the view, its movement is known only after the panels. A picture begun
-    // here would be drawn twice.
-    const bool turned = !state_.viewport.events.empty();
-    if (!patient && !turned) scene_.begin_picture(state_.viewport, interacting(state_));
+    picture_.begin();
   });
   const Calls calls = this->calls();
   const WindowParts parts{state_, rects_, commands_, store_, inputs_.now(), calls, panels_};
@@ -75,11 +62,9 @@ void Viewer::draw(ScriptedInput* input, bool patient,
     marks_.draw_annotations();
     scene_.shown().layers().set(state_.layers);
   });
-  const SessionActivity a = session_.activity();
-  scene_.set_pending((a.computing.unfinished() && !session_.state().up_to_date()) ||
-                     (a.opening.unfinished() && a.opening_path.empty()));
-  const bool undrawn = !patient && waits_for_tables();
-  if (!undrawn) draw_scene(input, patient);
+  picture_.mark_outdated();
+  const bool undrawn = picture_.waits_for_tables();
+  if (!undrawn) guarded([&] { picture_.draw(input == nullptr); });
   pointing_.place_clip_handle();
   draw_over_picture(parts, frame_.fonts(), frame_.scale());
   if (undrawn) return frame_.end_undrawn();
@@ -94,7 +79,7 @@ void Viewer::draw(ScriptedInput* input, bool patient,
 void Viewer::step(ScriptedInput* input) {
   host_.wait_events(0);
   take_results();
-  draw(input, patient_);
+  draw(input);
 }
 
 void Viewer::finish_frame() {
@@ -104,20 +89,20 @@ void Viewer::finish_frame() {
 
 void Viewer::shoot(const std::filesystem::path& path, ScriptedInput* input) {
   const HostSize size = host_.size();
-  patient_ = true;
+  picture_.set_patient(true);
   for (int i = 0; i < DueFrames::kSettling; ++i) step(input);
-  draw(input, true, [&](unsigned framebuffer) {
+  draw(input, [&](unsigned framebuffer) {
     Image image = read_framebuffer(framebuffer, size.width, size.height);
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
     write_png(image, path, scene_.texts());
   });
-  patient_ = false;
+  picture_.set_patient(false);
 }
 
 void Viewer::take_results() {
   guarded([this] {
     take_session();
-    take_shown();
+    picture_.poll();
     inputs_.follow_picture();
     memory_.note_freed(jobs_.poll());
     status_.compare_when_due(interacting(state_));
@@ -156,7 +141,7 @@ void Viewer::run() {
     take_results();
     if (!frame_is_due()) continue;
     pace_.due().count_down();
-    draw(nullptr, false);
+    draw(nullptr);
   }
   host_.hide();
 }

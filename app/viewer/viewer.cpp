@@ -28,16 +28,10 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       frame_(host, options.light ? Theme::light : Theme::dark),
       scene_([&host] { host.wake(); },
              [mb = options.drawing_memory_mb] { return available_or(mb); }, std::move(make_mesh)),
-      folder_reader_([&host] { host.wake(); }),
       queued_(make_queued()),
       preferences_(host, state_, options.preferences),
-      machine_(std::async(std::launch::async,
-                          [&host] {
-                            const MachineInfo& machine = machine_info();
-                            host.wake();
-                            return machine;
-                          })),
-      benchmark_([&host] { host.wake(); }, services.make_engine, state_.benchmark),
+      jobs_(
+          state_, pace_.due(), [&host] { host.wake(); }, services.make_engine),
       store_([&host] { host.wake(); }, [this] { return large_object_budget(store_.held_bytes()); },
              [this] { return session_.threads(); }),
       session_([&host] { host.wake(); }, std::move(services)),
@@ -47,12 +41,10 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
           [&host] { host.wake(); }, WindowLessons::folders(options.preferences)),
       saving_(
           {host, state_, scene_, session_, store_, inputs_.now(), lessons_.player(), pace_.due()},
-          jobs_) {
-  for (ViewerJob* const job :
-       {static_cast<ViewerJob*>(&folder_reader_), static_cast<ViewerJob*>(&benchmark_),
-        static_cast<ViewerJob*>(&reading_), &opening_.writer()}) {
-    jobs_.add(*job);
-  }
+          jobs_.list()) {
+  jobs_.list_own();
+  jobs_.list().add(reading_);
+  jobs_.list().add(opening_.writer());
   begin_with(options);
 }
 
@@ -83,31 +75,25 @@ void Viewer::begin_with(const ViewerOptions& options) {
 }
 
 bool Viewer::busy() const {
-  return working() || benchmark_.busy() || store_.busy();
+  return working() || jobs_.benchmark().busy() || store_.busy();
+}
+
+bool Viewer::working() const {
+  return working_except_saving() || saving_.busy() || jobs_.benchmark().exports();
 }
 
 bool Viewer::working_except_saving() const {
   const SessionActivity a = session_.activity();
   return !sender_.options_are_sent() || a.opening.busy || a.computing.busy || a.comparing.busy ||
-         a.timing.busy || !state_.gpu || scene_.busy() || folder_reader_.busy() ||
-         opening_.busy() || lessons_.busy();
-}
-
-void Viewer::take_machine() {
-  if (state_.gpu || machine_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-    return;
-  }
-  state_.gpu = machine_.get().gpu;
-  if (has_gpu(state_) && !file_.any()) preferences_.take_gpu();
-  pace_.due().ask();
+         a.timing.busy || scene_.busy() || jobs_.busy() || opening_.busy() || lessons_.busy();
 }
 
 void Viewer::take_session() {
-  take_machine();
+  if (jobs_.take_machine() && has_gpu(state_) && !file_.any()) preferences_.take_gpu();
   opening_.poll();
   lessons_.poll();
   if (preferences_.poll()) pace_.due().ask();
-  state_.listing = folder_reader_.listing(wanted_listing(state_.browser));
+  jobs_.follow_browser();
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
   if (changes.molecule && s.opened) memory_.note_freed(file_.take_molecule(line_scale()));

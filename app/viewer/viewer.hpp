@@ -5,15 +5,11 @@
 
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <memory>
 
-#include "app/session/machine.hpp"
 #include "app/session/session.hpp"
-#include "app/viewer/jobs/benchmark.hpp"
-#include "app/viewer/jobs/folder_reader.hpp"
-#include "app/viewer/jobs/job_list.hpp"
 #include "app/viewer/jobs/save_jobs.hpp"
+#include "app/viewer/jobs/window_jobs.hpp"
 #include "app/viewer/lessons/window_lessons.hpp"
 #include "app/viewer/mouse/pointing.hpp"
 #include "app/viewer/options.hpp"
@@ -99,10 +95,9 @@ class Viewer {
   float line_scale() const { return preferences_.line_scale(frame_.scale()); }
   // As busy(), without the benchmark and derived results. A benchmark alone causes no frames, since
   // drawing would disturb its times.
-  bool working() const { return working_except_saving() || saving_.busy() || benchmark_.exports(); }
+  bool working() const;
   bool working_except_saving() const;  // working(), without files being saved
   void take_results();
-  void take_machine();
   void take_session();  // moves results and failures of the session into the state
   void take_error(bool only_the_model_changed);
   void run_calls();      // makes the calls of the panels
@@ -126,21 +121,20 @@ class Viewer {
   MemoryWatch memory_{state_, pace_.due()};
   Playing playing_{state_, session_, scene_, pace_.due()};
   bool quit_ = false;
-  JobList jobs_{state_, pace_.due()};
-  FolderReader folder_reader_;
   std::shared_ptr<Queued> queued_;
   WindowPreferences preferences_;
-  std::future<MachineInfo> machine_;  // in the background: the search for a GPU can take a second
-  Benchmark benchmark_;
+  WindowJobs jobs_;
   Store store_;
   Session session_;  // after what its threads wake; before the classes below, which use it
   FramePicture picture_{{host_, state_, frame_, scene_, store_, session_, pace_.due()}};
   PictureInputs inputs_{state_, session_, scene_, marks_, store_, pace_.due()};
   SettingsSender sender_{state_, session_, scene_, store_, inputs_, pace_.due()};
   History history_{state_, session_, scene_};
-  WorkStatus status_{state_, session_, scene_, store_, jobs_, [this] { cancel_computing(); }};
-  Opening opening_{host_,    state_,       scene_,      session_,
-                   history_, preferences_, pace_.due(), [this] { return benchmark_.busy(); }};
+  WorkStatus status_{state_, session_,     scene_,
+                     store_, jobs_.list(), [this] { cancel_computing(); }};
+  Opening opening_{
+      host_,    state_,       scene_,      session_,
+      history_, preferences_, pace_.due(), [this] { return jobs_.benchmark().busy(); }};
   ActivityJob reading_{
       JobId::opening,
       {[this] { return opening_.reading(); }, [] { return std::string("Opening the session"); },

@@ -133,14 +133,17 @@ class Viewer::Queued {
       queue.put("compute_anew", [this] { v.session_.compute_anew(); });
     }
     void run_benchmark() override {
-      queue.put("run_benchmark",
-                [this] { v.benchmark_.start(v.session_.state(), v.state_.benchmark_settings); });
+      queue.put("run_benchmark", [this] {
+        v.jobs_.benchmark().start(v.session_.state(), v.state_.benchmark_settings);
+      });
     }
     void export_benchmark() override {
-      queue.put("export_benchmark", [this] { v.benchmark_.save(v.state_.benchmark_settings); });
+      queue.put("export_benchmark",
+                [this] { v.jobs_.benchmark().save(v.state_.benchmark_settings); });
     }
     void cancel(JobId job) override {
-      queue.put(kCancel[static_cast<std::size_t>(job)], [this, job] { v.jobs_.cancel(job); });
+      queue.put(kCancel[static_cast<std::size_t>(job)],
+                [this, job] { v.jobs_.list().cancel(job); });
     }
 
    private:

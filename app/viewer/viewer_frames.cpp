@@ -36,7 +36,7 @@ void Viewer::act() {
 
 void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& before_swap) {
   pace_.begin_frame();
-  jobs_.describe();
+  jobs_.list().describe();
   status_.update_background();
   if (preferences_.follow_scale()) pace_.due().ask();
   guarded([this] { pointing_.describe_under_mouse(); });
@@ -104,7 +104,7 @@ void Viewer::take_results() {
     take_session();
     picture_.poll();
     inputs_.follow_picture();
-    memory_.note_freed(jobs_.poll());
+    memory_.note_freed(jobs_.list().poll());
     status_.compare_when_due(interacting(state_));
   });
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Puts what the jobs without a session have found into the state.
+#include "app/viewer/jobs/window_jobs.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "ui/panels/dialogs/browser_state.hpp"
+
+namespace alphascope {
+
+WindowJobs::WindowJobs(ViewState& state, DueFrames& due, const std::function<void()>& wake,
+                       EngineFactory make_engine)
+    : state_(state),
+      due_(due),
+      list_(state, due),
+      folder_reader_(wake),
+      machine_(std::async(std::launch::async,
+                          [wake] {
+                            const MachineInfo& machine = machine_info();
+                            wake();
+                            return machine;
+                          })),
+      benchmark_(wake, std::move(make_engine), state.benchmark) {}
+
+void WindowJobs::list_own() {
+  list_.add(folder_reader_);
+  list_.add(benchmark_);
+}
+
+bool WindowJobs::take_machine() {
+  if (state_.gpu || machine_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return false;
+  }
+  state_.gpu = machine_.get().gpu;
+  due_.ask();
+  return true;
+}
+
+void WindowJobs::follow_browser() {
+  state_.listing = folder_reader_.listing(wanted_listing(state_.browser));
+}
+
+bool WindowJobs::busy() const {
+  return !state_.gpu || folder_reader_.busy();
+}
+
+}  // namespace alphascope

@@ -36,15 +36,14 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
              [this] { return session_.threads(); }),
       session_([&host] { host.wake(); }, std::move(services)),
       lessons_(
-          {state_, commands_, session_, scene_, opening_, preferences_, history_, sender_,
+          {state_, commands_, session_, scene_, file_.opening(), preferences_, history_, sender_,
            pace_.due()},
           [&host] { host.wake(); }, WindowLessons::folders(options.preferences)),
       saving_(
           {host, state_, scene_, session_, store_, inputs_.now(), lessons_.player(), pace_.due()},
           jobs_.list()) {
   jobs_.list_own();
-  jobs_.list().add(reading_);
-  jobs_.list().add(opening_.writer());
+  jobs_.list().add(file_.opening().writer());
   begin_with(options);
 }
 
@@ -69,8 +68,8 @@ void Viewer::begin_with(const ViewerOptions& options) {
   if (options.samples) state_.settings.display.samples = *options.samples;
   sender_.send_look(line_scale());
   history_.restart();
-  if (options.file) opening_.open(*options.file);
-  if (options.session) opening_.open_session(*options.session);
+  if (options.file) open(*options.file);
+  if (options.session) open_session(*options.session);
   if (!options.lesson.empty()) lessons_.open(options.lesson);
 }
 
@@ -85,18 +84,22 @@ bool Viewer::working() const {
 bool Viewer::working_except_saving() const {
   const SessionActivity a = session_.activity();
   return !sender_.options_are_sent() || a.opening.busy || a.computing.busy || a.comparing.busy ||
-         a.timing.busy || scene_.busy() || jobs_.busy() || opening_.busy() || lessons_.busy();
+         a.timing.busy || scene_.busy() || jobs_.busy() || file_.opening().busy() ||
+         lessons_.busy();
 }
 
 void Viewer::take_session() {
   if (jobs_.take_machine() && has_gpu(state_) && !file_.any()) preferences_.take_gpu();
-  opening_.poll();
+  file_.opening().poll();
   lessons_.poll();
   if (preferences_.poll()) pace_.due().ask();
   jobs_.follow_browser();
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
-  if (changes.molecule && s.opened) memory_.note_freed(file_.take_molecule(line_scale()));
+  if (changes.molecule && s.opened) {
+    status_.forget_compared();
+    memory_.note_freed(file_.take_molecule(line_scale()));
+  }
   picture_.follow(changes);
   if (s.ours) {  // otherwise the next answer is being computed
     state_.ours = s.our_timings;

@@ -17,7 +17,6 @@
 #include "app/viewer/parts/frame_picture.hpp"
 #include "app/viewer/parts/history.hpp"
 #include "app/viewer/parts/memory_watch.hpp"
-#include "app/viewer/parts/opening.hpp"
 #include "app/viewer/parts/picture_inputs.hpp"
 #include "app/viewer/parts/playing.hpp"
 #include "app/viewer/parts/settings_sender.hpp"
@@ -66,11 +65,11 @@ class Viewer {
   void shoot(const std::filesystem::path& path, ScriptedInput* input);
 
   // A molecule or, by the name's ending, a session.
-  void open(const std::filesystem::path& path) { opening_.open(path); }
-  void open_session(const std::filesystem::path& path) { opening_.open_session(path); }
+  void open(const std::filesystem::path& path) { file_.opening().open(path); }
+  void open_session(const std::filesystem::path& path) { file_.opening().open_session(path); }
   // Opens one of the files and notes why the others are not opened.
   void open_dropped(const std::vector<std::filesystem::path>& files) {
-    opening_.open_dropped(files);
+    file_.opening().open_dropped(files);
   }
   bool quit_requested() const { return quit_; }
   void undo() { history_.undo(); }
@@ -102,7 +101,6 @@ class Viewer {
   void take_error(bool only_the_model_changed);
   void run_calls();      // makes the calls of the panels
   void send_controls();  // hands changed controls to session and scene
-  void cancel_computing();
   void draw(ScriptedInput* input, const std::function<void(unsigned)>& before_swap = {});
   void move_view();  // by the mouse
   void act();        // does what the panels and the mouse ask for
@@ -130,17 +128,9 @@ class Viewer {
   PictureInputs inputs_{state_, session_, scene_, marks_, store_, pace_.due()};
   SettingsSender sender_{state_, session_, scene_, store_, inputs_, pace_.due()};
   History history_{state_, session_, scene_};
-  WorkStatus status_{state_, session_,     scene_,
-                     store_, jobs_.list(), [this] { cancel_computing(); }};
-  Opening opening_{
-      host_,    state_,       scene_,      session_,
-      history_, preferences_, pace_.due(), [this] { return jobs_.benchmark().busy(); }};
-  ActivityJob reading_{
-      JobId::opening,
-      {[this] { return opening_.reading(); }, [] { return std::string("Opening the session"); },
-       [this] { cancel_computing(); }}};
-  ShownFile file_{
-      {host_, state_, session_, scene_, opening_, preferences_, history_, sender_, status_}};
+  ShownFile file_{{host_, state_, session_, scene_, preferences_, history_, sender_, pace_.due()},
+                  [this] { return jobs_.benchmark().busy(); }};
+  WorkStatus status_{state_, session_, scene_, store_, file_.opening(), jobs_.list()};
   WindowLessons lessons_;
   SaveJobs saving_;
 };

@@ -29,22 +29,22 @@ class Viewer::Queued {
   struct Files : Part, FileCalls {
     using Part::Part;
     void open(const std::filesystem::path& file) override {
-      queue.put("open", [this, file] { v.opening_.open(file); });
+      queue.put("open", [this, file] { v.file_.opening().open(file); });
     }
     void open_session(const std::filesystem::path& file) override {
-      queue.put("open_session", [this, file] { v.opening_.open_session(file); });
+      queue.put("open_session", [this, file] { v.file_.opening().open_session(file); });
     }
     void save_session(const std::filesystem::path& file) override {
       queue.put("save_session", [this, file] {
         v.scene_.cameras().settle(v.state_.viewport);
-        v.opening_.save(file);
+        v.file_.opening().save(file);
       });
     }
     void continue_session(const std::filesystem::path& molecule) override {
-      queue.put("continue_session", [this, molecule] { v.opening_.go_on(molecule); });
+      queue.put("continue_session", [this, molecule] { v.file_.opening().go_on(molecule); });
     }
     void abandon_session() override {
-      queue.put("abandon_session", [this] { v.opening_.forget_waiting_session(); });
+      queue.put("abandon_session", [this] { v.file_.opening().forget_waiting_session(); });
     }
     void forget_recent() override {
       queue.put("forget_recent", [this] { v.preferences_.forget_recent(); });
@@ -201,14 +201,6 @@ Calls Viewer::calls() {
 void Viewer::run_calls() {
   history_.begin_calls();
   queued_->queue.run();
-}
-
-void Viewer::cancel_computing() {
-  state_.playback.alpha = state_.playback.models = false;
-  session_.cancel_opening();
-  opening_.forget_waiting_session();
-  session_.cancel_computing();
-  session_.cancel_comparison();
 }
 
 }  // namespace alphascope

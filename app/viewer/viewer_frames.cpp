@@ -137,7 +137,7 @@ void Viewer::run() {
     bool events = host_.wait_events(behind ? 0 : pace_.idle_seconds(working(), soonest)) || behind;
     events |= wait_for_frame();
     pace_.note_wait(events);
-    guarded([this] { opening_.open_dropped(host_.take_dropped_files()); });
+    guarded([this] { open_dropped(host_.take_dropped_files()); });
     take_results();
     if (!frame_is_due()) continue;
     pace_.due().count_down();

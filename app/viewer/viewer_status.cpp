@@ -43,9 +43,9 @@ void Viewer::take_error(bool only_the_model_changed) {
   state_.playback.alpha = state_.playback.models = false;
   switch (s.error_source) {
     case Source::opening:
-      opening_.forget_failed();
+      file_.opening().forget_failed();
       state_.show_error("The file cannot be opened",
-                        s.last_error + opening_.not_opened_either() +
+                        s.last_error + file_.opening().not_opened_either() +
                             still(state_, "The previous molecule is still open."));
       break;
     case Source::changing:

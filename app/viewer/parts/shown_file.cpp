@@ -10,13 +10,17 @@
 
 namespace alphascope {
 
+ShownFile::ShownFile(const Parts& parts, std::function<bool()> benchmark_busy)
+    : p_(parts),
+      opening_(parts.host, parts.state, parts.scene, parts.session, parts.history,
+               parts.preferences, parts.due, std::move(benchmark_busy)) {}
+
 bool ShownFile::take_molecule(float line_scale) {
   const SessionState& s = p_.session.state();
   ViewState& state = p_.state;
   const bool another = p_.scene.molecule() != s.molecule;
   state.molecule = describe_molecule(*s.opened);
   state.molecule.radii = grown_radii(*s.prepared, state.settings.request);
-  p_.status.forget_compared();
   if (another) {
     colour_by_what_differs(*s.molecule);
     if (file_ != s.opened->deposited) take_file();
@@ -33,7 +37,7 @@ void ShownFile::take_file() {
   const SessionState& s = p_.session.state();
   ViewState& state = p_.state;
   file_ = s.opened->deposited;
-  state.drop_note = p_.opening.take_drop_note();
+  state.drop_note = opening_.take_drop_note();
   p_.host.set_title(state.molecule.name + " – Alphascope");
   close_dialogs();
   state.cavities.wanted_row.reset();
@@ -46,14 +50,14 @@ void ShownFile::take_file() {
   p_.sender.take_options();
   state.expression_error.reset();
   state.expression.typed = state.expression.shown = state.settings.open.balls.selection;
-  const auto session = p_.opening.starting();
+  const auto session = opening_.starting();
   const std::filesystem::path& source = file_->source;
   const bool of_session = session && session->molecule.path == source;
   state.session_file.clear();
   if (!of_session || session->is_recent) {
     p_.preferences.note_recent_file(of_session && !session->file.empty() ? session->file : source);
   }
-  if (of_session) p_.opening.show_session();
+  if (of_session) opening_.show_session();
   start_preset();
   p_.history.restart();
   if (of_session) p_.history.restore();

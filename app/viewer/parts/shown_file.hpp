@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file that the window shows: sets the state that begins with each new molecule.
+// The file that the window shows, and the opening of others. Sets the state that begins with each
+// new molecule.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/session/session.hpp"
+#include "app/viewer/parts/due_frames.hpp"
 #include "app/viewer/parts/history.hpp"
 #include "app/viewer/parts/opening.hpp"
 #include "app/viewer/parts/settings_sender.hpp"
 #include "app/viewer/parts/window_preferences.hpp"
-#include "app/viewer/parts/work_status.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/window/host.hpp"
@@ -23,13 +25,16 @@ class ShownFile {
     ViewState& state;
     Session& session;
     SceneController& scene;
-    Opening& opening;
     WindowPreferences& preferences;
     History& history;
     SettingsSender& sender;
-    WorkStatus& status;
+    DueFrames& due;
   };
-  explicit ShownFile(const Parts& parts) : p_(parts) {}
+  // `benchmark_busy` as in Opening.
+  ShownFile(const Parts& parts, std::function<bool()> benchmark_busy);
+
+  Opening& opening() { return opening_; }
+  const Opening& opening() const { return opening_; }
 
   // Call when the session has new balls. `line_scale` as in SceneStyle. Returns whether they are of
   // another molecule, so that the memory of the last one is free.
@@ -43,6 +48,7 @@ class ShownFile {
   void colour_by_what_differs(const Molecule& molecule);
 
   Parts p_;
+  Opening opening_;
   std::shared_ptr<const Molecule> file_;  // the molecule as deposited; null: none
   ColourBy automatic_colour_ = ColourBy::chain;
 };

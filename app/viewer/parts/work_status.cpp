@@ -9,6 +9,7 @@
 #include "app/viewer/session_text.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/playback.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/running_job.hpp"
 
@@ -47,11 +48,12 @@ BackgroundInfo background_text(const std::vector<JobInfo>& jobs) {
 }  // namespace
 
 WorkStatus::WorkStatus(ViewState& state, Session& session, const SceneController& scene,
-                       const Store& store, JobList& jobs, const std::function<void()>& cancel)
+                       const Store& store, Opening& opening, JobList& jobs)
     : state_(state),
       session_(session),
       scene_(scene),
       store_(store),
+      files_(opening),
       opening_(JobId::opening, {[this] { return session_.activity().opening; },
                                 [this] {
                                   const auto path = session_.activity().opening_path;
@@ -59,13 +61,24 @@ WorkStatus::WorkStatus(ViewState& state, Session& session, const SceneController
                                              ? state_.molecule.name
                                              : "Opening " + printable(path.filename().string());
                                 },
-                                cancel}),
+                                [this] { cancel(); }}),
       computing_(JobId::computing, {[this] { return session_.activity().computing; },
-                                    [] { return std::string("Computing"); }, cancel}),
+                                    [] { return std::string("Computing"); }, [this] { cancel(); }}),
       comparing_(JobId::comparing, {[this] { return session_.activity().comparing; },
                                     [] { return std::string("Comparing with CGAL"); },
-                                    [this] { session_.cancel_comparison(); }}) {
-  for (ActivityJob* const job : {&opening_, &computing_, &comparing_}) jobs.add(*job);
+                                    [this] { session_.cancel_comparison(); }}),
+      reading_(JobId::opening,
+               {[this] { return files_.reading(); },
+                [] { return std::string("Opening the session"); }, [this] { cancel(); }}) {
+  for (ActivityJob* const job : {&opening_, &computing_, &comparing_, &reading_}) jobs.add(*job);
+}
+
+void WorkStatus::cancel() {
+  state_.playback.alpha = state_.playback.models = false;
+  session_.cancel_opening();
+  files_.forget_waiting_session();
+  session_.cancel_computing();
+  session_.cancel_comparison();
 }
 
 void WorkStatus::compare() {

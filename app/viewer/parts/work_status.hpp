@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Describes the running work in words, and starts the comparisons with CGAL.
+// Describes the running work in words, cancels it, and starts the comparisons with CGAL.
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "app/session/session.hpp"
 #include "app/viewer/jobs/activity_job.hpp"
+#include "app/viewer/parts/opening.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/view_state.hpp"
@@ -15,9 +15,9 @@ namespace alphascope {
 
 class WorkStatus {
  public:
-  // Adds the session's work to `jobs`. `cancel` cancels all work that the picture waits for.
+  // Adds the work of session and opening to `jobs`.
   WorkStatus(ViewState& state, Session& session, const SceneController& scene, const Store& store,
-             JobList& jobs, const std::function<void()>& cancel);
+             Opening& opening, JobList& jobs);
 
   void update_background();  // the line on work that nothing waits for
   void update_badge();
@@ -29,12 +29,14 @@ class WorkStatus {
 
  private:
   bool compares_by_itself() const;
+  void cancel();  // cancels all work that the picture waits for
 
   ViewState& state_;
   Session& session_;
   const SceneController& scene_;
   const Store& store_;
-  ActivityJob opening_, computing_, comparing_;
+  Opening& files_;  // on their way in
+  ActivityJob opening_, computing_, comparing_, reading_;
   std::shared_ptr<const Answer> compared_;  // the last answer whose comparison was requested
 };
 

@@ -102,8 +102,7 @@ class Viewer {
   void run_calls();      // makes the calls of the panels
   void send_controls();  // hands changed controls to session and scene
   void draw(ScriptedInput* input, const std::function<void(unsigned)>& before_swap = {});
-  void move_view();  // by the mouse
-  void act();        // does what the panels and the mouse ask for
+  void act();  // does what the panels and the mouse ask for
   bool frame_is_due() const;
 
   Host& host_;

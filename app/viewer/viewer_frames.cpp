@@ -11,15 +11,6 @@
 
 namespace alphascope {
 
-// Moves the view, or a ball of a sandbox, by the mouse.
-void Viewer::move_view() {
-  const std::optional<CameraPlace> before = scene_.cameras().place();
-  for (const PointerEvent& event : state_.viewport.events) {
-    if (!pointing_.drag_ball(event)) scene_.pointer(event);
-  }
-  if (scene_.cameras().place() != before) history_.note_view_moved();
-}
-
 void Viewer::act() {
   for (const PointerEvent& event : state_.viewport.events) {
     if (event.kind != PointerEvent::Kind::click) continue;
@@ -55,7 +46,9 @@ void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& bef
   const WindowParts parts{state_, rects_, commands_, store_, inputs_.now(), calls, panels_};
   draw_window(parts, frame_.fonts(), frame_.scale());
   guarded([this] { inputs_.want_results_for_all_alphas(); });
-  guarded([this] { move_view(); });
+  guarded([this] {
+    if (pointing_.move_view()) history_.note_view_moved();
+  });
   guarded([this] { act(); });
   guarded([this] {
     marks_.mark_selection();
@@ -131,7 +124,7 @@ bool Viewer::frame_is_due() const {
 }
 
 void Viewer::run() {
-  while (!quit_ && !host_.close_requested()) {
+  while (!quit_requested() && !host_.close_requested()) {
     const bool behind = host_.input().waiting();
     const double soonest = std::min(scene_.seconds_to_refinement(), playing_.seconds_to_next());
     bool events = host_.wait_events(behind ? 0 : pace_.idle_seconds(working(), soonest)) || behind;

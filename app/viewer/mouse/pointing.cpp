@@ -142,6 +142,14 @@ std::optional<std::size_t> Pointing::sandbox_ball_at(int x, int y) const {
   return atom->atom;
 }
 
+bool Pointing::move_view() {
+  const std::optional<CameraPlace> before = scene_.cameras().place();
+  for (const PointerEvent& event : state_.viewport.events) {
+    if (!drag_ball(event)) scene_.pointer(event);
+  }
+  return scene_.cameras().place() != before;
+}
+
 bool Pointing::drag_ball(const PointerEvent& event) {
   using Kind = PointerEvent::Kind;
   if (!state_.settings.open.sandbox || shows_flat_drawing(state_)) {

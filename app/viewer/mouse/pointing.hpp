@@ -20,8 +20,7 @@ class Pointing {
 
   void describe_under_mouse();
   void click(const PointerEvent& event);
-  // Drags a ball of a sandbox in 3-D. Returns whether the event belongs to such a drag.
-  bool drag_ball(const PointerEvent& event);
+  bool move_view();          // or a ball of a sandbox; returns whether the view has moved
   void open_context_menu();  // for the item under the mouse
   void place_clip_handle();
 
@@ -33,6 +32,8 @@ class Pointing {
   std::optional<UnderMouse> under(int x, int y) const;  // x and y in pixels of the picture
   UnderMouse under_atom(std::size_t atom) const;        // index of the atom in the molecule
   std::optional<std::size_t> sandbox_ball_at(int x, int y) const;
+  // Drags a ball of a sandbox in 3-D. Returns whether the event belongs to such a drag.
+  bool drag_ball(const PointerEvent& event);
 
   ViewState& state_;
   SceneController& scene_;

@@ -71,7 +71,7 @@ class Viewer {
   void open_dropped(const std::vector<std::filesystem::path>& files) {
     file_.opening().open_dropped(files);
   }
-  bool quit_requested() const { return quit_; }
+  bool quit_requested() const;
   void undo() { history_.undo(); }
   void redo() { history_.redo(); }
 
@@ -117,7 +117,6 @@ class Viewer {
   FramePace pace_;
   MemoryWatch memory_{state_, pace_.due()};
   Playing playing_{state_, session_, scene_, pace_.due()};
-  bool quit_ = false;
   std::shared_ptr<Queued> queued_;
   WindowPreferences preferences_;
   WindowJobs jobs_;

@@ -59,8 +59,9 @@ class Viewer::Queued {
       queue.put("copy", [text] { ImGui::SetClipboardText(text.c_str()); });
     }
     void quit() override {
-      queue.put("quit", [this] { v.quit_ = true; });
+      queue.put("quit", [this] { quit_requested = true; });
     }
+    bool quit_requested = false;
   };
 
   struct View : Part, ViewCalls {
@@ -201,6 +202,10 @@ Calls Viewer::calls() {
 void Viewer::run_calls() {
   history_.begin_calls();
   queued_->queue.run();
+}
+
+bool Viewer::quit_requested() const {
+  return queued_->files.quit_requested;
 }
 
 }  // namespace alphascope

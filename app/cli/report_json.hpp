@@ -13,7 +13,7 @@
 namespace alphascope::cli {
 
 ProgramName program();
-std::string program_text();  // "alphascope-cli 0.1.0 (0123456789ab)"
+std::string program_text();  // "alphascope-cli 0.2.0 (0123456789ab)"
 Json program_json();
 RecordSource source_of(const Input& input);
 // `computed_on`: the lattice of the balls in the computation.

@@ -14,7 +14,7 @@
 namespace alphascope {
 
 ProgramName program_named(std::string_view program);
-// For example "alphascope-cli 0.1.0 (0123456789ab)".
+// For example "alphascope-cli 0.2.0 (0123456789ab)".
 std::string program_text(std::string_view program);
 
 // `program`, then `balls`, then the request and its answer, then the notes of the molecule's reader

@@ -44,7 +44,7 @@ struct GpuLibrary {
   void (*free_unused_memory)();
 };
 
-// Version, sources and compiler of this build, for example "0.1.0 5f0c… GCC 12.2.0". The same
+// Version, sources and compiler of this build, for example "0.2.0 5f0c… GCC 12.2.0". The same
 // sources give the same text in any folder and at any time.
 const char* gpu_build();
 

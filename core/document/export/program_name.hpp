@@ -6,7 +6,7 @@
 
 namespace alphascope {
 
-// The program that computed the results: "alphascope", "0.1.0", "0123456789ab".
+// The program that computed the results: "alphascope", "0.2.0", "0123456789ab".
 struct ProgramName {
   std::string name, version, commit;
   std::string text() const { return name + " " + version + " (" + commit + ")"; }

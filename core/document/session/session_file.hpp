@@ -49,7 +49,7 @@ struct SessionDocument {
   FileReference radii_table;  // empty: settings.open.radii_table is empty
   Settings settings;
   SessionView view;
-  std::string written_by;  // "alphascope 0.1.0 (0123456789ab)"
+  std::string written_by;  // "alphascope 0.2.0 (0123456789ab)"
 };
 
 // The text of the file; it ends with a newline.

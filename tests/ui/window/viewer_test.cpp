@@ -483,7 +483,7 @@ TEST_F(ViewerTest, PicturesSayTheSameAsTheCommandLines) {
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
   auto window = texts_of(bytes("window.png")), cli = texts_of(bytes("cli.png"));
   EXPECT_EQ(window["alphascope:options"], "--no-ligands");
-  for (auto* texts : {&window, &cli}) {  // "alphascope 0.1.0 (…)" and "alphascope-cli 0.1.0 (…)"
+  for (auto* texts : {&window, &cli}) {  // "alphascope 0.2.0 (…)" and "alphascope-cli 0.2.0 (…)"
     std::string& program = (*texts)["Software"];
     program.erase(0, program.find(' '));
     texts->erase("alphascope:note");  // this test is in no installation, so it finds no GPU library

@@ -231,12 +231,9 @@ ParsedArguments parse_arguments(const OptionProgram& program, int argc, const ch
   app.set_help_flag();
   for (const Option& option : program.options) add(app, program, nullptr, option);
   ParsedArguments parsed;
-  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   for (const OptionCommand& command : program.commands) {
     CLI::App* const sub = app.add_subcommand(command.name);
     sub->set_help_flag();
-    // CLI11 takes most of the time that a start takes, so only a named command has its options.
-    if (std::find(words.begin(), words.end(), command.name) == words.end()) continue;
     for (const Option& option : command.options) add(*sub, program, &command, option);
     sub->callback([&] {
       parsed.command = &command;
@@ -245,6 +242,7 @@ ParsedArguments parse_arguments(const OptionProgram& program, int argc, const ch
     });
   }
   if (!program.commands.empty()) app.require_subcommand(1);
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (const std::string nothing = nothing_behind_equals(program, words); !nothing.empty()) {
     return failure(program, named_command(program, words), nothing);
   }

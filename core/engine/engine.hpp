@@ -11,6 +11,7 @@
 #include "core/engine/known_results.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 

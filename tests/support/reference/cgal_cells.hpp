@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "tests/support/reference/cgal_reference.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_point.hpp"
 
 namespace alphascope::testing::cgal {
 

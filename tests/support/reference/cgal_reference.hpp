@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::testing {
 

@@ -16,3 +16,16 @@ install(FILES README.md CHANGELOG.md CITATION.cff SECURITY.md LICENSE DESTINATIO
 # The program contains the fonts. ORIGINS.md tells where fonts and molecules come from.
 install(FILES resources/ORIGINS.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources COMPONENT data)
 install(FILES resources/fonts/OFL.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources/fonts COMPONENT data)
+
+# alphascope_link_resources(FOLDER): gives FOLDER links to resources and docs of the source tree, as
+# an installation has them.
+function(alphascope_link_resources folder)
+  if(IS_SYMLINK ${folder})  # a build folder from before the docs were among them
+    file(REMOVE ${folder})
+  endif()
+  file(MAKE_DIRECTORY ${folder})
+  foreach(name lessons molecules sandbox)
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/resources/${name} ${folder}/${name} SYMBOLIC)
+  endforeach()
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/docs ${folder}/docs SYMBOLIC)
+endfunction()

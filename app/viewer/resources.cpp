@@ -9,23 +9,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder of resources; empty if it is missing. In a build folder it is a link to those of the
-// source tree.
-fs::path resource_folder() {
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  if (error) return {};
-  const fs::path folder =
-      fs::canonical(self.parent_path() / ALPHASCOPE_RESOURCES_FROM_PROGRAM, error);
-  return error ? fs::path() : folder;
+// The place of a resource, whether it exists or not.
+fs::path place_of(const fs::path& name) {
+  std::error_code ignored;
+  const fs::path self = fs::read_symlink("/proc/self/exe", ignored);
+  return (self.parent_path() / ALPHASCOPE_RESOURCES_FROM_PROGRAM / name).lexically_normal();
 }
 
-// The path of the file; empty if it is missing.
+// The path of a file or folder; empty if it is missing. In a build folder the place has a link to
+// the source tree, and this is the path there.
 fs::path resource(const fs::path& name) {
-  const fs::path folder = resource_folder();
-  std::error_code ignored;
-  const bool found = !folder.empty() && fs::is_regular_file(folder / name, ignored);
-  return found ? folder / name : fs::path();
+  std::error_code error;
+  const fs::path found = fs::canonical(place_of(name), error);
+  return error ? fs::path() : found;
 }
 
 }  // namespace
@@ -62,10 +58,12 @@ std::vector<SandboxPreset> sandbox_presets() {
 }
 
 fs::path lessons_folder() {
-  const fs::path folder = resource_folder();
-  std::error_code ignored;
-  const bool found = !folder.empty() && fs::is_directory(folder / "lessons", ignored);
-  return found ? folder / "lessons" : fs::path();
+  return resource("lessons");
+}
+
+fs::path docs_folder() {
+  const fs::path found = resource("docs");
+  return found.empty() ? place_of("docs") : found;
 }
 
 }  // namespace alphascope

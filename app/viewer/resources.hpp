@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the files that come with the program: samples, presets of the sandbox, lessons.
+// Finds the files that come with the program: samples, presets of the sandbox, lessons, docs.
 #pragma once
 
 #include <filesystem>
@@ -22,5 +22,8 @@ std::vector<SandboxPreset> sandbox_presets();  // the presets whose files exist
 
 // The folder of lessons. Empty if the program was moved without its resources.
 std::filesystem::path lessons_folder();
+
+// The folder of docs, or the place where it would be if it is missing.
+std::filesystem::path docs_folder();
 
 }  // namespace alphascope

@@ -94,6 +94,7 @@ void Viewer::take_session() {
   lessons_.poll();
   if (preferences_.poll()) pace_.due().ask();
   jobs_.follow_browser();
+  jobs_.follow_guide();
   const SessionChanges changes = session_.poll();
   const SessionState& s = session_.state();
   if (changes.molecule && s.opened) {

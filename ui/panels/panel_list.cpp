@@ -26,6 +26,7 @@ std::unique_ptr<Panel> steps_panel();
 std::unique_ptr<Panel> sandbox_panel();
 std::unique_ptr<Panel> details_panel();
 std::unique_ptr<Panel> lessons_panel();
+std::unique_ptr<Panel> guide_panel();
 
 namespace {
 
@@ -49,6 +50,7 @@ constexpr PanelSpec kPanels[] = {
     {"sandbox", "Sandbox", PanelPlace::bottom, sandbox_panel},
     {"details", "Details", PanelPlace::bottom, details_panel, "label distance angle"},
     {"lessons", "Lessons", PanelPlace::right, lessons_panel},
+    {"guide", "User guide", PanelPlace::over, guide_panel},
 };
 
 }  // namespace

@@ -26,6 +26,7 @@ ViewState::ViewState(const ViewValues& values, ViewParts& parts)
       window(parts.window),
       playback(parts.playback),
       lessons(parts.lessons),
+      guide(parts.guide),
       steps(parts.steps),
       cavities(parts.cavities),
       sandbox(parts.sandbox),

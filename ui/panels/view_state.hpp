@@ -39,6 +39,7 @@ struct DisplaySettings;
 struct ExpressionState;
 struct FolderListing;
 struct GpuDevice;
+struct GuideState;
 struct KeyState;
 struct Layer;
 struct LessonState;
@@ -133,6 +134,7 @@ struct ViewState : ViewValues {
   WindowSettings& window;
   Playback& playback;
   LessonState& lessons;
+  GuideState& guide;
   StepsState& steps;
   CavityState& cavities;
   SandboxState& sandbox;

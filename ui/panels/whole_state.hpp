@@ -22,6 +22,7 @@
 #include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/frame/scroll_state.hpp"
+#include "ui/panels/guide/guide_state.hpp"
 #include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/molecule/expression_state.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
@@ -44,6 +45,7 @@ struct ViewParts {
   WindowSettings window;
   Playback playback;
   LessonState lessons;
+  GuideState guide;
   StepsState steps;
   CavityState cavities;
   SandboxState sandbox;

@@ -46,6 +46,8 @@ struct KeyState {
   std::string typed;         // a slider that is to become a field
   std::string slid;          // a slider that an arrow key moves by `steps`
   int steps = 0;
+  // A text in front of the picture takes the keys that scroll it, and Escape.
+  bool reading = false;
   // A field whose selection must be set: to the name of a file (caret_selects), or to nothing, with
   // the caret at the end.
   std::string caret;

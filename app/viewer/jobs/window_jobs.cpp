@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/viewer/resources.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 
 namespace alphascope {
@@ -15,6 +16,7 @@ WindowJobs::WindowJobs(ViewState& state, DueFrames& due, const std::function<voi
       due_(due),
       list_(state, due),
       folder_reader_(wake),
+      guide_reader_(wake, docs_folder()),
       machine_(std::async(std::launch::async,
                           [wake] {
                             const MachineInfo& machine = machine_info();
@@ -41,8 +43,12 @@ void WindowJobs::follow_browser() {
   state_.listing = folder_reader_.listing(wanted_listing(state_.browser));
 }
 
+void WindowJobs::follow_guide() {
+  if (guide_reader_.poll(state_.guide)) due_.ask();
+}
+
 bool WindowJobs::busy() const {
-  return !state_.gpu || folder_reader_.busy();
+  return !state_.gpu || folder_reader_.busy() || guide_reader_.busy();
 }
 
 }  // namespace alphascope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of all jobs of the window, and those that need no session: the folder of the file
-// dialog, the search for a GPU, and the benchmark.
+// dialog, the pages of the user guide, the search for a GPU, and the benchmark.
 #pragma once
 
 #include <functional>
@@ -10,6 +10,7 @@
 #include "app/session/session.hpp"
 #include "app/viewer/jobs/benchmark.hpp"
 #include "app/viewer/jobs/folder_reader.hpp"
+#include "app/viewer/jobs/guide_reader.hpp"
 #include "app/viewer/jobs/job_list.hpp"
 #include "app/viewer/parts/due_frames.hpp"
 #include "ui/panels/view_state.hpp"
@@ -30,15 +31,17 @@ class WindowJobs {
   // Takes in the result of the search for a GPU. Returns true once, when the search has ended.
   bool take_machine();
   void follow_browser();  // lists the folder of the file dialog
+  void follow_guide();    // reads the user guide when it is opened first
   Benchmark& benchmark() { return benchmark_; }
   const Benchmark& benchmark() const { return benchmark_; }
-  bool busy() const;  // a folder is read, or the search for a GPU goes on
+  bool busy() const;  // a folder or the guide is read, or the search for a GPU goes on
 
  private:
   ViewState& state_;
   DueFrames& due_;
   JobList list_;
   FolderReader folder_reader_;
+  GuideReader guide_reader_;
   std::future<MachineInfo> machine_;  // in the background: the search for a GPU can take a second
   Benchmark benchmark_;
 };

@@ -102,23 +102,29 @@ bool pressed(const Shortcut& shortcut) {
   return chord && key::pressed(*chord);
 }
 
+// A slider with the keyboard focus takes the arrow keys. A text that is read takes those that scroll
+// it, and Escape.
+bool taken_by_focus(const PanelContext& ctx, const Shortcut& shortcut) {
+  const KeyState& keys = ctx.state.keys;
+  if (keys.slid.empty() && !keys.reading) return false;
+  const auto chord = key::read_chord(shortcut.keys);
+  if (!chord || chord->control) return false;
+  if (chord->arrow()) return true;
+  const bool scrolls = chord->code >= key::kPageUp && chord->code <= key::kEnd;
+  return keys.reading && (scrolls || chord->code == key::kEscape);
+}
+
 // Runs the command that takes the pressed key before all others. Returns whether there is one.
 bool keys_before_others(PanelContext& ctx) {
   for (const CommandSpec& spec : ctx.commands.all()) {
     for (const Shortcut& shortcut : spec.keys_before_others) {
-      if (!pressed(shortcut) || !spec.reason_against().empty()) continue;
+      const bool runs = pressed(shortcut) && !taken_by_focus(ctx, shortcut);
+      if (!runs || !spec.reason_against().empty()) continue;
       run_command(ctx, spec, Commands::parse_words(spec, shortcut.arguments).words);
       return true;
     }
   }
   return false;
-}
-
-// A slider with the keyboard focus takes the arrow keys.
-bool taken_by_slider(const PanelContext& ctx, const Shortcut& shortcut) {
-  if (ctx.state.keys.slid.empty()) return false;
-  const auto chord = key::read_chord(shortcut.keys);
-  return chord && chord->arrow();
 }
 
 void shortcuts(PanelContext& ctx) {
@@ -128,7 +134,7 @@ void shortcuts(PanelContext& ctx) {
   for (const CommandSpec& spec : ctx.commands.all()) {
     if (taken && !spec.works_everywhere) continue;
     for (const Shortcut& shortcut : spec.shortcuts) {
-      if (!pressed(shortcut) || taken_by_slider(ctx, shortcut)) continue;
+      if (!pressed(shortcut) || taken_by_focus(ctx, shortcut)) continue;
       run_command(ctx, spec, Commands::parse_words(spec, shortcut.arguments).words);
     }
   }

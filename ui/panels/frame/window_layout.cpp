@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fixed layout of the window. The menu is on top, sections are at the left, and lessons at the
 // right of the view. Pages are below the view, and the status bar is at the bottom. The user can
-// drag the height of the pages only.
+// drag the height of the pages only. The user guide has a window over all of these.
 #include "ui/panels/frame/window_layout.hpp"
 
 #include <algorithm>
@@ -291,6 +291,7 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   ImGui::End();
   bottom_panel(ctx, {{left, top + middle - bottom}, {high ? view : width, bottom}});
   status(ctx, display.y - status_height, display.x, status_height);
+  for (const PanelSpec& p : panels_at(PanelPlace::over)) ctx.panels.of(p).draw(ctx);
   draw_dialogs(ctx);
   end_key_focus(ctx);
 }

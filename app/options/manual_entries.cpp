@@ -24,7 +24,8 @@ std::vector<Entry> all_files() {
           {{ALPHASCOPE_RESOURCES_FOLDER,
             "Sample molecules, lessons and presets of the sandbox, below the same folder"}},
           {{ALPHASCOPE_DOCS_FOLDER,
-            "User guide, formats of files and licences, below the same folder"}}};
+            "User guide (docs/guide), formats of files and licences, below the same folder. Help > "
+            "User guide shows the guide in the window"}}};
 }
 
 std::vector<Entry> all_variables() {

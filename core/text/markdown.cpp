@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads blocks line by line, and styles character by character. Its time is linear in the text, but
-// for links, whose length is limited.
+// Reads blocks line by line, and styles character by character. Its time is about linear in the
+// text: links have a limited length, and only backquotes in many different numbers take longer.
 #include "core/text/markdown.hpp"
 
 #include <algorithm>
@@ -44,18 +44,14 @@ class TextReader {
     return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
   }
 
+  // Adds to the last span if that has the same style.
   void add(std::string_view piece, bool code = false) {
-    MarkdownSpan span{std::string(piece), strong_, emphasis_, code, link_};
-    if (!spans_.empty()) {
-      MarkdownSpan& last = spans_.back();
-      const bool same = last.strong == span.strong && last.emphasis == span.emphasis &&
-                        last.code == code && last.link == span.link;
-      if (same) {
-        last.text += piece;
-        return;
-      }
+    if (piece.empty()) return;
+    if (spans_.empty() || spans_.back().strong != strong_ || spans_.back().emphasis != emphasis_ ||
+        spans_.back().code != code || spans_.back().link != link_) {
+      spans_.push_back({{}, strong_, emphasis_, code, link_});
     }
-    if (!piece.empty()) spans_.push_back(std::move(span));
+    spans_.back().text += piece;
   }
 
   void step() {

@@ -12,8 +12,8 @@
 
 namespace alphascope {
 
-// The place of a panel: a section at the left, a page below the view, a column beside the view, or a
-// window of its own over them.
+// The place of a panel: a section at the left, a page below the view, a column beside the view, or
+// a window of its own over them.
 enum class PanelPlace : std::uint8_t { left, bottom, right, over };
 
 struct PanelSpec {

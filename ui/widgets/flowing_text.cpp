@@ -51,7 +51,8 @@ void for_each_word(std::span<const FlowSpan> spans, const Word& word, const Blan
         end = rest.find_first_of(" \n", end + 1);
       }
       const std::string_view text = rest.substr(0, end);
-      const bool first_part = rest.size() == spans[n].text.size(), last = text.size() == rest.size();
+      const bool first_part = rest.size() == spans[n].text.size(),
+                 last = text.size() == rest.size();
       parts.push_back({n, text, width_of(spans[n], text), first_part ? spans[n].padding : 0,
                        last ? spans[n].padding : 0});
       rest.remove_prefix(text.size());
@@ -129,7 +130,11 @@ class Flow {
     if (use_) {
       const float below = (area_.line - area_.base->FontSize) / 2 + area_.base->Ascent;
       const float left = x_ + part.before;
-      use_({part.span, part.text, {left, y_}, {left + part.width, y_ + area_.line}, y_ + below,
+      use_({part.span,
+            part.text,
+            {left, y_},
+            {left + part.width, y_ + area_.line},
+            y_ + below,
             gap});
     }
     x_ += part.whole();

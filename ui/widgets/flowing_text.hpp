@@ -33,8 +33,8 @@ struct FlowArea {
 struct FlowPiece {
   std::size_t span = 0;
   std::string_view text;
-  ImVec2 low, high;     // the whole height of the line
-  float baseline = 0;   // y
+  ImVec2 low, high;    // the whole height of the line
+  float baseline = 0;  // y
   float gap = 0;
 };
 

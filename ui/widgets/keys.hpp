@@ -9,7 +9,8 @@
 namespace alphascope::key {
 
 inline constexpr int k0 = 48;
-inline constexpr int kA = 65, kB = 66, kC = 67, kE = 69, kF = 70, kL = 76, kO = 79, kQ = 81, kR = 82;
+inline constexpr int kA = 65, kB = 66, kC = 67, kE = 69, kF = 70, kL = 76, kO = 79, kQ = 81,
+                     kR = 82;
 inline constexpr int kP = 80;
 inline constexpr int kS = 83, kT = 84, kV = 86, kX = 88, kY = 89, kZ = 90, kSpace = 32;
 inline constexpr int kEscape = 256, kEnter = 257, kTab = 258, kBackspace = 259;

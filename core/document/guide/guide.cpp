@@ -19,9 +19,9 @@ constexpr std::uint64_t kLargestPage = std::uint64_t{4} << 20;  // bytes
 constexpr std::size_t kMostPages = 100;
 
 std::vector<MarkdownBlock> read_page(const fs::path& file) {
-  return read_markdown(read_small_text(
-      file, {"the page of the user guide", kLargestPage,
-             "Install the documentation again; its pages are smaller"}));
+  return read_markdown(
+      read_small_text(file, {"the page of the user guide", kLargestPage,
+                             "Install the documentation again; its pages are smaller"}));
 }
 
 bool is_address(std::string_view link) {
@@ -83,8 +83,8 @@ std::string GuidePage::name() const {
 
 Guide load_guide(const fs::path& docs) {
   Guide guide{.docs = docs, .pages = {}};
-  GuidePage first{.file = kFirstPage, .title = {}, .summary = {},
-                  .blocks = read_page(docs / kFirstPage)};
+  GuidePage first{
+      .file = kFirstPage, .title = {}, .summary = {}, .blocks = read_page(docs / kFirstPage)};
   first.title = title_of(first);
   guide.pages.push_back(std::move(first));
   const std::vector<MarkdownBlock> blocks = guide.pages.front().blocks;
@@ -92,8 +92,7 @@ Guide load_guide(const fs::path& docs) {
   return guide;
 }
 
-std::optional<GuidePlace> follow_link(const Guide& guide, std::size_t page,
-                                      std::string_view link) {
+std::optional<GuidePlace> follow_link(const Guide& guide, std::size_t page, std::string_view link) {
   const std::string file = file_of_link(guide.pages.at(page).file, link);
   const auto found = std::find_if(guide.pages.begin(), guide.pages.end(),
                                   [&](const GuidePage& p) { return p.file == file; });
@@ -117,8 +116,8 @@ std::optional<GuidePlace> find_page(const Guide& guide, std::string_view name) {
   std::string page = lower_case(name.substr(0, mark));
   if (page.ends_with(".md")) page.resize(page.size() - 3);
   for (std::size_t n = 0; n < guide.pages.size(); ++n) {
-    const bool same = lower_case(guide.pages[n].name()) == page ||
-                      lower_case(guide.pages[n].title) == page;
+    const bool same =
+        lower_case(guide.pages[n].name()) == page || lower_case(guide.pages[n].title) == page;
     if (same) return follow_link(guide, n, name.substr(mark));
   }
   return std::nullopt;

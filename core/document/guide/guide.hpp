@@ -16,8 +16,8 @@
 namespace alphascope {
 
 struct GuidePage {
-  std::string file;   // within the folder of docs: "guide/window.md"
-  std::string title;  // "The window"
+  std::string file;          // within the folder of docs: "guide/window.md"
+  std::string title;         // "The window"
   std::string summary = {};  // for whom or what the page is; may be empty
   std::vector<MarkdownBlock> blocks = {};
   std::string problem = {};  // why it cannot be read; empty: it was
@@ -54,8 +54,8 @@ struct GuideHit {
 
 // The words of a query, in small letters.
 std::vector<std::string> query_words(std::string_view query);
-// The next word of `text` from `from` on that begins with one of the words, in any case: where it is
-// and how long. {npos, 0}: none.
+// The next word of `text` from `from` on that begins with one of the words, in any case: where it
+// is and how long. {npos, 0}: none.
 std::pair<std::size_t, std::size_t> find_word(std::string_view text,
                                               const std::vector<std::string>& words,
                                               std::size_t from);

@@ -18,12 +18,24 @@ std::vector<std::string> outline(const std::string& text) {
   for (const MarkdownBlock& block : read_markdown(text)) {
     const std::string level = std::to_string(block.level), plain = plain_text(block);
     switch (block.kind) {
-      case Kind::heading: lines.push_back("h" + level + " " + plain); break;
-      case Kind::paragraph: lines.push_back("p " + plain); break;
-      case Kind::item: lines.push_back(level + block.marker + " " + plain); break;
-      case Kind::code: lines.push_back("c " + plain); break;
-      case Kind::row: lines.push_back((block.head ? "t " : "r ") + plain); break;
-      case Kind::picture: lines.push_back("i " + plain + " " + block.picture); break;
+      case Kind::heading:
+        lines.push_back("h" + level + " " + plain);
+        break;
+      case Kind::paragraph:
+        lines.push_back("p " + plain);
+        break;
+      case Kind::item:
+        lines.push_back(level + block.marker + " " + plain);
+        break;
+      case Kind::code:
+        lines.push_back("c " + plain);
+        break;
+      case Kind::row:
+        lines.push_back((block.head ? "t " : "r ") + plain);
+        break;
+      case Kind::picture:
+        lines.push_back("i " + plain + " " + block.picture);
+        break;
     }
   }
   return lines;
@@ -48,11 +60,12 @@ TEST(Markdown, HasLists) {
 TEST(Markdown, KeepsCodeAsItIs) {
   EXPECT_EQ(outline("Text:\n\n    a  b\n\n      * c\n\nMore\n    of it\n"),
             (Texts{"p Text:", "c a  b\n\n  * c", "p More of it"}));
-  EXPECT_EQ(outline("````\n```\n# *x*\n\n```\n````\nEnd\n"), (Texts{"c ```\n# *x*\n\n```", "p End"}));
+  EXPECT_EQ(outline("````\n```\n# *x*\n\n```\n````\nEnd\n"),
+            (Texts{"c ```\n# *x*\n\n```", "p End"}));
   EXPECT_EQ(outline("```sh\nopen"), Texts{"c open"});
 }
 
-TEST(Markdown, HasTables) {
+TEST(Markdown, ReadsRowsOfTables) {
   EXPECT_EQ(outline("| a | b |\n|---|---|\n| `x\\|y` | 1<br>2 |\n| z |\nText\n"),
             (Texts{"t a\tb", "r x|y\t1\n2", "r z", "p Text"}));
   EXPECT_EQ(outline("| no | table |\n"), Texts{"p | no | table |"});

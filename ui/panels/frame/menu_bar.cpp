@@ -102,8 +102,8 @@ bool pressed(const Shortcut& shortcut) {
   return chord && key::pressed(*chord);
 }
 
-// A slider with the keyboard focus takes the arrow keys. A text that is read takes those that scroll
-// it, and Escape.
+// A slider with the keyboard focus takes the arrow keys. A text that is read takes those that
+// scroll it, and Escape.
 bool taken_by_focus(const PanelContext& ctx, const Shortcut& shortcut) {
   const KeyState& keys = ctx.state.keys;
   if (keys.slid.empty() && !keys.reading) return false;

@@ -60,8 +60,8 @@ void lay_out(PanelContext& ctx, const GuidePage& page, float width, GuideLayout&
 // Makes a button of a link. Returns whether it was clicked.
 bool link_button(PanelContext& ctx, const ShownLink& link, const std::string& name) {
   ImGui::SetCursorScreenPos(link.low);
-  const bool clicked = ImGui::InvisibleButton(name.c_str(), {std::max(1.0f, link.high.x - link.low.x),
-                                                             link.high.y - link.low.y});
+  const bool clicked = ImGui::InvisibleButton(
+      name.c_str(), {std::max(1.0f, link.high.x - link.low.x), link.high.y - link.low.y});
   record(ctx, name.c_str());
   key_stop(ctx, name.c_str());
   if (ImGui::IsItemHovered()) {
@@ -91,12 +91,18 @@ void copy_button(PanelContext& ctx, const MarkdownBlock& block, std::size_t n, I
 
 const char* copy_title(MarkdownKind kind) {
   switch (kind) {
-    case MarkdownKind::heading: return "Copy this heading";
-    case MarkdownKind::code: return "Copy this code";
-    case MarkdownKind::row: return "Copy this row";
-    case MarkdownKind::item: return "Copy this item";
-    case MarkdownKind::picture: return "Copy this description";
-    case MarkdownKind::paragraph: break;
+    case MarkdownKind::heading:
+      return "Copy this heading";
+    case MarkdownKind::code:
+      return "Copy this code";
+    case MarkdownKind::row:
+      return "Copy this row";
+    case MarkdownKind::item:
+      return "Copy this item";
+    case MarkdownKind::picture:
+      return "Copy this description";
+    case MarkdownKind::paragraph:
+      break;
   }
   return "Copy this paragraph";
 }
@@ -165,8 +171,8 @@ std::string draw_blocks(PanelContext& ctx, const GuidePage& page, GuideView& vie
       copy_button(ctx, page.blocks[n], n, {corner.x, top}, width);
     }
     for (std::size_t k = 0; k < links.size(); ++k) {
-      const std::string name = "guide.link." + links[k].target + "." + std::to_string(n) + "." +
-                               std::to_string(k);
+      const std::string name =
+          "guide.link." + links[k].target + "." + std::to_string(n) + "." + std::to_string(k);
       if (link_button(ctx, links[k], name)) clicked = links[k].target;
     }
   }

@@ -23,12 +23,12 @@ struct GuideLayout {
 
 struct GuideView {
   std::size_t page = 0;
-  std::vector<std::string> words;            // marked in the text
-  std::optional<std::size_t> marked;         // the block with the hit that was followed
-  std::optional<std::size_t> scroll_to;      // this block is to be at the top, or near it
-  float scroll_by = 0;                       // pixels
-  float scroll = 0;                          // the present place, in pixels
-  std::size_t copied = 0;                    // the block whose menu is open
+  std::vector<std::string> words;        // marked in the text
+  std::optional<std::size_t> marked;     // the block with the hit that was followed
+  std::optional<std::size_t> scroll_to;  // this block is to be at the top, or near it
+  float scroll_by = 0;                   // pixels
+  float scroll = 0;                      // the present place, in pixels
+  std::size_t copied = 0;                // the block whose menu is open
   GuideLayout layout = {};
 };
 

@@ -39,8 +39,8 @@ struct GuideMemory {
   std::vector<Visited> visited;
   std::string query, searched;  // as typed, and as found
   std::vector<GuideHit> hits;
-  std::size_t hit = kNone;  // the one that was followed last
-  int frames_open = 0;      // since the guide was opened
+  std::size_t hit = kNone;                                      // the one that was followed last
+  int frames_open = 0;                                          // since the guide was opened
   float placed_width = 0, placed_height = 0, placed_scale = 0;  // of the display then, in pixels
 };
 
@@ -152,10 +152,10 @@ void draw_hits(PanelContext& ctx, GuideMemory& m) {
                            "“" + m.query + "”. A search finds the beginnings of words.");
     return record(ctx, "guide.no_hit");
   }
-  muted_wrapped(ctx, std::to_string(m.hits.size()) + (m.hits.size() == 1 ? " place" : " places") +
-                         (count < m.hits.size()
-                              ? "; the first " + std::to_string(count) + " are listed"
-                              : std::string()));
+  muted_wrapped(ctx,
+                std::to_string(m.hits.size()) + (m.hits.size() == 1 ? " place" : " places") +
+                    (count < m.hits.size() ? "; the first " + std::to_string(count) + " are listed"
+                                           : std::string()));
   record(ctx, "guide.hits");
   ImGui::BeginChild("hits", {0, 0}, false);
   for (std::size_t n = 0; n < count; ++n) {
@@ -291,8 +291,8 @@ void begin_guide(PanelContext& ctx, GuideMemory& m) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 most{display.x - 2 * ctx.px(kMargin), display.y - 3 * ctx.px(kMargin)};
   const ImVec2 size{std::min(ctx.px(kWidth), most.x), std::min(ctx.px(kHeight), most.y)};
-  ImGui::SetNextWindowSizeConstraints({std::min(ctx.px(440), size.x), std::min(ctx.px(260), size.y)},
-                                      {display.x, display.y});
+  ImGui::SetNextWindowSizeConstraints(
+      {std::min(ctx.px(440), size.x), std::min(ctx.px(260), size.y)}, {display.x, display.y});
   if (m.placed_width != display.x || m.placed_height != display.y || m.placed_scale != ctx.scale) {
     ImGui::SetNextWindowSize(size);
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});

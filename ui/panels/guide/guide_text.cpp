@@ -73,8 +73,8 @@ void draw_piece(PanelContext& ctx, const MarkdownSpan& source, const FlowSpan& s
   if (source.code) {
     const float out = ctx.px(kCodeMargin);
     draw.AddRectFilled({piece.low.x - std::max(out, piece.gap), piece.low.y + ctx.px(1)},
-                       {piece.high.x + out, piece.high.y - ctx.px(1)},
-                       to_u32(ctx.palette.field), piece.gap > 0 ? 0 : ctx.px(3));
+                       {piece.high.x + out, piece.high.y - ctx.px(1)}, to_u32(ctx.palette.field),
+                       piece.gap > 0 ? 0 : ctx.px(3));
   }
   if (look.words != nullptr) mark_words(ctx, span, piece, *look.words);
   const bool link = !source.link.empty();
@@ -136,8 +136,8 @@ float put_item(PanelContext& ctx, const MarkdownBlock& block, ImVec2 corner, flo
     ImGui::GetWindowDrawList()->AddText({corner.x + left + ctx.px(3), top},
                                         to_u32(ctx.palette.text_muted), block.marker.c_str());
   }
-  return ctx.px(3) + put_text(ctx, block.cells.at(0), {corner.x + indent, corner.y},
-                              width - indent, style, look);
+  return ctx.px(3) + put_text(ctx, block.cells.at(0), {corner.x + indent, corner.y}, width - indent,
+                              style, look);
 }
 
 // Code keeps its blanks and lines. A line that is too long goes on below.
@@ -187,8 +187,8 @@ float put_row(PanelContext& ctx, const MarkdownBlock& row, ImVec2 corner,
   float x = corner.x, height = line_height(ctx, style);
   for (std::size_t n = 0; n < std::min(columns.size(), row.cells.size()); ++n) {
     const float room = std::max(ctx.px(10), columns[n] - 2 * padding);
-    height = std::max(height, put_text(ctx, row.cells[n], {x + padding, corner.y + above}, room,
-                                       style, look));
+    height = std::max(
+        height, put_text(ctx, row.cells[n], {x + padding, corner.y + above}, room, style, look));
     x += columns[n];
   }
   height += 2 * above;
@@ -221,12 +221,18 @@ float put_guide_block(PanelContext& ctx, const MarkdownBlock& block, ImVec2 corn
                       const std::vector<float>& columns, const GuideLook& look) {
   const TextStyle style{ctx.fonts.regular, 1, &ctx.palette.text};
   switch (block.kind) {
-    case MarkdownKind::heading: return put_heading(ctx, block, corner, width, look);
-    case MarkdownKind::item: return put_item(ctx, block, corner, width, style, look);
-    case MarkdownKind::code: return put_code(ctx, block, corner, width, look);
-    case MarkdownKind::row: return put_row(ctx, block, corner, columns, look);
-    case MarkdownKind::picture: return put_picture(ctx, block, corner, width, look);
-    case MarkdownKind::paragraph: break;
+    case MarkdownKind::heading:
+      return put_heading(ctx, block, corner, width, look);
+    case MarkdownKind::item:
+      return put_item(ctx, block, corner, width, style, look);
+    case MarkdownKind::code:
+      return put_code(ctx, block, corner, width, look);
+    case MarkdownKind::row:
+      return put_row(ctx, block, corner, columns, look);
+    case MarkdownKind::picture:
+      return put_picture(ctx, block, corner, width, look);
+    case MarkdownKind::paragraph:
+      break;
   }
   return put_text(ctx, block.cells.at(0), corner, width, style, look) + ctx.px(8);
 }

@@ -24,9 +24,9 @@ struct ShownLink {
 };
 
 struct GuideLook {
-  bool draws = true;                            // false: measures only
+  bool draws = true;                                // false: measures only
   const std::vector<std::string>* words = nullptr;  // marked in the text; null: none
-  std::vector<ShownLink>* links = nullptr;      // gets the links; null: none are wanted
+  std::vector<ShownLink>* links = nullptr;          // gets the links; null: none are wanted
 };
 
 // Draws or measures a block at `corner`, and returns its height in pixels with the gap below it. A

@@ -39,8 +39,7 @@ float put_paragraph(PanelContext& ctx, const std::vector<LessonParagraph>& text,
     const ImFont& font = *spans[piece.span].font;
     const char* const begin = piece.text.data();
     ImGui::GetWindowDrawList()->AddText(&font, font.FontSize * way.size, piece.low,
-                                        to_u32(ctx.palette.text), begin,
-                                        begin + piece.text.size());
+                                        to_u32(ctx.palette.text), begin, begin + piece.text.size());
   };
   const float height = way.draws ? flow_text(spans, area, draw) : flow_text(spans, area);
   const bool list_goes_on = paragraph.item && n + 1 < text.size() && text[n + 1].item;

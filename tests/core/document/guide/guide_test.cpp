@@ -20,13 +20,15 @@ namespace fs = std::filesystem;
 
 class GuideTest : public ::testing::Test {
  protected:
-  GuideTest() : docs_(fs::temp_directory_path() / ("alphascope_guide_" + std::to_string(getpid()))) {
+  GuideTest()
+      : docs_(fs::temp_directory_path() / ("alphascope_guide_" + std::to_string(getpid()))) {
     fs::create_directories(docs_ / "guide");
     write("guide/README.md",
           "# Guide\n\n| page | read it to |\n|---|---|\n| [Second](b.md) | see *b* |\n"
           "| [First](a.md) | see a |\n\nAlso [files](../files.md), [again](a.md#x), "
           "[out](https://a.org/x.md).\n");
-    write("guide/a.md", "# Page A\n\nAlpha is a number.\n\n## The *Undo* key\n\nBetalpha, alphas.\n");
+    write("guide/a.md",
+          "# Page A\n\nAlpha is a number.\n\n## The *Undo* key\n\nBetalpha, alphas.\n");
     write("guide/b.md", "# Page B\n\nSee [undo](a.md#the-undo-key).\n");
     write("files.md", "# Files of molecules\n\nThe ALPHA value of `--alpha`.\n");
   }
@@ -47,9 +49,9 @@ TEST_F(GuideTest, HasThePagesOfItsListInTheirOrder) {
     files.push_back(page.file);
     EXPECT_EQ(page.problem, "");
   }
-  EXPECT_EQ(titles, (std::vector<std::string>{"Guide", "Second", "First", "Files of molecules"}));
-  EXPECT_EQ(files, (std::vector<std::string>{"guide/README.md", "guide/b.md", "guide/a.md",
-                                             "files.md"}));
+  ASSERT_EQ(titles, (std::vector<std::string>{"Guide", "Second", "First", "Files of molecules"}));
+  EXPECT_EQ(files,
+            (std::vector<std::string>{"guide/README.md", "guide/b.md", "guide/a.md", "files.md"}));
   EXPECT_EQ(guide.pages[1].summary, "see b");
   EXPECT_EQ(guide.pages[1].name(), "b");
 }
@@ -83,12 +85,13 @@ TEST_F(GuideTest, FindsBeginningsOfWordsInAnyCase) {
   EXPECT_EQ(search_guide(guide, "--alp").size(), 1u);
   EXPECT_EQ(search_guide(guide, "lpha").size(), 0u);
   EXPECT_EQ(search_guide(guide, " ").size(), 0u);
-  EXPECT_EQ(find_word("Betalpha, alphas.", {"alpha"}, 0), (std::pair<std::size_t, std::size_t>{10, 5}));
+  EXPECT_EQ(find_word("Betalpha, alphas.", {"alpha"}, 0),
+            (std::pair<std::size_t, std::size_t>{10, 5}));
 }
 
 TEST_F(GuideTest, ShowsTheTextAroundAHit) {
-  write("guide/b.md", "# B\n\n" + std::string(40, 'x') + " one two needle " +
-                          std::string(300, 'y') + "\n");
+  write("guide/b.md",
+        "# B\n\n" + std::string(40, 'x') + " one two needle " + std::string(300, 'y') + "\n");
   const std::vector<GuideHit> hits = search_guide(load_guide(docs_), "needle");
   ASSERT_EQ(hits.size(), 1u);
   EXPECT_TRUE(hits[0].excerpt.starts_with("…one two needle yyy")) << hits[0].excerpt;

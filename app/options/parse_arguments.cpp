@@ -227,6 +227,7 @@ const OptionCommand* named_command(const OptionProgram& program,
 }  // namespace
 
 ParsedArguments parse_arguments(const OptionProgram& program, int argc, const char* const* argv) {
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   CLI::App app;
   app.set_help_flag();
   for (const Option& option : program.options) add(app, program, nullptr, option);
@@ -234,7 +235,11 @@ ParsedArguments parse_arguments(const OptionProgram& program, int argc, const ch
   for (const OptionCommand& command : program.commands) {
     CLI::App* const sub = app.add_subcommand(command.name);
     sub->set_help_flag();
-    for (const Option& option : command.options) add(*sub, program, &command, option);
+    // CLI11 takes long to add options, so commands that are not named get none.
+    const bool named = std::find(words.begin(), words.end(), command.name) != words.end();
+    for (const Option& option : command.options) {
+      if (named) add(*sub, program, &command, option);
+    }
     sub->callback([&] {
       parsed.command = &command;
       if (command.answer == InsteadOfRunning::help) throw Answered{help_text(program, nullptr)};
@@ -242,7 +247,6 @@ ParsedArguments parse_arguments(const OptionProgram& program, int argc, const ch
     });
   }
   if (!program.commands.empty()) app.require_subcommand(1);
-  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (const std::string nothing = nothing_behind_equals(program, words); !nothing.empty()) {
     return failure(program, named_command(program, words), nothing);
   }

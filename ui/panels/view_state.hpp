@@ -64,6 +64,7 @@ struct TableState;
 struct ViewParts;
 struct ViewportInfo;
 struct WindowSettings;
+enum class Theme : std::uint8_t;
 
 inline constexpr double kTooltipDelaySeconds = 0.4;
 // Most balls for which the window compares with CGAL after each change. With more, CGAL would

@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "core/document/cavities/cavity_names.hpp"
-#include "core/document/cavities/cavity_records.hpp"
 #include "core/document/channels/network_results.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/name_table.hpp"
 #include "core/text/grouped_number.hpp"
+#include "core/document/settings/request.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"

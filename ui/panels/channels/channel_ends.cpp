@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/commands/commands.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/molecule/name_table.hpp"
-#include "core/triangulation/flow.hpp"
+#include "core/document/commands/number_input.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/channels/channel_parts.hpp"

@@ -6,21 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/cavity/cavity_table.hpp"
-#include "core/complex/alpha_complex.hpp"
-#include "core/document/cavities/known_cavities.hpp"
-#include "core/document/reference/atom_set.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/molecule/name_table.hpp"
-#include "core/neighbours/uniform_grid.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/widgets/plot.hpp"
 #include "core/channel/channel.hpp"
 #include "core/document/channels/channel_text.hpp"
-#include "core/document/reference/ref_set.hpp"
 #include "core/molecule/rgb8.hpp"
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/theme.hpp"

@@ -2,12 +2,9 @@
 // The sections “Display” and “Light”: which parts of the complex are drawn, and how.
 #include <string>
 
-#include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/molecule/name_table.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/calls.hpp"
 #include "ui/layer.hpp"

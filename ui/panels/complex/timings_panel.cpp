@@ -2,10 +2,6 @@
 // The page of timings: our engine's times beside CGAL's, and whether both complexes are equal.
 #include <optional>
 
-#include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/molecule/name_table.hpp"
-#include "core/run/cancel_token.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/complex/timings_state.hpp"
 #include "ui/panels/complex/timings_text.hpp"

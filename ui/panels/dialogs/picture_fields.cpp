@@ -5,9 +5,6 @@
 #include <imgui.h>
 
 #include "core/document/picture/picture_options.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/molecule/name_table.hpp"
 #include "ui/caption.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/number_field.hpp"

@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/commands/commands.hpp"
 #include "core/document/explain/explanation_results.hpp"
-#include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
-#include "core/document/store/key.hpp"
-#include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/molecule.hpp"
-#include "core/molecule/name_table.hpp"
 #include "core/selection/atom_address.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"

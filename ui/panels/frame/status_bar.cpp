@@ -4,8 +4,6 @@
 #include <algorithm>
 
 #include "core/complex/alpha_complex.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/store/key.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"

@@ -8,14 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "core/document/commands/commands.hpp"
 #include "core/document/measures/measure_columns.hpp"
 #include "core/document/measures/measure_records.hpp"
 #include "core/document/store/store.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-#include "core/radii/radii_set.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/measures/measure_state.hpp"

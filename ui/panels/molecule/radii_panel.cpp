@@ -7,17 +7,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/complex/face_class.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/commands/number_input.hpp"
-#include "core/document/export/program_name.hpp"
 #include "core/document/settings/radius_edits.hpp"
-#include "core/document/store/key.hpp"
-#include "core/engine/known_results.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/molecule/name_table.hpp"
-#include "core/radii/amber_radii.hpp"
 #include "core/radii/radii_set.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "ui/panels/whole_state.hpp"
+#include "core/document/store/answer.hpp"
 
 namespace alphascope {
 
@@ -71,6 +72,23 @@ const std::string& ViewState::file_hash() const {
 
 Theme ViewState::theme() const {
   return window.theme;
+}
+
+const Request* ViewState::shown_request() const {
+  return result ? &result->request : nullptr;
+}
+
+const std::shared_ptr<const BallSet>& ViewState::shown_balls() const {
+  static const std::shared_ptr<const BallSet> none;
+  return result ? result->balls : none;
+}
+
+const PreparedBalls* ViewState::shown_selection() const {
+  return result ? result->prepared.get() : nullptr;
+}
+
+bool ViewState::shows_tetrahedra_only() const {
+  return result && result->complex.tetrahedra_only;
 }
 
 void ViewState::show_error(const std::string& title, const std::string& text) {

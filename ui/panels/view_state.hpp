@@ -26,6 +26,7 @@ struct Answer;
 struct Appearance;
 struct BackgroundInfo;
 struct BadgeInfo;
+struct BallSet;
 struct BenchmarkInfo;
 struct BenchmarkSettings;
 struct BrowserState;
@@ -50,6 +51,7 @@ struct NumberTyping;
 struct OpenOptions;
 struct PaletteState;
 struct Playback;
+struct PreparedBalls;
 struct ProgramName;
 struct RecordState;
 struct Request;
@@ -172,6 +174,11 @@ struct ViewState : ViewValues {
   const std::string& file_name() const;  // "4hhb.pdb.gz"; empty: none
   const std::string& file_hash() const;  // SHA-256 of the molecule's file
   Theme theme() const;
+  // Of the complex on screen; null: there is none.
+  const Request* shown_request() const;
+  const std::shared_ptr<const BallSet>& shown_balls() const;  // with the solvent radius
+  const PreparedBalls* shown_selection() const;               // the atoms that became its balls
+  bool shows_tetrahedra_only() const;  // the complex on screen has no other simplices
 
   // The state of these parts, which must outlive it.
   ViewState(const ViewValues& values, ViewParts& parts);

@@ -4,34 +4,21 @@
 #include <string>
 #include <utility>
 
-#include "core/document/cavities/cavity_export.hpp"
-#include "core/document/cavities/cavity_tables.hpp"
-#include "core/document/channels/channel_results.hpp"
-#include "core/document/commands/commands.hpp"
-#include "core/document/reference/reference.hpp"
-#include "core/document/settings/cavity_preset.hpp"
-#include "core/document/store/store.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
-#include "ui/panels/dialogs/save_parts.hpp"
-#include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "core/cavity/cavity_table.hpp"
-#include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_results.hpp"
-#include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/panels/view_state.hpp"
-#include "core/selection/prepare_balls.hpp"
 #include "core/cavity/cavity_ground.hpp"
-#include "core/document/settings/open_options.hpp"
-#include "core/document/settings/cavity_settings.hpp"
+#include "core/document/commands/number_input.hpp"
 
 namespace alphascope {
 namespace {
@@ -39,35 +26,6 @@ namespace {
 constexpr NumberRule kLeastVolumeRule{"The least volume", 0, 1e9, "Å³"};
 constexpr float kPaneWidth = 230;      // pixels at scale 1, width of the pane on chosen cavities
 constexpr double kStaleSeconds = 0.3;  // after it, rows of an earlier picture turn grey
-// Solvent radius, Å. Below it a note warns that one giant pocket contains nearly everything.
-constexpr double kGiantBelow = 0.5;
-
-// --- results
-
-template <class T>
-void take(CavityPage& page, std::shared_ptr<const T>& to, const Derived<T>& from) {
-  if (!from.ready() || from.value == to) return;
-  to = from.value;
-  page.rows_are_old = true;
-}
-
-// Takes results that are computed after the rows themselves, as far as shown columns need them.
-void take_what_follows(PanelContext& ctx, CavityPage& page) {
-  const auto shown = [&](const char* column) { return is_shown(page, column); };
-  take(page, page.rows.exact, ctx.store.want(cavity_volumes(), ctx.inputs));
-  if (shown("holds")) {
-    take(page, page.rows.contents, ctx.store.want(cavity_contents(), ctx.inputs));
-  }
-  if (shown("depth_angstrom")) {
-    take(page, page.rows.depths, ctx.store.want(cavity_depths(), ctx.inputs));
-  }
-  if (shown("born_alpha_angstrom2") || shown("gone_alpha_angstrom2")) {
-    take(page, page.rows.lives, ctx.store.want(whole_cavity_lives(), ctx.inputs));
-  }
-  if (shown("bottleneck_angstrom")) {
-    take(page, page.rows.bottlenecks, ctx.store.want(cavity_bottlenecks(), ctx.inputs));
-  }
-}
 
 // --- lines above the table
 
@@ -85,65 +43,6 @@ void totals_line(PanelContext& ctx, const CavityTable& table) {
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, counted(table.mouths, "mouth", "mouths"));
   record(ctx, "cavities.totals");
-}
-
-void comparable_line(PanelContext& ctx, const BallReferences& atoms) {
-  constexpr const char *kComparable = "comparable with CASTp", *kNot = "not comparable with CASTp",
-                       *kUse = "Use CASTp's choices";
-  std::vector<std::string> differences = differences_from_castp(
-      ctx.state.settings.open.balls, atoms.prepared().report, ctx.state.settings.request);
-  if (ctx.state.settings.cavity_settings.split_networks) differences.push_back(kNetworksAreSplit);
-  const float gap = ctx.px(8);
-  same_line_where_it_fits(differences.empty()
-                              ? ImGui::CalcTextSize(kComparable).x
-                              : button_width(kUse) + gap + ImGui::CalcTextSize(kNot).x,
-                          ctx.px(18));
-  if (differences.empty()) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(to_imgui(ctx.palette.success), kComparable);
-    record(ctx, "cavities.comparable");
-    return;
-  }
-  if (button(ctx, "cavities.preset", kUse)) ctx.commands.run("cavities.castp");
-  tooltip(ctx,
-          "Sets CASTp's radii, solvent radius 1.4 Å and α = 0. Removes hydrogens, waters, ions "
-          "and ligands from the body, and does not split networks. Undo restores the old "
-          "settings.");
-  std::string why = "Differences from CASTp: ";
-  for (std::size_t k = 0; k < differences.size(); ++k) why += (k ? "; " : "") + differences[k];
-  ImGui::SameLine(0, gap);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(to_imgui(ctx.palette.warning), kNot);
-  record(ctx, "cavities.comparable");
-  tooltip(ctx, (why + ".").c_str());
-}
-
-std::vector<FormatToSave> exports_of(const CavityRowsWanted& rows, const RecordSource& source) {
-  std::vector<FormatToSave> formats;
-  for (const ShapeExportInfo& info : cavity_exports()) {
-    formats.push_back(format_to_save(info, cavity_export(info, rows, source)));
-  }
-  return formats;
-}
-
-// Offers to save the rows that the filter shows, with all columns.
-void save_button(PanelContext& ctx, const CavityPage& page, bool current) {
-  ImGui::BeginDisabled(!current || page.order.empty() || !ctx.inputs.complex);
-  if (button(ctx, "cavities.save", "Save…")) {
-    const CavityFilter& filter = page.filter;
-    CavityRowsWanted rows{filter.kind != 2, filter.kind != 1, {}};
-    if (filter.least_volume_angstrom3 != 0) {
-      rows.least_volume_sa_angstrom3 = filter.least_volume_angstrom3;
-    }
-    const RecordSource source = source_on_screen(ctx);
-    open_save_dialog(ctx,
-                     {"Cavities", file_name_for(ctx, "cavities"), cavities_as_csv(rows, source),
-                      cavities_as_json(rows, source), ctx.inputs, true, exports_of(rows, source)});
-  }
-  ImGui::EndDisabled();
-  tooltip(ctx,
-          "Saves the listed cavities with all their values as CSV or JSON. Or saves surfaces, "
-          "filling spheres or a script for other programs.");
 }
 
 void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
@@ -173,7 +72,7 @@ void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
   ImGui::SameLine(0, ctx.px(4));
   cavity_columns_button(ctx, page);
   ImGui::SameLine(0, ctx.px(4));
-  save_button(ctx, page, current);
+  cavity_save_button(ctx, page, current);
   ImGui::SameLine(0, ctx.px(14));
   const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
   const bool all = page.order.size() == page.rows.size();
@@ -185,28 +84,6 @@ void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
 }
 
 // --- notes that answer likely questions
-
-// With hardly any probe radius, nearly all empty space of a protein is connected.
-void giant_line(PanelContext& ctx, const CavityPage& page) {
-  if (ctx.inputs.solvent_radius_angstrom >= kGiantBelow) return;
-  const auto& lines = page.rows.lines->of;
-  if (std::none_of(lines.begin(), lines.end(), [](const auto& line) { return line.is_network; })) {
-    return;
-  }
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(to_imgui(ctx.palette.warning),
-                     "With a solvent radius below %.1f Å most of the "
-                     "empty space is one giant pocket.",
-                     kGiantBelow);
-  record(ctx, "cavities.giant");
-  ImGui::SameLine(0, ctx.px(10));
-  if (button(ctx, "cavities.water", "Use 1.4 Å")) {
-    ctx.state.settings.request.solvent_radius_angstrom = kCavitySolventAngstrom;
-  }
-  tooltip(ctx,
-          "Sets the solvent radius to 1.4 Å, the radius of a water molecule. Every listed cavity "
-          "then has room for one.");
-}
 
 // Says why the table is empty.
 std::string empty_text(const CavityPage& page) {
@@ -270,13 +147,8 @@ void draw_cavities(PanelContext& ctx) {
   const FollowedCavities followed = follow_cavities(ctx);
   CavityPage& page = *memory.page;
   const bool current = followed.current;
-  if (current) {
-    take_what_follows(ctx, page);
-    select_wanted_row(ctx, page);
-  } else if (is_shown(page, "holds")) {
-    // The store makes the contents in one job with the rows, so both come together.
-    ctx.store.want(cavity_contents(), ctx.inputs);
-  }
+  follow_columns(ctx, page, current);
+  if (current) select_wanted_row(ctx, page);
   if (!page.rows.lines) {
     muted_wrapped(ctx, waiting_text(ctx, followed.wanted));
     record(ctx, "cavities.waiting");
@@ -284,8 +156,8 @@ void draw_cavities(PanelContext& ctx) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, is_grey(page, current) ? 0.55f : 1.0f);
   totals_line(ctx, page.rows.table());
-  comparable_line(ctx, *page.rows.lines->atoms);
-  giant_line(ctx, page);
+  castp_line(ctx, *page.rows.lines->atoms);
+  giant_network_line(ctx, page);
   networks_line(ctx, page, current);
   filter_line(ctx, page, current);
   body(ctx, page, current);

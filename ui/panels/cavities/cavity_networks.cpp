@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The notes on networks: the solvent radius at which one falls apart, and the choice to list its
-// parts.
+// The notes on networks: a giant one that has nearly all empty space, the solvent radius at which
+// one falls apart, and the choice to list its parts.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -23,9 +23,14 @@
 #include "ui/panels/view_state.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/document/settings/cavity_settings.hpp"
+#include "core/document/settings/cavity_preset.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
+
+// Solvent radius, Å. Below it a note warns that one giant pocket contains nearly everything.
+constexpr double kGiantBelow = 0.5;
 
 // Returns the row of the chosen network, else of the largest one.
 std::optional<std::size_t> network_row(const CavityPage& page) {
@@ -85,6 +90,27 @@ std::string split_text(const CavityTable& table) {
 }
 
 }  // namespace
+
+void giant_network_line(PanelContext& ctx, const CavityPage& page) {
+  if (ctx.inputs.solvent_radius_angstrom >= kGiantBelow) return;
+  const auto& lines = page.rows.lines->of;
+  if (std::none_of(lines.begin(), lines.end(), [](const auto& line) { return line.is_network; })) {
+    return;
+  }
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(to_imgui(ctx.palette.warning),
+                     "With a solvent radius below %.1f Å most of the "
+                     "empty space is one giant pocket.",
+                     kGiantBelow);
+  record(ctx, "cavities.giant");
+  ImGui::SameLine(0, ctx.px(10));
+  if (button(ctx, "cavities.water", "Use 1.4 Å")) {
+    ctx.state.settings.request.solvent_radius_angstrom = kCavitySolventAngstrom;
+  }
+  tooltip(ctx,
+          "Sets the solvent radius to 1.4 Å, the radius of a water molecule. Every listed cavity "
+          "then has room for one.");
+}
 
 void networks_line(PanelContext& ctx, const CavityPage& page, bool current) {
   bool& split = ctx.state.settings.cavity_settings.split_networks;

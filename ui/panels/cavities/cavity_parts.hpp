@@ -11,12 +11,14 @@
 
 namespace alphascope {
 
+class BallReferences;
 class RefSet;
 struct CavityLine;
 struct CavityLines;
 struct CavityPage;
 struct Colour;
 struct PanelContext;
+struct SelectedCavity;
 
 // --- cavity_following.cpp
 
@@ -40,7 +42,24 @@ void cavity_columns_button(PanelContext& ctx, CavityPage& page);
 // Draws the table. `current`: the rows belong to the picture; otherwise clicks do nothing.
 void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool current);
 
-// --- selected_cavities_pane.cpp
+// --- cavity_column_results.cpp
+
+// Takes results that are computed after the rows themselves, as far as shown columns need them.
+// `current`: the rows belong to the picture.
+void follow_columns(PanelContext& ctx, CavityPage& page, bool current);
+
+// --- cavity_castp.cpp
+
+// Says whether the table is comparable with CASTp's, and why not. A button makes it comparable.
+void castp_line(PanelContext& ctx, const BallReferences& atoms);
+
+// --- cavity_saving.cpp
+
+// Draws a button that saves the rows that the filter shows, with all columns. `current`: the rows
+// belong to the picture.
+void cavity_save_button(PanelContext& ctx, const CavityPage& page, bool current);
+
+// --- cavity_choosing.cpp
 
 // A click chooses a row alone, adds or removes it, or chooses all from the last clicked row to it.
 enum class HowSelected : std::uint8_t { alone, toggled, range };
@@ -48,21 +67,41 @@ void select_cavity(PanelContext& ctx, CavityPage& page, std::size_t row, HowSele
 void select_all_cavities(PanelContext& ctx, CavityPage& page);  // all that the filter shows
 void clear_cavity_selection(PanelContext& ctx);
 
+// --- cavity_drawing.cpp
+
 // Draws the chosen cavities in the view. To be called in each frame in which they are visible.
 void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current);
-void draw_selected_cavities(PanelContext& ctx, CavityPage& page);
-// Draws a button that opens a list of the parts that can be drawn.
-void cavity_parts_button(PanelContext& ctx, CavityPage& page);
+
+// --- cavity_layers.cpp
 
 // Returns the colour of the cavity's surface in the view, and of its mark in the table.
 Colour cavity_colour(const CavityPage& page, std::size_t row);
+// Adds the cavity to CavityPage::layers.
+void add_layers_of_cavity(PanelContext& ctx, CavityPage& page, const SelectedCavity& cavity);
+// Adds the contents of the cavities once more, if they are drawn beside the body. Otherwise cavity
+// and molecule would hide them. If the rest does not fade, they stay where they are.
+void add_layer_of_contents(CavityPage& page);
 
+// --- cavity_drawn_parts.cpp
+
+// Draws a button that opens a list of the parts that can be drawn.
+void cavity_parts_button(PanelContext& ctx, CavityPage& page);
+
+// --- selected_cavities_pane.cpp
+
+void draw_selected_cavities(PanelContext& ctx, CavityPage& page);
 // Returns a sentence if the cavity lies between bodies or chains; empty if it does not. `chains`
 // names the chains that line it, "A and D"; empty if they are unknown.
 std::string between_text(const CavityLine& line, const std::string& chains);
+// Returns sentences if the cavity split off or merged in the last movement of alpha or the solvent
+// radius; else empty.
+std::string change_text(const CavityPage& page, std::size_t row);
 
 // --- cavity_networks.cpp
 
+// With hardly any probe radius, nearly all empty space of a protein is connected. Says so, and
+// offers the radius of water.
+void giant_network_line(PanelContext& ctx, const CavityPage& page);
 // If there are networks, draws the choice to split them. A button sets the solvent radius at which
 // the chosen network, else the largest, falls apart. `current`: the rows belong to the picture.
 void networks_line(PanelContext& ctx, const CavityPage& page, bool current);
@@ -70,11 +109,5 @@ void networks_line(PanelContext& ctx, const CavityPage& page, bool current);
 void network_end_sentences(PanelContext& ctx, const CavityPage& page, std::size_t row);
 // Returns a sentence about a part of a network; empty if the cavity is no such part.
 std::string part_text(const CavityLine& line);
-
-// --- selected_cavities_pane.cpp
-
-// Returns sentences if the cavity split off or merged in the last movement of alpha or the solvent
-// radius; else empty.
-std::string change_text(const CavityPage& page, std::size_t row);
 
 }  // namespace alphascope

@@ -18,7 +18,6 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/panels/viewport_info.hpp"
-#include "core/document/store/answer.hpp"
 #include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
@@ -87,7 +86,7 @@ void balls(PanelContext& ctx) {
 // Draws the rows of triangles and edges, which “Tetrahedra only” does not compute.
 void triangles_and_edges(PanelContext& ctx) {
   const DisplaySettings& d = ctx.state.settings.display;
-  const bool only_tetrahedra = ctx.state.result && ctx.state.result->complex.tetrahedra_only;
+  const bool only_tetrahedra = ctx.state.shows_tetrahedra_only();
   ImGui::BeginDisabled(only_tetrahedra);
   display_row(ctx, &D::triangles);
   ImGui::SameLine(0, ctx.px(18));

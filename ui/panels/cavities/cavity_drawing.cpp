@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws the chosen cavities in the view: asks for their shapes, and makes their layers anew whenever
+// something that they depend on has changed.
+#include <memory>
+#include <utility>
+
+#include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/selected_cavities.hpp"
+#include "core/document/reference/appearance.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/settings/display.hpp"
+#include "core/document/store/store.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace alphascope {
+namespace {
+
+// Returns the balls to which layers belong. A picture of another solvent radius has other balls,
+// but the same atoms at the same places.
+std::shared_ptr<const BallSet> balls_of_layers(const PanelContext& ctx, const CavityPage& page) {
+  const bool same_atoms = ctx.state.shown_selection() == &page.rows.lines->atoms->prepared();
+  return same_atoms ? ctx.state.shown_balls() : page.drawn->table->ground->balls;
+}
+
+void make_layers(PanelContext& ctx, CavityPage& page) {
+  bool old = std::exchange(page.layers_are_old, false);
+  old |= std::exchange(page.beside, ctx.state.settings.display.beside) !=
+         ctx.state.settings.display.beside;
+  old |= !(std::exchange(page.hidden, ctx.state.settings.appearance.hidden) ==
+           ctx.state.settings.appearance.hidden);
+  old |= std::exchange(page.theme, ctx.state.theme()) != ctx.state.theme();
+  const auto balls = page.drawn ? balls_of_layers(ctx, page) : nullptr;
+  old |= std::exchange(page.layers_of, balls) != balls;
+  if (!old) return;
+  ++page.layers_key;
+  page.layers.clear();
+  if (!page.drawn) return;
+  for (const SelectedCavity& cavity : page.drawn->of) add_layers_of_cavity(ctx, page, cavity);
+  add_layer_of_contents(page);
+}
+
+}  // namespace
+
+void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current) {
+  if (page.selected_rows.empty()) {
+    page.layers_are_old |= page.drawn != nullptr;
+    page.drawn = nullptr;
+  } else if (current) {
+    const auto drawn = ctx.store.want(
+        selected_cavities(page.choice.sinks, page.choice.parts, page.choice.key), ctx.inputs);
+    if (drawn.ready() && drawn.value != page.drawn) {
+      page.drawn = drawn.value;
+      page.layers_are_old = true;
+    }
+  }
+  make_layers(ctx, page);
+  for (const auto& layer : page.layers) ctx.state.layers.push_back(layer);
+}
+
+}  // namespace alphascope

@@ -91,6 +91,10 @@ bool ViewState::shows_tetrahedra_only() const {
   return result && result->complex.tetrahedra_only;
 }
 
+void ViewState::show_page(const std::string& id) {
+  window.page = id;
+}
+
 void ViewState::show_error(const std::string& title, const std::string& text) {
   const std::pair<std::string, std::string> news{title, text};
   if (error.empty()) {

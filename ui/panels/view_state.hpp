@@ -186,6 +186,8 @@ struct ViewState : ViewValues {
   ViewState(const ViewState&) = delete;
   ViewState& operator=(const ViewState&) = delete;
 
+  // Shows this page below the view.
+  void show_page(const std::string& id);
   // Shows an error in a dialog, after earlier ones that are not dismissed yet. To be used for
   // single requests of the user, since a slider must not open a dialog at each step.
   void show_error(const std::string& title, const std::string& text);

@@ -4,12 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "core/cavity/cavity_ground.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/selected_cavities.hpp"
 #include "core/document/reference/appearance.hpp"
-#include "core/document/reference/reference.hpp"
 #include "core/document/settings/display.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
@@ -19,13 +15,6 @@
 
 namespace alphascope {
 namespace {
-
-// Returns the balls to which layers belong. A picture of another solvent radius has other balls,
-// but the same atoms at the same places.
-std::shared_ptr<const BallSet> balls_of_layers(const PanelContext& ctx, const CavityPage& page) {
-  const bool same_atoms = ctx.state.shown_selection() == &page.rows.lines->atoms->prepared();
-  return same_atoms ? ctx.state.shown_balls() : page.drawn->table->ground->balls;
-}
 
 void make_layers(PanelContext& ctx, CavityPage& page) {
   bool old = std::exchange(page.layers_are_old, false);

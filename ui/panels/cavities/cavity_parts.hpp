@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace alphascope {
 
 class BallReferences;
 class RefSet;
+struct BallSet;
 struct CavityLine;
 struct CavityLines;
 struct CavityPage;
@@ -72,12 +74,21 @@ void clear_cavity_selection(PanelContext& ctx);
 // Draws the chosen cavities in the view. To be called in each frame in which they are visible.
 void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current);
 
-// --- cavity_layers.cpp
+// --- cavity_colour.cpp
 
 // Returns the colour of the cavity's surface in the view, and of its mark in the table.
 Colour cavity_colour(const CavityPage& page, std::size_t row);
+
+// --- cavity_layers.cpp
+
+// Returns the balls to which layers belong. A picture of another solvent radius has other balls,
+// but the same atoms at the same places.
+std::shared_ptr<const BallSet> balls_of_layers(const PanelContext& ctx, const CavityPage& page);
 // Adds the cavity to CavityPage::layers.
 void add_layers_of_cavity(PanelContext& ctx, CavityPage& page, const SelectedCavity& cavity);
+
+// --- cavity_contents_layer.cpp
+
 // Adds the contents of the cavities once more, if they are drawn beside the body. Otherwise cavity
 // and molecule would hide them. If the rest does not fade, they stay where they are.
 void add_layer_of_contents(CavityPage& page);

@@ -2,6 +2,7 @@
 // Functions that the sources of the page of channels share.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,7 @@ namespace alphascope {
 
 struct Channel;
 struct ChannelState;
+struct FoundChannel;
 struct FoundWays;
 struct PanelContext;
 struct Plot;
@@ -27,6 +29,20 @@ ChannelRequest channel_request(PanelContext& ctx, ChannelState& memory);
 void draw_channel_ends(PanelContext& ctx, ChannelState& memory);
 // Draws a line for each way through the molecule. A click chooses the way.
 void draw_ways(PanelContext& ctx, ChannelState& memory, const FoundWays& ways);
+
+// Draws the radius of the bottleneck beside the names of the pages.
+void channel_headline(PanelContext& ctx, const FoundChannel& found);
+// Draws ChannelState::shown in words. `current`: it answers the present question.
+void draw_found_channel(PanelContext& ctx, const ChannelState& memory, bool current);
+// Says why there is no channel.
+void channel_problem(PanelContext& ctx, const std::string& text);
+// Draws buttons that copy the profile and save the channel. Requires found->channel.
+void channel_save_buttons(PanelContext& ctx, const std::shared_ptr<const FoundChannel>& found);
+
+// Looks across the whole line, and zooms out if it does not fit around the view's middle.
+void look_across_line(PanelContext& ctx, const Channel& channel);
+// Selects the atoms at the bottleneck and looks at it. ChannelState::shown must have a channel.
+void select_bottleneck(PanelContext& ctx, const ChannelState& memory);
 
 // Radius against length, with the limits of HOLE's colours.
 Plot profile_plot(const Channel& channel);

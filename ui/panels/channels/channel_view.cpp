@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/document/store/answer.hpp"
 #include "ui/layer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
@@ -66,11 +65,11 @@ void make_cursor(ChannelState& memory, const Colour& colour) {
 }  // namespace
 
 void show_channel(PanelContext& ctx, ChannelState& memory) {
-  if (!memory.shown || !memory.shown->channel || !ctx.state.result) return;
+  if (!memory.shown || !memory.shown->channel || !ctx.state.shown_balls()) return;
   // Layers are drawn only with the complex of their balls. The tube is the same for each alpha and
   // solvent radius.
-  if (memory.layers.empty() || memory.layers_of != ctx.state.result->balls) {
-    memory.layers_of = ctx.state.result->balls;
+  if (memory.layers.empty() || memory.layers_of != ctx.state.shown_balls()) {
+    memory.layers_of = ctx.state.shown_balls();
     make_layers(memory);
     memory.cursor_layer = nullptr;
   }

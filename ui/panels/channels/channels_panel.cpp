@@ -5,22 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "core/chart/svg.hpp"
-#include "core/document/channels/channel_export.hpp"
-#include "core/document/channels/channel_records.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/principal_axes.hpp"
-#include "core/molecule/molecule.hpp"
-#include "core/text/as_sentence.hpp"
 #include "ui/calls.hpp"
-#include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/channels/channel_state.hpp"
-#include "ui/panels/dialogs/save_parts.hpp"
-#include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/format.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/selection/prepare_balls.hpp"
@@ -28,8 +19,6 @@
 #include "ui/widgets/widgets.hpp"
 #include "ui/panels/view_state.hpp"
 #include "core/geometry/ball_set.hpp"
-#include "core/document/settings/open_options.hpp"
-#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {
@@ -82,67 +71,6 @@ void take_answer(const PanelContext& ctx, ChannelState& memory,
   if (found->covering) memory.covering = atom_text(atoms, *found->covering);
 }
 
-// Turns the view across the line from one sample to another.
-void look_across(PanelContext& ctx, const Channel& channel, std::size_t from, std::size_t to) {
-  const RealPoint line =
-      channel.samples[to].position_angstrom - channel.samples[from].position_angstrom;
-  if (line != RealPoint{}) ctx.calls.view.look_across(unit_vector(line));
-}
-
-// Looks at the bottleneck across the channel. Seen from an end, outer atoms would hide it.
-void look_across_bottleneck(PanelContext& ctx, const Channel& channel) {
-  constexpr std::size_t kNear = 20;  // samples
-  const std::size_t at = channel.bottleneck, last = channel.samples.size() - 1;
-  look_across(ctx, channel, at - std::min(at, kNear), std::min(at + kNear, last));
-}
-
-// Looks across the whole line, and zooms out if it does not fit around the view's middle.
-void look_across_line(PanelContext& ctx, const Channel& channel) {
-  const ChannelSample &begin = channel.samples.front(), &end = channel.samples.back();
-  look_across(ctx, channel, 0, channel.samples.size() - 1);
-  constexpr double kMargin = 1.15;
-  const double tall = length(end.position_angstrom - begin.position_angstrom) +
-                      begin.radius_angstrom + end.radius_angstrom;
-  const ViewportInfo& view = ctx.state.viewport;
-  const double room = std::min(view.width, view.height) * view.angstrom_per_pixel;
-  if (room > 0 && room < kMargin * tall) ctx.calls.view.zoom(room / (kMargin * tall));
-}
-
-void select_bottleneck(PanelContext& ctx, const ChannelState& memory) {
-  std::vector<Ref> refs;
-  for (const BallIndex ball : memory.shown->channel->touching) {
-    refs.push_back(ctx.state.references->atom(ball));
-  }
-  ctx.state.settings.selection.items = RefSet(std::move(refs));
-  ctx.calls.view.zoom_to_selection();
-  look_across_bottleneck(ctx, *memory.shown->channel);
-}
-
-// --- results
-
-// Draws the radius of the bottleneck beside the names of the pages.
-void headline(PanelContext& ctx, const FoundChannel& found) {
-  const Channel& channel = *found.channel;
-  const double radius = channel.narrowest().radius_angstrom;
-  ImGui::AlignTextToFramePadding();
-  if (!channel.is_open()) {
-    strong_text(ctx,
-                "no way through: closed by " + number_text(-channel.widest_angstrom, 3) + " Å");
-    record(ctx, "channels.result");
-    tooltip(ctx, "Not even a point passes. All balls must shrink by this much before one does.");
-    return;
-  }
-  strong_text(ctx, "bottleneck " + number_text(radius, 3) + " Å");
-  record(ctx, "channels.result");
-  tooltip(ctx,
-          "Radius of the largest sphere that passes, exact to 0.001 Å. Neither alpha nor the "
-          "solvent radius changes it.");
-  ImGui::SameLine(0, ctx.px(12));
-  ImGui::AlignTextToFramePadding();
-  muted_text(ctx, passing_waters_text(found));
-  record(ctx, "channels.passing");
-}
-
 void progress(PanelContext& ctx, ChannelState& memory, const Derived<FoundChannel>& found) {
   const std::string text = percent_text(found.share);
   const bool runs = found.state == DerivedState::running;
@@ -154,127 +82,10 @@ void progress(PanelContext& ctx, ChannelState& memory, const Derived<FoundChanne
   if (button(ctx, "channels.cancel", "Cancel")) ctx.store.cancel(id_of(memory));
 }
 
-void limit_line(PanelContext& ctx, const Channel& channel) {
-  if (channel.limit == ChannelLimit::passage) return;
-  muted_wrapped(ctx, std::string("Narrowest ") + channel_limit_text(channel.limit) + ".");
-}
-
-// An ion, ligand or water that closes the pore in the crystal, although it may not stay there.
-struct Guest {
-  ResidueKind kind;
-  const char *one, *some;
-  bool BallOptions::*kept;
-};
-constexpr Guest kGuests[] = {{ResidueKind::ion, "An ion", "ions", &BallOptions::ions},
-                             {ResidueKind::ligand, "A ligand", "ligands", &BallOptions::ligands},
-                             {ResidueKind::water, "A water", "waters", &BallOptions::waters}};
-
-void guest_line(PanelContext& ctx, const std::vector<BallIndex>& touching, bool current) {
-  const BallReferences& atoms = *ctx.state.references;
-  if (!current) return;
-  for (const Guest& guest : kGuests) {
-    const bool touches = std::any_of(touching.begin(), touching.end(), [&](BallIndex ball) {
-      return atoms.molecule().atoms[atoms.prepared().atom_of_ball.at(ball)].kind == guest.kind;
-    });
-    if (!touches) continue;
-    wrapped_text(std::string(guest.one) + " is in its way.");
-    if (button(ctx, "channels.guests", (std::string("Leave ") + guest.some + " out").c_str())) {
-      ctx.state.settings.open.balls.*guest.kept = false;
-    }
-    tooltip(ctx, "These are the switches of the section Molecule, Keep. Undo restores the atoms.");
-    return;
-  }
-}
-
-// Says which part of the molecule the channel covers, and what is in it.
-void cover_lines(PanelContext& ctx, const FoundChannel& found) {
-  std::string text = "covers " + cover_text(*found.cover);
-  if (found.way) {
-    text = "through " + found.way->through + ", lined by " + chains_text(found.way->lining_chains) +
-           "; " + text;
-  }
-  muted_wrapped(ctx, text);
-  record(ctx, "channels.cover");
-  tooltip(ctx,
-          "Length of the line along the molecule, from centre to centre. Each open end lies "
-          "where the channel is wider than anywhere inside.");
-  if (!found.way || pore_contents_text(*found.way).empty()) return;
-  wrapped_text("In the channel, but ignored: " + pore_contents_text(*found.way) + ".");
-  record(ctx, "channels.not_counted");
-}
-
-std::vector<FormatToSave> exports_of(const std::shared_ptr<const FoundChannel>& found,
-                                     const RecordSource& source, const std::string& title) {
-  std::vector<FormatToSave> formats;
-  for (const ShapeExportInfo& info : channel_exports()) {
-    formats.push_back(format_to_save(info, channel_export(info, found, source)));
-  }
-  formats.push_back(figure_to_save(plot_svg(profile_plot(*found->channel), title)));
-  return formats;
-}
-
-void details(PanelContext& ctx, const ChannelState& memory, bool current) {
-  const Channel& channel = *memory.shown->channel;
-  const RealPoint& p = channel.narrowest().position_angstrom;
-  wrapped_text("length " + number_text(channel.length_angstrom, 1) + " Å, narrowest at " +
-               number_text(p.x, 2) + ", " + number_text(p.y, 2) + ", " + number_text(p.z, 2) +
-               " Å");
-  record(ctx, "channels.place");
-  muted_wrapped(ctx, "touched there by " + memory.touching);
-  record(ctx, "channels.touching");
-  cover_lines(ctx, *memory.shown);
-  limit_line(ctx, channel);
-  guest_line(ctx, channel.touching, current);
-  ImGui::BeginDisabled(!current);
-  if (button(ctx, "channels.show", "Show the bottleneck")) select_bottleneck(ctx, memory);
-  tooltip(ctx, "Selects the atoms at the bottleneck and shows it from the side.");
-  ImGui::SameLine(0, ctx.px(8));
-  if (button(ctx, "channels.across", "From the side")) look_across_line(ctx, channel);
-  tooltip(ctx, "Turns the view until it looks across the whole line, and shows all of it.");
-  ImGui::SameLine(0, ctx.px(8));
-  const RecordSource source = source_on_screen(ctx);
-  if (button(ctx, "channels.copy", "Copy profile")) {
-    ImGui::SetClipboardText(channel_csv_text(channel, source).c_str());
-    ctx.state.notice = "Profile copied as CSV: " +
-                       with_separators(static_cast<long long>(channel.samples.size())) + " rows.";
-  }
-  tooltip(ctx, "Copies length, radius and position every 0.1 Å as CSV for a spreadsheet.");
-  ImGui::SameLine(0, ctx.px(8));
-  if (button(ctx, "channels.save", "Save…")) {
-    open_save_dialog(ctx, {"Channel",
-                           file_name_for(ctx, "channel"),
-                           channel_csv(memory.shown, source),
-                           channel_as_json(memory.shown, source),
-                           {},
-                           false,
-                           exports_of(memory.shown, source, ctx.state.file_name())});
-  }
-  tooltip(ctx,
-          "The profile as a CSV or SVG file, the channel as a JSON file, or its surface, spheres "
-          "along it or a script for other programs.");
-  ImGui::EndDisabled();
-}
-
-void problem(PanelContext& ctx, const std::string& text) {
-  wrapped_text(text);
-  record(ctx, "channels.problem");
-}
-
-std::string no_channel_text(const ChannelState& memory) {
-  const FoundChannel& found = *memory.shown;
-  if (!found.covering) return as_sentence(found.why);
-  std::string text = "The channel would end inside the atom " + memory.covering + ", " +
-                     number_text(found.depth_angstrom, 2) + " Å below its surface. ";
-  return text + (found.ends.kind == ChannelEnds::Kind::through
-                     ? "Choose a start nearer to the pore, or another direction."
-                     : "Choose a point outside all balls, or “both ways along”, which moves the "
-                       "start into the pore.");
-}
-
 void column_of_results(PanelContext& ctx, ChannelState& memory, const Derived<FoundChannel>& found,
                        bool current) {
   if (found.state == DerivedState::failed || found.state == DerivedState::no_room) {
-    return problem(ctx, "There is no channel. " + found.why);
+    return channel_problem(ctx, "There is no channel. " + found.why);
   }
   if (found.state == DerivedState::cancelled) {
     muted_text(ctx, "Cancelled.");
@@ -286,12 +97,7 @@ void column_of_results(PanelContext& ctx, ChannelState& memory, const Derived<Fo
   }
   if (!memory.shown) return;
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
-  if (memory.shown->channel) {
-    details(ctx, memory, current);
-  } else {
-    problem(ctx, no_channel_text(memory));
-    if (memory.shown->covering) guest_line(ctx, {*memory.shown->covering}, current);
-  }
+  draw_found_channel(ctx, memory, current);
   ImGui::PopStyleVar();
 }
 
@@ -328,7 +134,7 @@ void first_line(PanelContext& ctx, ChannelState& memory, const Derived<FoundChan
   if (found.state == DerivedState::waiting || found.state == DerivedState::running) {
     progress(ctx, memory, found);
   } else if (current && memory.shown && memory.shown->channel) {
-    headline(ctx, *memory.shown);
+    channel_headline(ctx, *memory.shown);
   } else {
     ImGui::NewLine();
   }
@@ -367,11 +173,11 @@ void page(PanelContext& ctx, ChannelState& memory) {
   if (of_ways && ways.ready()) draw_ways(ctx, memory, *ways.value);
   ImGui::Dummy({0, ctx.px(2)});
   if (no_way) {
-    problem(ctx, kNoWay);
+    channel_problem(ctx, kNoWay);
   } else if (!has_question && !question.waiting) {
-    problem(ctx, question.why);
+    channel_problem(ctx, question.why);
     if (question.wants_cavity && button(ctx, "channels.cavities", "Go to Cavities")) {
-      ctx.state.window.page = "cavities";
+      ctx.state.show_page("cavities");
     }
   } else {
     column_of_results(ctx, memory, found, current);

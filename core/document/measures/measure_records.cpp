@@ -30,25 +30,6 @@ const char* list_name(MeasureGrouping per) {
                                            : nullptr;
 }
 
-// Makes a text from the rows of measure_rows().
-using Written = std::string (*)(const MeasureFacts& facts, const MeasureRows& rows);
-Definition<std::string> written(const MeasureQuery& query, const RecordSource& source,
-                                const std::shared_ptr<const Answer>& answer, Written write) {
-  AnyDefinition about = measure_rows(query, answer);
-  about.lane = Lane::background;
-  about.keep_stale = false;
-  about.memory = [](const Inputs& in) {
-    const std::uint64_t bytes = 1000 * in.balls->size();
-    return MemoryNeed{bytes, bytes};
-  };
-  return {about,
-          [make = about.make, source, answer, write](const Inputs& in, const RunContext& context) {
-            const auto table = std::static_pointer_cast<const MeasureRows>(make(in, context));
-            return std::make_shared<const std::string>(
-                write({source, answer, in.share(union_measures())}, *table));
-          }};
-}
-
 }  // namespace
 
 MeasureRows rows_of_measures(const MeasureFacts& facts, const MeasureQuery& query,
@@ -86,37 +67,6 @@ Json measures_json(const MeasureFacts& facts, const MeasureRows& rows) {
   json["request"] = request_json(answer.request, answer.balls->lattice);
   json["input"] = input_json(facts.source.on(answer.balls->lattice));
   return json;
-}
-
-Definition<std::string> measure_csv(const MeasureQuery& query, const RecordSource& source,
-                                    const std::shared_ptr<const Answer>& answer) {
-  Definition<std::string> definition =
-      written(query, source, answer, [](const MeasureFacts& facts, const MeasureRows& rows) {
-        const Provenance provenance = provenance_of(facts);
-        std::string text;
-        for (const MeasureRow& row : rows.rows) {
-          const CsvRow cells = measure_csv_row(facts, rows, row, provenance);
-          if (text.empty()) text = csv_names(cells);
-          text += csv_values(cells);
-        }
-        return text;
-      });
-  definition.id = "measures.csv";
-  definition.title = "Areas and volumes as CSV";
-  return definition;
-}
-
-Definition<std::string> measure_json(const MeasureQuery& query, const RecordSource& source,
-                                     const std::shared_ptr<const Answer>& answer) {
-  Definition<std::string> definition =
-      written(query, source, answer, [](const MeasureFacts& facts, const MeasureRows& rows) {
-        Json json = measures_json(facts, rows);
-        json["program"] = program_json(facts.source.program);
-        return json_text(json);
-      });
-  definition.id = "measures.json";
-  definition.title = "Areas and volumes as JSON";
-  return definition;
 }
 
 }  // namespace alphascope

@@ -32,10 +32,4 @@ Provenance provenance_of(const MeasureFacts& facts);
 CsvRow measure_csv_row(const MeasureFacts& facts, const MeasureRows& rows, const MeasureRow& row,
                        const Provenance& provenance);
 
-// The rows of a query as CSV or JSON, with provenance.
-Definition<std::string> measure_csv(const MeasureQuery& query, const RecordSource& source,
-                                    const std::shared_ptr<const Answer>& answer);
-Definition<std::string> measure_json(const MeasureQuery& query, const RecordSource& source,
-                                     const std::shared_ptr<const Answer>& answer);
-
 }  // namespace alphascope

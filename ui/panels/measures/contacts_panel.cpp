@@ -15,7 +15,6 @@
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/panels/window_settings.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -146,7 +145,7 @@ void add_contact_commands(Commands& commands, ViewState& state, ContactMemory& m
                       memory.first = arguments.text("first");
                       memory.second = arguments.text("second");
                       memory.asked = true;
-                      state.window.page = kPage;
+                      state.show_page(kPage);
                       return Outcome();
                     }});
 }

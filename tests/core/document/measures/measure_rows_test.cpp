@@ -3,8 +3,10 @@
 #include "core/document/measures/measure_rows.hpp"
 
 #include "core/document/measures/measure_columns.hpp"
-#include "core/document/measures/measure_records.hpp"
+#include "core/document/export/record_source.hpp"
+#include "core/document/measures/measure_tables.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/engine/engine.hpp"
 #include "tests/core/document/store/store_fixture.hpp"

@@ -74,6 +74,10 @@ Theme ViewState::theme() const {
   return window.theme;
 }
 
+double ViewState::alpha_angstrom2() const {
+  return settings.request.alpha_angstrom2;
+}
+
 const Request* ViewState::shown_request() const {
   return result ? &result->request : nullptr;
 }
@@ -89,6 +93,11 @@ const PreparedBalls* ViewState::shown_selection() const {
 
 bool ViewState::shows_tetrahedra_only() const {
   return result && result->complex.tetrahedra_only;
+}
+
+void ViewState::go_to_alpha(double angstrom2) {
+  set_alpha(settings.request, angstrom2);
+  playback.alpha = false;
 }
 
 void ViewState::show_page(const std::string& id) {

@@ -174,6 +174,7 @@ struct ViewState : ViewValues {
   const std::string& file_name() const;  // "4hhb.pdb.gz"; empty: none
   const std::string& file_hash() const;  // SHA-256 of the molecule's file
   Theme theme() const;
+  double alpha_angstrom2() const;  // of the request
   // Of the complex on screen; null: there is none.
   const Request* shown_request() const;
   const std::shared_ptr<const BallSet>& shown_balls() const;  // with the solvent radius
@@ -186,6 +187,8 @@ struct ViewState : ViewValues {
   ViewState(const ViewState&) = delete;
   ViewState& operator=(const ViewState&) = delete;
 
+  // Sets alpha, Å², and stops its playback.
+  void go_to_alpha(double angstrom2);
   // Shows this page below the view.
   void show_page(const std::string& id);
   // Shows an error in a dialog, after earlier ones that are not dismissed yet. To be used for

@@ -17,6 +17,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "core/document/store/inputs.hpp"
 

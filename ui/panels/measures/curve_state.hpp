@@ -2,29 +2,19 @@
 // The state of the page of curves between frames. Plain data.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/molecule/rgb8.hpp"
+#include "ui/panels/measures/lives_state.hpp"
 
 namespace alphascope {
 
 struct CavityLines;
-struct CavityLives;
-
-// The longest lives, the results from which they were made, and their rows in the table now.
-struct ShownLives {
-  static constexpr std::size_t kNoRow = ~std::size_t{0};
-  CavityBars bars;
-  std::shared_ptr<const CavityLives> of;
-  double from_angstrom2 = 0;
-  std::shared_ptr<const CavityLines> lines;
-  std::vector<std::size_t> rows;  // for each bar; kNoRow: its cavity is not in the table
-};
 
 struct CurveState {
   static constexpr int kLives = 3;  // not a CurveQuantity

@@ -4,20 +4,14 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
-
-#include "core/chart/plot.hpp"
 
 namespace alphascope {
 
-struct CavityBar;
 struct CavityGround;
 struct CavityLives;
 struct CavityPage;
 struct PanelContext;
-struct PlotMouse;
 struct ShownLives;
 template <class T>
 struct Derived;
@@ -33,20 +27,6 @@ bool follow_lives(PanelContext& ctx, ShownLives& memory, KnownLives& known,
                   const Derived<CavityLives>& lives);
 // Returns the row of a bar; kNoRow if the table on screen is of other balls than the bars.
 std::size_t row_of_bar(const ShownLives& memory, const CavityPage& page, std::size_t bar);
-
-// Lays out as many bars as fit; the y axis counts them from the top. None: there is no room.
-struct BarsPlot {
-  Plot plot = {};
-  PlotArea area = {};
-  std::size_t drawn = 0;
-
-  float row() const { return area.y_of(1) - area.y_of(0); }  // pixels
-  // Returns the bar under the mouse.
-  std::optional<std::size_t> bar_at(const std::vector<CavityBar>& bars, const PlotMouse& at) const;
-};
-// Makes room for the bars in the rest of the page. `shown` is the present alpha.
-std::optional<BarsPlot> place_bars(const PanelContext& ctx, const ShownLives& memory, double shown);
-void add_bars(PanelContext& ctx, BarsPlot& bars, const ShownLives& memory, const CavityPage& page);
 
 // Draws buttons that copy and save the bars.
 void lives_save_buttons(PanelContext& ctx, const ShownLives& memory, const KnownLives& known);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bars of cavities as a plot. They lie one below the other, and alpha is the x axis.
+// Lays out the bars of cavities, one below the other. Alpha is the x axis.
+#include "ui/panels/measures/lives_plot.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -15,6 +15,7 @@
 #include "ui/panels/measures/lives_parts.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/panels/measures/lives_plot.hpp"
 
 namespace alphascope {
 

@@ -25,6 +25,7 @@
 #include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/measures/lives_parts.hpp"
 #include "core/document/store/inputs.hpp"
+#include "ui/panels/measures/lives_plot.hpp"
 
 namespace alphascope {
 namespace {

@@ -16,7 +16,7 @@ struct PanelContext;
 struct PlotMouse;
 struct ShownLives;
 
-// Lays out as many bars as fit; the y axis counts them from the top. None: there is no room.
+// The y axis counts the bars from the top.
 struct BarsPlot {
   Plot plot = {};
   PlotArea area = {};
@@ -26,7 +26,8 @@ struct BarsPlot {
   // Returns the bar under the mouse.
   std::optional<std::size_t> bar_at(const std::vector<CavityBar>& bars, const PlotMouse& at) const;
 };
-// Makes room for the bars in the rest of the page. `shown` is the present alpha.
+// Lays out as many bars as fit in the rest of the page. None: there is no room. `shown` is the
+// present alpha.
 std::optional<BarsPlot> place_bars(const PanelContext& ctx, const ShownLives& memory, double shown);
 void add_bars(PanelContext& ctx, BarsPlot& bars, const ShownLives& memory, const CavityPage& page);
 

@@ -9,7 +9,7 @@
 #include "core/molecule/name_table.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/steps_state.hpp"
-#include "ui/panels/view_info.hpp"
+#include "ui/panels/work_info.hpp"
 #include "ui/widgets/format.hpp"
 
 namespace alphascope {

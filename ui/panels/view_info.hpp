@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plain data on the molecule and on running work, which the program fills and the panels show. Data
-// on the view are in viewport_info.hpp.
+// Plain data on the molecule, which the program fills and the panels show. Data on running work are
+// in work_info.hpp, and data on the view in viewport_info.hpp.
 #pragma once
 
 #include <cstdint>
@@ -52,18 +52,6 @@ struct MoleculeInfo {
   // Provenance of all numbers in full, for people and papers: "Lattice unit", "0.001 Å".
   std::vector<std::pair<std::string, std::string>> provenance;
   BallOptions options;  // the options that chose its balls
-};
-
-struct BadgeInfo {
-  enum class State : std::uint8_t { not_compared, comparing, identical, different, failed };
-  State state = State::not_compared;
-  std::string text;    // "identical to CGAL: 16,445 of 16,445 tetrahedra"
-  double seconds = 0;  // since the comparison began
-};
-
-// A result that is made while the user goes on working.
-struct BackgroundInfo {
-  std::string text, detail;  // one line, and its explanation; empty: nothing is made
 };
 
 }  // namespace alphascope

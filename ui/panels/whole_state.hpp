@@ -36,6 +36,7 @@
 #include "ui/running_job.hpp"
 #include "ui/widgets/key_state.hpp"
 #include "ui/widgets/number_typing.hpp"
+#include "ui/panels/work_info.hpp"
 
 namespace alphascope {
 

@@ -11,6 +11,7 @@
 #include "core/text/printable.hpp"
 #include "ui/panels/playback.hpp"
 #include "ui/panels/window_settings.hpp"
+#include "ui/panels/work_info.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {

@@ -18,6 +18,7 @@
 #include "core/document/cavities/cavity_results.hpp"
 #include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

@@ -17,7 +17,6 @@
 #include "core/document/reference/ref_set.hpp"
 #include "core/document/settings/beside_body.hpp"
 #include "core/geometry/ball_index.hpp"
-#include "ui/theme.hpp"
 
 namespace alphascope {
 
@@ -26,6 +25,7 @@ struct CavityLine;
 struct CavityLines;
 struct Layer;
 struct SelectedCavities;
+enum class Theme : std::uint8_t;
 
 // The filter of rows, and their order.
 struct CavityFilter {
@@ -84,7 +84,7 @@ struct CavityPage {
   bool layers_are_old = true;
   AtomsBesideBody beside;  // kinds of dropped atoms that `layers` may show; then hidden atoms
   AtomSet hidden;
-  Theme theme = Theme::dark;  // for which their colours were chosen
+  Theme theme{};  // for which their colours were chosen
 };
 
 }  // namespace alphascope

@@ -8,7 +8,6 @@
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/panels/view_info.hpp"
 #include "ui/running_job.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
@@ -17,6 +16,7 @@
 #include "core/document/store/answer.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/panels/work_info.hpp"
 
 namespace alphascope {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/document/store/answer.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/panels/viewport_info.hpp"
-#include "ui/panels/view_info.hpp"
+#include "ui/panels/work_info.hpp"
 
 namespace alphascope {
 namespace {
@@ -81,7 +81,7 @@ void draw_status_bar(PanelContext& ctx) {
   if (s.result) {
     counts(ctx);
   } else {
-    muted_text(ctx, s.molecule.loaded ? "No complex yet" : "No molecule");
+    muted_text(ctx, s.has_molecule() ? "No complex yet" : "No molecule");
     ImGui::SameLine(0, ctx.px(16));
   }
   if (!s.selected_count_text.empty()) {

@@ -6,7 +6,6 @@
 
 #include "core/document/tables/cell_value.hpp"
 #include "core/text/grouped_number.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/panel.hpp"

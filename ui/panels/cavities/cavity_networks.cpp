@@ -10,7 +10,6 @@
 #include "core/document/channels/network_results.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/document/settings/request.hpp"
-#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/widgets/format.hpp"

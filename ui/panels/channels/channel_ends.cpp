@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/document/commands/number_input.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/widgets/number_field.hpp"

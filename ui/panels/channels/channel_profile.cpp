@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/widgets/plot.hpp"

@@ -8,7 +8,6 @@
 #include "core/document/tables/column.hpp"
 #include "core/selection/selection_error.hpp"
 #include "core/text/grouped_number.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/channels/channel_text.hpp"

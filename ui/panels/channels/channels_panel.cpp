@@ -7,7 +7,6 @@
 
 #include "core/document/store/store.hpp"
 #include "core/geometry/principal_axes.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"

@@ -8,7 +8,6 @@
 #include "core/document/alpha/signature.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/store/store.hpp"
-#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/complex/alpha_state.hpp"
 #include "ui/panels/panel.hpp"

@@ -6,7 +6,6 @@
 #include "core/document/settings/display_fields.hpp"
 #include "core/document/settings/display_preset.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "ui/calls.hpp"
 #include "ui/layer.hpp"
 #include "ui/panels/complex/display_rows.hpp"
 #include "ui/panels/complex/paint_rows.hpp"

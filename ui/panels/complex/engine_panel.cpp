@@ -8,7 +8,6 @@
 #include "core/engine/engine_choice.hpp"
 #include "core/engine/gpu_device.hpp"
 #include "core/tuples/tuple_options.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_info.hpp"

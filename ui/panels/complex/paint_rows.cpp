@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "ui/calls.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "core/document/commands/number_input.hpp"

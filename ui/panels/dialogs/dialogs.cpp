@@ -9,7 +9,6 @@
 #include "core/document/settings/open_options.hpp"
 #include "core/document/store/key.hpp"
 #include "core/molecule/assembly.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/panels.hpp"

@@ -10,7 +10,6 @@
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/text/as_sentence.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/save_state.hpp"
 #include "ui/panels/view_info.hpp"

@@ -14,7 +14,6 @@
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/text/letter_case.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/view_state.hpp"

@@ -13,7 +13,6 @@
 #include "core/molecule/name_table.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/selection/atom_address.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/frame/context_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/document/commands/commands.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"

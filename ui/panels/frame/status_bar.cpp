@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/complex/alpha_complex.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"

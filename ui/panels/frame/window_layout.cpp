@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/geometry/lattice_alpha.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/frame/mouse_state.hpp"

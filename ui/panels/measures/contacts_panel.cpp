@@ -11,7 +11,6 @@
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/request.hpp"
 #include "core/document/store/store.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"

@@ -8,7 +8,6 @@
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
 #include "core/document/store/store.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/measures/curve_state.hpp"
 #include "ui/panels/measures/lives_view.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"

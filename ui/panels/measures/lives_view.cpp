@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/document/store/store.hpp"
-#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/widgets/format.hpp"

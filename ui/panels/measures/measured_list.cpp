@@ -10,7 +10,6 @@
 #include "core/selection/atom_address.hpp"
 #include "core/selection/selection_error.hpp"
 #include "ui/annotation_layer.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/table_cells.hpp"

@@ -10,7 +10,6 @@
 
 #include "core/document/store/store.hpp"
 #include "core/document/tables/cell_value.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/measures/measure_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"

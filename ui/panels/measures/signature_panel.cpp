@@ -9,7 +9,6 @@
 
 #include "core/document/alpha/signature.hpp"
 #include "core/molecule/rgb8.hpp"
-#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/widgets/format.hpp"

@@ -2,7 +2,6 @@
 // Lists where the numbers come from, in full as a paper needs it. A button copies the list.
 #include <algorithm>
 
-#include "ui/calls.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"

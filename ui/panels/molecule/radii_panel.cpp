@@ -11,7 +11,6 @@
 #include "core/document/commands/number_input.hpp"
 #include "core/document/settings/radius_edits.hpp"
 #include "core/radii/radii_set.hpp"
-#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"

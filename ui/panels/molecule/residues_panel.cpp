@@ -9,7 +9,6 @@
 #include "core/document/settings/open_options.hpp"
 #include "core/selection/residue_groups.hpp"
 #include "core/text/grouped_number.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_info.hpp"

@@ -15,7 +15,6 @@
 #include "core/selection/contents.hpp"
 #include "core/selection/selection_error.hpp"
 #include "core/text/grouped_number.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/molecule/expression_state.hpp"
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/panels.hpp"

@@ -9,7 +9,6 @@
 #include "core/molecule/assembly.hpp"
 #include "core/selection/ball_options.hpp"
 #include "core/text/grouped_number.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/playback.hpp"

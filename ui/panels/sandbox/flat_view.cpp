@@ -10,7 +10,6 @@
 #include "core/chart/flat_svg.hpp"
 #include "core/document/reference/ref_set.hpp"
 #include "core/molecule/sandbox.hpp"
-#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"

@@ -8,7 +8,6 @@
 #include "core/document/explain/dimension_words.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/sandbox.hpp"
-#include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"

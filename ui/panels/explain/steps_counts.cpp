@@ -1,73 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The controls of the page “Steps”, its list of steps, its legend and its table of numbers.
-#include "ui/panels/explain/steps_parts.hpp"
-
+// The meaning of the colours of a step, and its numbers as a table.
 #include <algorithm>
-#include <charconv>
+#include <cstdint>
+#include <string>
 
-#include "core/document/commands/commands.hpp"
 #include "core/document/explain/step_names.hpp"
 #include "core/document/explain/steps_results.hpp"
 #include "core/text/grouped_number.hpp"
-#include "ui/calls.hpp"
 #include "ui/panels/explain/steps_layer.hpp"
+#include "ui/panels/explain/steps_parts.hpp"
 #include "ui/panels/explain/steps_state.hpp"
-#include "ui/panels/panels.hpp"
-#include "ui/panels/sandbox/sandbox_edit.hpp"
-#include "ui/widgets/table_cells.hpp"
-#include "ui/widgets/widgets.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/style.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/document/reference/appearance.hpp"
-#include "core/document/reference/reference.hpp"
+#include "ui/widgets/table_cells.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {
-
-// Draws a button that runs a command. It is greyed if the command cannot run.
-void move_button(PanelContext& ctx, const char* id, const char* label) {
-  const CommandSpec* const spec = ctx.commands.find(id);
-  if (spec == nullptr) return;
-  const std::string against = spec->reason_against();
-  ImGui::BeginDisabled(!against.empty());
-  if (button(ctx, id, label, {ctx.px(50), 0})) run_command(ctx, *spec);
-  ImGui::EndDisabled();
-  const std::string keys = spec->shortcuts_text();
-  tooltip(ctx, (spec->help + (keys.empty() ? "." : " (" + keys + ").")).c_str());
-  ImGui::SameLine(0, ctx.px(4));
-}
-
-void engine_choice(PanelContext& ctx) {
-  StepsState& memory = ctx.state.steps;
-  if (steps_engines().size() < 2) return;
-  ImGui::SetNextItemWidth(ctx.px(170));
-  if (list_field(ctx, "steps.engine", spec_of(memory.engine).title)) {
-    for (const StepsEngineSpec& spec : steps_engines()) {
-      const char* const id = steps_engine_id(spec.engine);
-      if (ImGui::Selectable(spec.title, spec.engine == memory.engine)) {
-        ctx.commands.run("steps.engine", {id});
-      }
-      record(ctx, (std::string("steps.engine.") + id).c_str());
-    }
-    ImGui::EndCombo();
-  }
-  record(ctx, "steps.engine");
-  tooltip(ctx,
-          "Engine whose steps are shown. It may differ from the engine that computed the complex.");
-}
-
-// Draws a check box behind the last item, or below it if there is no room.
-void optimisation(PanelContext& ctx, const char* name, const char* label, bool& value) {
-  same_line_where_it_fits(
-      ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x,
-      ctx.px(12));
-  checkbox(ctx, name, label, value);
-  const CommandSpec* const spec = ctx.commands.find(name);
-  if (spec != nullptr) tooltip(ctx, (spec->help + ".").c_str());
-}
-
-// --- colours
 
 void legend_line(PanelContext& ctx, StepMark mark, const std::string& text, bool box) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -117,8 +66,6 @@ void legend(PanelContext& ctx, const Step& step) {
   }
   record(ctx, "steps.legend");
 }
-
-// --- numbers
 
 struct CountColumns {
   bool here = false, optimised = false;
@@ -171,50 +118,6 @@ void count_table(PanelContext& ctx, const Step& step) {
 
 }  // namespace
 
-void draw_steps_controls(PanelContext& ctx) {
-  StepsState& memory = ctx.state.steps;
-  move_button(ctx, "steps.first", "First");
-  move_button(ctx, "steps.back", "Back");
-  move_button(ctx, "steps.play", memory.playing ? "Pause" : "Play");
-  move_button(ctx, "steps.next", "Next");
-  move_button(ctx, "steps.last", "Last");
-  ImGui::SameLine(0, ctx.px(12));
-  engine_choice(ctx);
-  if (spec_of(memory.engine).has_optimisations) {
-    optimisation(ctx, "steps.edge_optimisation", "Edge optimisation", memory.edge_optimisation);
-    optimisation(ctx, "steps.alpha_optimisation", "Alpha optimisation", memory.alpha_optimisation);
-  }
-}
-
-void draw_step_list(PanelContext& ctx, float width) {
-  StepsState& memory = ctx.state.steps;
-  ImGui::PushFont(ctx.fonts.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ctx.px(6), ctx.px(2)});
-  ImGui::BeginChild("list", {width, 0}, false);
-  for (std::size_t n = 0; n < memory.count(); ++n) {
-    const StepText& text = memory.shown->texts[n];
-    const std::string name = "steps.step." + std::to_string(n + 1);
-    const float right = ImGui::GetContentRegionAvail().x - ctx.px(4),
-                brief = ImGui::CalcTextSize(text.brief.c_str()).x;
-    const std::string title = std::to_string(n + 1) + "  " + text.title;
-    ImGui::PushID(static_cast<int>(n));
-    if (ImGui::Selectable(fitted_text(title, right - brief - ctx.px(8)).c_str(),
-                          n == memory.at())) {
-      memory.show(n);
-      memory.playing = false;
-    }
-    record(ctx, name.c_str());
-    tooltip(ctx, (text.title + ": " + text.brief).c_str());
-    if (n == memory.at() && std::exchange(memory.scroll_to, false)) ImGui::SetScrollHereY();
-    ImGui::SameLine(right - brief);
-    muted_text(ctx, text.brief);
-    ImGui::PopID();
-  }
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopFont();
-}
-
 void draw_step_counts(PanelContext& ctx, float width) {
   StepsState& memory = ctx.state.steps;
   ImGui::BeginChild("counts", {width, 0}, false);
@@ -232,32 +135,6 @@ void draw_step_counts(PanelContext& ctx, float width) {
   ImGui::PopStyleVar();
   ImGui::PopFont();
   ImGui::EndChild();
-}
-
-std::vector<std::string> steps_notes(const PanelContext& ctx) {
-  const StepsState& memory = ctx.state.steps;
-  std::vector<std::string> notes;
-  if (shows_flat_drawing(ctx.state)) {
-    notes.push_back(
-        "The flat drawing does not show steps. Switch it off, on the page Sandbox, to see them.");
-  }
-  if (ctx.state.settings.appearance.hidden.contains(
-          ctx.inputs.atoms->atom(memory.shown->steps.ball))) {
-    notes.push_back("This atom is hidden in the picture, but the steps use it.");
-  }
-  return notes;
-}
-
-std::optional<std::size_t> step_number(const BallSteps& steps, const std::string& text) {
-  std::size_t number = 0;
-  const char* const end = text.data() + text.size();
-  if (std::from_chars(text.data(), end, number).ptr == end && number > 0) {
-    return number <= steps.steps.size() ? std::optional(number - 1) : std::nullopt;
-  }
-  for (std::size_t n = 0; n < steps.steps.size(); ++n) {
-    if (text == step_id(steps.steps[n].kind)) return n;
-  }
-  return std::nullopt;
 }
 
 }  // namespace alphascope

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The present step in sentences, with notes that a user needs to understand the picture.
+#include <string>
+#include <vector>
+
+#include "core/document/explain/steps_results.hpp"
+#include "core/document/reference/appearance.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/geometry/shortest_number.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/explain/steps_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/sandbox/sandbox_edit.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/style.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace alphascope {
+namespace {
+
+std::vector<std::string> steps_notes(const PanelContext& ctx) {
+  const StepsState& memory = ctx.state.steps;
+  std::vector<std::string> notes;
+  if (shows_flat_drawing(ctx.state)) {
+    notes.push_back(
+        "The flat drawing does not show steps. Switch it off, on the page Sandbox, to see them.");
+  }
+  if (ctx.state.settings.appearance.hidden.contains(
+          ctx.inputs.atoms->atom(memory.shown->steps.ball))) {
+    notes.push_back("This atom is hidden in the picture, but the steps use it.");
+  }
+  return notes;
+}
+
+}  // namespace
+
+void draw_step_text(PanelContext& ctx, float width) {
+  const StepsState& memory = ctx.state.steps;
+  const ExplainedSteps& told = *memory.shown;
+  const StepText& text = told.texts[memory.at()];
+  ImGui::BeginChild("text", {width, 0}, false);
+  strong_text(ctx, text.title + ": " + with_minus_signs(text.brief));
+  record(ctx, "steps.title");
+  muted_text(ctx,
+             fitted_text(atom_text(*ctx.inputs.atoms, told.steps.ball) + " at α = " +
+                             with_minus_signs(shortest_number(
+                                 told.steps.lattice.alpha_angstrom2(told.steps.alpha_on_lattice))) +
+                             " Å²",
+                         ImGui::GetContentRegionAvail().x));
+  wrapped_text(with_minus_signs(text.text));
+  record(ctx, "steps.text");
+  if (!told.growth.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.warning));
+    wrapped_text(told.growth);
+    ImGui::PopStyleColor();
+    record(ctx, "steps.growth");
+  }
+  for (const std::string& note : steps_notes(ctx)) muted_wrapped(ctx, note);
+  ImGui::EndChild();
+}
+
+}  // namespace alphascope

@@ -4,6 +4,11 @@
 
 #include <cstdint>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/complex/face_class.hpp"
+#include "core/document/picture/caption_parts.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
@@ -12,11 +17,6 @@
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
 #include "ui/number_text.hpp"
-#include "core/complex/alpha_complex.hpp"
-#include "core/complex/face_class.hpp"
-#include "core/document/picture/caption_parts.hpp"
-#include "core/document/store/answer.hpp"
-#include "core/engine/known_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "app/bench/thesis_table.hpp"
 #include "core/chart/readable_number.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

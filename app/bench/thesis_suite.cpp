@@ -12,11 +12,11 @@
 
 #include "app/bench/thesis_contest.hpp"
 #include "app/session/version.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/radii/radii_set.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

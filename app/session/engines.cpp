@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/session/gpu_engines.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/tuples/tuple_engine.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

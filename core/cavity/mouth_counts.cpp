@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/complex/face_class.hpp"
 #include "core/predicates/orthosphere.hpp"
 #include "core/triangulation/incidence.hpp"
 #include "core/triangulation/membership.hpp"
 #include "core/triangulation/union_find.hpp"
-#include "core/complex/alpha_complex.hpp"
-#include "core/complex/face_class.hpp"
 
 namespace alphascope {
 namespace {

@@ -12,10 +12,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/cavity_identity/cavity_match.hpp"
 #include "core/complex/simplices.hpp"
 #include "core/geometry/ball_index.hpp"
 #include "core/run/cancel_token.hpp"
-#include "core/cavity_identity/cavity_match.hpp"
 
 namespace alphascope {
 

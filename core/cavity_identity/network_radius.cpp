@@ -14,10 +14,10 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity/network_parting.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/membership.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/membership.hpp"
 
 namespace alphascope {
 namespace {

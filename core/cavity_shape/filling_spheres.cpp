@@ -11,10 +11,10 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_identity/point_location.hpp"
-#include "core/channel/orthocentre.hpp"
-#include "core/run/parallel.hpp"
 #include "core/channel/clearance.hpp"
+#include "core/channel/orthocentre.hpp"
 #include "core/neighbours/uniform_grid.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/channel/channel_ends.hpp"
+#include "core/geometry/ball_index.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"
-#include "core/geometry/ball_index.hpp"
-#include "core/channel/channel_ends.hpp"
 
 namespace alphascope {
 

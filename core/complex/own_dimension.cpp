@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/spanning_balls.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

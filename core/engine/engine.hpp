@@ -10,8 +10,8 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/engine/known_results.hpp"
 #include "core/geometry/alpha.hpp"
-#include "core/run/work_threads.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope {
 

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/run/cancel_token.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

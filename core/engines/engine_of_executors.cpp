@@ -10,8 +10,8 @@
 
 #include "core/engine/slabs.hpp"
 #include "core/geometry/alpha.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,8 +5,8 @@
 #include <exception>
 #include <utility>
 
-#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 
 namespace alphascope {
 

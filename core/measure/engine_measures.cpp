@@ -4,9 +4,9 @@
 
 #include <chrono>
 
-#include "core/geometry/alpha.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/engine/engine.hpp"
+#include "core/geometry/alpha.hpp"
 #include "core/run/work_threads.hpp"
 
 namespace alphascope {

@@ -2,12 +2,12 @@
 // Connected components, sums by group and areas of single balls.
 #include <stdexcept>
 
+#include "core/complex/alpha_complex.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/union_measures.hpp"
 #include "core/triangulation/union_find.hpp"
-#include "core/complex/alpha_complex.hpp"
 
 namespace alphascope {
 Components components(std::size_t balls, const AlphaComplex& complex) {

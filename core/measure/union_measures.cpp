@@ -10,12 +10,12 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "core/complex/alpha_complex.hpp"
 #include "core/measure/ball_sums.hpp"
 #include "core/measure/edge_rows.hpp"
 #include "core/measure/exact_sum.hpp"
 #include "core/measure/simplex_terms.hpp"
 #include "core/run/parallel.hpp"
-#include "core/complex/alpha_complex.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/molecule/molecule.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,13 +10,13 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/complex/face_class.hpp"
 #include "core/complex/face_groups.hpp"
 #include "core/complex/simplex_hash.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/ties.hpp"
-#include "core/complex/alpha_complex.hpp"
-#include "core/complex/face_class.hpp"
 
 namespace alphascope {
 namespace {

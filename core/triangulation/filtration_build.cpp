@@ -7,15 +7,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/complex/face_groups.hpp"
-#include "core/predicates/exact_alpha.hpp"
-#include "core/run/parallel.hpp"
-#include "core/triangulation/filtration.hpp"
-#include "core/triangulation/memory_need.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/complex/face_class.hpp"
+#include "core/complex/face_groups.hpp"
 #include "core/complex/triangulation.hpp"
+#include "core/predicates/exact_alpha.hpp"
+#include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

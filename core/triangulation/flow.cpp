@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/predicates/exact_alpha.hpp"
-#include "core/run/parallel.hpp"
 #include "core/predicates/flow_predicate.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,8 +9,8 @@
 #include <cstdint>
 
 #include "core/complex/triangulation.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/predicates/flow_ties.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 

@@ -8,8 +8,8 @@
 
 #include <array>
 
-#include "core/complex/simplex_hash.hpp"
 #include "core/complex/alpha_complex.hpp"
+#include "core/complex/simplex_hash.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/predicates/exact_alpha.hpp"
-#include "core/run/parallel.hpp"
-#include "core/triangulation/ties.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/complex/triangulation.hpp"
+#include "core/predicates/exact_alpha.hpp"
+#include "core/run/parallel.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/incidence.hpp"
+#include "core/triangulation/ties.hpp"
 
 namespace alphascope {
 namespace {

@@ -3,10 +3,10 @@
 // vertices.
 #include "core/triangulation/ties.hpp"
 
+#include "core/complex/alpha_complex.hpp"
 #include "core/complex/face_groups.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"
-#include "core/complex/alpha_complex.hpp"
 
 namespace alphascope {
 namespace {

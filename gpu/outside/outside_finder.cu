@@ -7,13 +7,13 @@
 
 #include <limits>
 
+#include "core/complex/shared_faces.hpp"
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/handles.cuh"
 #include "gpu/memory/launch.cuh"
 #include "gpu/memory/prefix_sum.cuh"
 #include "gpu/memory/result_memory.cuh"
 #include "gpu/outside/outside_kernels.cuh"
-#include "core/complex/shared_faces.hpp"
 
 namespace alphascope::gpu {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/complex/face_code.hpp"
-#include "gpu/memory/device_complex.hpp"
 #include "core/complex/shared_faces.hpp"
+#include "gpu/memory/device_complex.hpp"
 
 namespace alphascope::gpu {
 

@@ -3,9 +3,9 @@
 #include "tests/bench/cgal_parallel.hpp"
 
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "tests/support/reference/cgal_cells.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::testing {
 

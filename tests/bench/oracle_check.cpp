@@ -14,9 +14,9 @@
 #include <map>
 #include <string>
 
+#include "core/run/cancel_token.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/reference/oracle_check.hpp"
-#include "core/run/cancel_token.hpp"
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/alpha.hpp"
+#include "core/run/cancel_token.hpp"
 #include "core/tuples/tuple_engine.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/gpu/how_much.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
-#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 namespace {

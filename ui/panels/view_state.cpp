@@ -4,8 +4,8 @@
 
 #include <tuple>
 
-#include "ui/panels/whole_state.hpp"
 #include "core/document/store/answer.hpp"
+#include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
 

@@ -32,11 +32,11 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/panels/window_settings.hpp"
+#include "ui/panels/work_info.hpp"
 #include "ui/picture_marks.hpp"
 #include "ui/running_job.hpp"
 #include "ui/widgets/key_state.hpp"
 #include "ui/widgets/number_typing.hpp"
-#include "ui/panels/work_info.hpp"
 
 namespace alphascope {
 

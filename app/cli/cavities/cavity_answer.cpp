@@ -10,17 +10,17 @@
 #include "app/session/rounding_note.hpp"
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_lives.hpp"
-#include "core/document/channels/network_results.hpp"
-#include "core/document/reference/reference.hpp"
-#include "core/document/settings/cavity_preset.hpp"
-#include "core/predicates/flow_predicate.hpp"
-#include "core/run/work_threads.hpp"
-#include "core/text/grouped_number.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/channels/network_results.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/settings/cavity_preset.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/document/store/inputs.hpp"
+#include "core/predicates/flow_predicate.hpp"
+#include "core/run/work_threads.hpp"
+#include "core/text/grouped_number.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -11,12 +11,12 @@
 #include "app/cli/text/printed_columns.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/document/tables/column_json.hpp"
 #include "core/predicates/wide_int.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
-#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope::cli {
 namespace {

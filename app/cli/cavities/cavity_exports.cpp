@@ -4,10 +4,10 @@
 
 #include "app/cli/cavities/cavity_records.hpp"
 #include "app/cli/failure.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_export.hpp"
 #include "core/run/work_threads.hpp"
-#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope::cli {
 

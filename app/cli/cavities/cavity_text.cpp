@@ -9,8 +9,8 @@
 #include "app/cli/text/printed_columns.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
-#include "core/document/cavities/cavity_columns.hpp"
 #include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_columns.hpp"
 
 namespace alphascope::cli {
 namespace {

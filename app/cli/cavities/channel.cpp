@@ -28,14 +28,14 @@
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/channels/channel_text.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/point_text.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/flow.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::cli {
 namespace {

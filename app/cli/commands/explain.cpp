@@ -17,11 +17,11 @@
 #include "core/document/explain/explanation_json.hpp"
 #include "core/document/explain/explanation_results.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -19,6 +19,7 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/options/option_values.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/radii/radii_set.hpp"
@@ -26,7 +27,6 @@
 #include "core/selection/treatments.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::cli {
 namespace {

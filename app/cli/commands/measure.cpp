@@ -17,9 +17,9 @@
 #include "app/session/engine_cache.hpp"
 #include "core/document/measures/measure_json.hpp"
 #include "core/document/measures/measure_names.hpp"
-#include "core/radii/radii_set.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/molecule/molecule.hpp"
+#include "core/radii/radii_set.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -18,10 +18,10 @@
 #include "core/document/explain/steps_json.hpp"
 #include "core/document/explain/steps_results.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/run/work_threads.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -17,11 +17,11 @@
 #include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
 #include "core/document/tables/column_json.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/text/printable.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::cli {
 namespace {

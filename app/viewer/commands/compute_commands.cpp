@@ -4,6 +4,7 @@
 
 #include "app/viewer/commands/command_parts.hpp"
 #include "core/document/session/setting_ids.hpp"
+#include "core/document/settings/request.hpp"
 #include "core/engine/gpu_device.hpp"
 #include "core/molecule/molecule.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
@@ -11,7 +12,6 @@
 #include "ui/panels/playback.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/window_settings.hpp"
-#include "core/document/settings/request.hpp"
 
 namespace alphascope {
 namespace {

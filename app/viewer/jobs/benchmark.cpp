@@ -14,6 +14,7 @@
 #include "core/chart/svg.hpp"
 #include "core/document/commands/number_input.hpp"
 #include "core/document/export/program_name.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
@@ -24,7 +25,6 @@
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

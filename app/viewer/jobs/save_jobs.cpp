@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "core/document/export/complex_export.hpp"
-#include "ui/panels/window_settings.hpp"
 #include "core/document/settings/request.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {

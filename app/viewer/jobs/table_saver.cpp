@@ -5,13 +5,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/document/store/inputs.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/running_job.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -11,9 +11,9 @@
 #include "app/viewer/parts/due_frames.hpp"
 #include "app/viewer/parts/shown_marks.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/view_state.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "core/document/settings/request.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/playback.hpp"
 #include "ui/panels/window_settings.hpp"
-#include "core/document/settings/request.hpp"
 
 namespace alphascope {
 

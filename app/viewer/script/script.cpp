@@ -18,6 +18,7 @@
 #include "app/viewer/resources.hpp"
 #include "app/viewer/script/timed_moves.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/files/output_ending.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/radii/radii_set.hpp"
@@ -26,7 +27,6 @@
 #include "ui/no_calls.hpp"
 #include "ui/panels/whole_state.hpp"
 #include "ui/widgets/keys.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

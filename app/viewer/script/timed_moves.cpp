@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "app/viewer/viewer.hpp"
+#include "core/document/settings/request.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "core/run/picture_stages.hpp"
-#include "core/document/settings/request.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,9 +9,9 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/store/definition.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/filtration.hpp"
-#include "core/document/store/inputs.hpp"
 #include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {

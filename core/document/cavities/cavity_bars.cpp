@@ -6,16 +6,16 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/cavity/cavity_lives.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/complex/triangulation.hpp"
 #include "core/document/cavities/cavity_names.hpp"
-#include "core/geometry/lattice.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-#include "core/write/csv.hpp"
-#include "core/cavity/cavity_lives.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
+#include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/write/csv.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <optional>
 
+#include "core/cavity_identity/cavity_curves.hpp"
 #include "core/complex/face_class.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/predicates/orthosphere.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/write/csv.hpp"
-#include "core/cavity_identity/cavity_curves.hpp"
 
 namespace alphascope {
 namespace {

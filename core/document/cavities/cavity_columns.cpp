@@ -13,8 +13,10 @@
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/cavity_identity/network_radius.hpp"
 #include "core/channel/bottlenecks.hpp"
+#include "core/document/cavities/cavity_bottlenecks.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_records.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/known_cavities.hpp"
 #include "core/document/export/program_name.hpp"
 #include "core/document/reference/reference.hpp"
@@ -27,8 +29,6 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/provenance.hpp"
-#include "core/document/cavities/cavity_results.hpp"
-#include "core/document/cavities/cavity_bottlenecks.hpp"
 
 namespace alphascope {
 namespace {

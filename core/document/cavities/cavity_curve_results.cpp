@@ -9,13 +9,13 @@
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/predicates/exact_rho.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/document/store/inputs.hpp"
 #include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {

@@ -6,10 +6,12 @@
 #include <stdexcept>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity_shape/cavity_mesh.hpp"
 #include "core/cavity_shape/filling_spheres.hpp"
 #include "core/channel/clearance.hpp"
 #include "core/chart/colour_map.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
@@ -19,8 +21,6 @@
 #include "core/write/viewer_script.hpp"
 #include "core/write/write_mesh.hpp"
 #include "core/write/write_spheres.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope {
 namespace {

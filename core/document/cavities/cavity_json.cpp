@@ -2,16 +2,16 @@
 // Converts CavityFacts into JSON.
 #include "core/document/cavities/cavity_json.hpp"
 
+#include "core/cavity/cavities.hpp"
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_measures.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
+#include "core/document/cavities/cavity_names.hpp"
 #include "core/document/tables/column_json.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_address.hpp"
-#include "core/cavity/cavities.hpp"
-#include "core/cavity/cavity_measures.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/cavities/cavity_contents.hpp"
-#include "core/document/cavities/cavity_names.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,11 +6,11 @@
 #include <numeric>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/shortest_number.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope {
 

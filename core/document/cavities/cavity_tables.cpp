@@ -2,17 +2,17 @@
 // Writes cavities as CSV and JSON.
 #include "core/document/cavities/cavity_tables.hpp"
 
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_json.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
-#include "core/triangulation/memory_need.hpp"
-#include "core/document/cavities/cavity_contents.hpp"
-#include "core/document/cavities/cavity_results.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/cavity/cavity_table.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

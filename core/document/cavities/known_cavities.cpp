@@ -9,11 +9,11 @@
 #include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/reference/ref_set.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/document/reference/reference.hpp"
 
 namespace alphascope {
 

@@ -8,10 +8,16 @@
 #include <optional>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/cavity_shape/cavity_shape.hpp"
+#include "core/cavity_shape/filling_spheres.hpp"
+#include "core/channel/clearance.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/drawn_parts.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
@@ -21,12 +27,6 @@
 #include "core/selection/ball_options.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/memory_need.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/cavity_shape/filling_spheres.hpp"
-#include "core/channel/clearance.hpp"
-#include "core/document/cavities/cavity_contents.hpp"
-#include "core/document/cavities/cavity_results.hpp"
-#include "core/document/cavities/drawn_parts.hpp"
 
 namespace alphascope {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/real_point.hpp"
 #include "core/complex/simplices.hpp"
 #include "core/document/reference/ref_set.hpp"
+#include "core/geometry/real_point.hpp"
 #include "core/selection/drop_reason.hpp"
 
 namespace alphascope {

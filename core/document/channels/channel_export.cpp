@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/channel/channel_tube.hpp"
+#include "core/channel/clearance.hpp"
 #include "core/document/channels/channel_records.hpp"
 #include "core/document/channels/channel_text.hpp"
 #include "core/document/store/definition.hpp"
@@ -17,7 +18,6 @@
 #include "core/write/viewer_script.hpp"
 #include "core/write/write_mesh.hpp"
 #include "core/write/write_spheres.hpp"
-#include "core/channel/clearance.hpp"
 
 namespace alphascope {
 namespace {

@@ -10,8 +10,8 @@
 #include "core/document/store/key.hpp"
 #include "core/document/tables/column_json.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/triangulation/memory_need.hpp"
 #include "core/selection/provenance.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,8 +5,8 @@
 #include "core/document/channels/channel_results.hpp"
 #include "core/document/export/record_source.hpp"
 #include "core/document/store/key.hpp"
-#include "core/write/csv.hpp"
 #include "core/selection/provenance.hpp"
+#include "core/write/csv.hpp"
 
 namespace alphascope {
 

@@ -11,6 +11,7 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/channel/bottlenecks.hpp"
 #include "core/channel/centre_line.hpp"
+#include "core/document/cavities/cavity_bottlenecks.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/known_cavities.hpp"
 #include "core/document/reference/reference.hpp"
@@ -20,7 +21,6 @@
 #include "core/engine/known_results.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/memory_need.hpp"
-#include "core/document/cavities/cavity_bottlenecks.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,10 +9,10 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/channels/channel_results.hpp"
-#include "core/triangulation/memory_need.hpp"
-#include "core/document/store/inputs.hpp"
 #include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

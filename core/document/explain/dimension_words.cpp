@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/complex/own_dimension.hpp"
-#include "core/text/grouped_number.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/text/grouped_number.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,13 +8,13 @@
 #include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/measure/angles.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/memory_need.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/text/markdown.hpp"
+#include "core/document/guide/markdown.hpp"
 
 namespace alphascope {
 

@@ -9,21 +9,21 @@
 #include <optional>
 #include <vector>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/measures/measure_results.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/files/line_reader.hpp"
 #include "core/geometry/grown_radius.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/measure/union_measures.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/short_number.hpp"
-#include "core/complex/alpha_complex.hpp"
-#include "core/document/store/answer.hpp"
-#include "core/measure/union_measures.hpp"
 #include "core/triangulation/filtration.hpp"
-#include "core/document/measures/measure_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -7,8 +7,8 @@
 #include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/document/tables/column_json.hpp"
-#include "core/triangulation/memory_need.hpp"
 #include "core/selection/provenance.hpp"
+#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,8 +8,8 @@
 #include "core/document/export/record_source.hpp"
 #include "core/document/measures/measure_rows.hpp"
 #include "core/document/store/answer.hpp"
-#include "core/write/csv.hpp"
 #include "core/selection/provenance.hpp"
+#include "core/write/csv.hpp"
 
 namespace alphascope {
 

@@ -2,13 +2,13 @@
 // Definitions of measures and derivatives with their memory, and shares of exposed area.
 #include "core/document/measures/measure_results.hpp"
 
+#include "core/complex/alpha_complex.hpp"
 #include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/triangulation/memory_need.hpp"
-#include "core/complex/alpha_complex.hpp"
-#include "core/engine/known_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,18 +8,18 @@
 
 #include "core/document/measures/measure_columns.hpp"
 #include "core/document/reference/ref_set.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/memory_need.hpp"
-#include "core/document/store/answer.hpp"
-#include "core/engine/known_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/document/measures/measure_results.hpp"
 #include "core/document/measures/measure_query.hpp"
+#include "core/document/measures/measure_results.hpp"
 
 namespace alphascope {
 

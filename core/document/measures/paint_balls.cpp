@@ -17,9 +17,9 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/residue_class.hpp"
 #include "core/molecule/rgb8.hpp"
+#include "core/run/work_threads.hpp"
 #include "core/selection/atom_groups.hpp"
 #include "core/text/grouped_number.hpp"
-#include "core/run/work_threads.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "core/chart/colour_text.hpp"
+#include "core/document/commands/number_input.hpp"
 #include "core/files/line_reader.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/text/former_name.hpp"
-#include "core/document/commands/number_input.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <cstdio>
 
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/name_table.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

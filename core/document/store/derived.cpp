@@ -2,14 +2,14 @@
 // The definitions of triangulation and filtration, and their way into and out of the store.
 #include "core/document/store/derived.hpp"
 
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
 #include "core/engine/known_results.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/run/freed_memory.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
-#include "core/document/store/inputs.hpp"
 #include "core/triangulation/memory_need.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "core/document/store/key.hpp"
-#include "core/run/internal_error.hpp"
 #include "core/document/store/inputs.hpp"
+#include "core/document/store/key.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/run/internal_error.hpp"
 #include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {

@@ -74,8 +74,7 @@ std::shared_ptr<const void> Store::find_held(const AnyDefinition& definition,
   return nullptr;
 }
 
-Store::Entry& Store::ask(const AnyDefinition& definition, const Inputs& inputs,
-                         Priority priority) {
+Store::Entry& Store::ask(const AnyDefinition& definition, const Inputs& inputs, Priority priority) {
   return ask(definition, inputs, priority,
              priority == Priority::visible && definition.lane == Lane::interactive);
 }

@@ -52,7 +52,7 @@ class Store {
   Derived<T> want(const Definition<T>& definition, const Inputs& inputs,
                   Priority priority = Priority::visible) {
     Derived<void> any = want_any(definition, inputs, priority);
-    return {any.state, any.wanted, any.have, std::static_pointer_cast<const T>(any.value),
+    return {any.state, any.wanted,        any.have, std::static_pointer_cast<const T>(any.value),
             any.share, std::move(any.why)};
   }
 

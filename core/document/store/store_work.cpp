@@ -5,11 +5,11 @@
 
 #include "core/document/store/key.hpp"
 #include "core/document/store/store.hpp"
+#include "core/document/store/store_work.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/run/internal_error.hpp"
 #include "core/run/thread_priority.hpp"
 #include "core/run/work_threads.hpp"
-#include "core/document/store/store_work.hpp"
 
 namespace alphascope {
 namespace {

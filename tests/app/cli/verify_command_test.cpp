@@ -9,8 +9,8 @@
 
 #include "app/cli/commands/verify.hpp"
 #include "core/engine/engine.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/engines/gpu_library.hpp"
-#include "core/run/cancel_token.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 namespace {

@@ -89,7 +89,8 @@ TEST(GpuEngines, SayThatTheLibraryIsCutOff) {
   for (const std::uintmax_t left : {size - 1, size / 2, size / 4, size / 16, std::uintmax_t{64}}) {
     fs::copy_file(ALPHASCOPE_GOOD_GPU_LIBRARY, file, fs::copy_options::overwrite_existing);
     fs::resize_file(file, left);
-    expect_unusable(file, {"The GPU library " + file.string() + " is not complete", "Reinstall it"});
+    expect_unusable(file,
+                    {"The GPU library " + file.string() + " is not complete", "Reinstall it"});
   }
   fs::remove(file);
 }

@@ -10,12 +10,12 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
+#include "core/channel/clearance.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/predicates/lifted.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
-#include "core/channel/clearance.hpp"
 
 namespace alphascope {
 namespace {

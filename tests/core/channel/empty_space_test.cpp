@@ -8,12 +8,12 @@
 #include <array>
 #include <cmath>
 
+#include "core/predicates/lifted.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/incidence.hpp"
 #include "core/triangulation/membership.hpp"
 #include "tests/support/random_balls.hpp"
-#include "core/predicates/lifted.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
+#include "core/complex/face_code.hpp"
 #include "core/complex/simplex_hash.hpp"
 #include "core/geometry/alpha.hpp"
-#include "core/complex/face_code.hpp"
 
 namespace alphascope {
 namespace {

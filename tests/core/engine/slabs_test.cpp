@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/alpha.hpp"
+#include "core/run/cancel_token.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/sanitizer.hpp"
-#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 namespace {

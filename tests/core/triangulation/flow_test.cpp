@@ -12,11 +12,11 @@
 
 #include "core/geometry/real_point.hpp"
 #include "core/predicates/exact_alpha.hpp"
+#include "core/predicates/flow_predicate.hpp"
+#include "core/predicates/perturbation.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/support/five_balls.hpp"
 #include "tests/support/reference/rational_cavities.hpp"
-#include "core/predicates/flow_predicate.hpp"
-#include "core/predicates/perturbation.hpp"
 
 namespace alphascope {
 namespace {

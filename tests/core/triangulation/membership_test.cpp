@@ -10,13 +10,13 @@
 #include <memory>
 #include <vector>
 
-#include "core/triangulation/cgal_triangulation.hpp"
-#include "tests/support/random_balls.hpp"
-#include "tests/support/reference/rational_oracle.hpp"
 #include "core/predicates/flow_ties.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/incidence.hpp"
+#include "tests/support/random_balls.hpp"
+#include "tests/support/reference/rational_oracle.hpp"
 
 namespace alphascope {
 namespace {

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/reference/cgal_reference.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_point.hpp"
+#include "tests/support/reference/cgal_reference.hpp"
 
 namespace alphascope::testing::cgal {
 

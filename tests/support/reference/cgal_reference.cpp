@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tests/support/reference/cgal_cells.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "tests/support/reference/cgal_cells.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -7,9 +7,9 @@
 #include <map>
 #include <optional>
 
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -7,11 +7,11 @@
 #include <new>
 #include <string>
 
+#include "core/document/settings/request.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
-#include "core/document/settings/request.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,11 +6,11 @@
 
 #include <fstream>
 
+#include "core/document/store/inputs.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/panel.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 namespace {

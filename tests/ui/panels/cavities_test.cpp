@@ -9,9 +9,12 @@
 #include <map>
 #include <set>
 
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/radii/radii_set.hpp"
@@ -19,9 +22,6 @@
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
-#include "core/document/cavities/cavity_results.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -8,17 +8,17 @@
 #include <fstream>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/cavity_identity/cavity_curves.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/radii/radii_set.hpp"
 #include "tests/support/well_formed_xml.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/measures/curve_state.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/cavity_identity/cavity_curves.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -3,11 +3,11 @@
 // lead to its neighbours.
 #include <algorithm>
 
+#include "core/document/explain/simplex_details.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/explain/details_state.hpp"
-#include "core/document/explain/simplex_details.hpp"
 
 namespace alphascope::testing {
 namespace {

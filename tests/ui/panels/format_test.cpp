@@ -6,14 +6,14 @@
 
 #include <limits>
 
+#include "core/document/settings/request.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/point_text.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/fixed_digits.hpp"
 #include "core/text/short_number.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/ball_text.hpp"
-#include "core/document/settings/request.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "core/document/measures/measure_results.hpp"
+#include "core/document/measures/measure_rows.hpp"
 #include "tests/ui/panel_state.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/measures/measure_state.hpp"
-#include "core/document/measures/measure_rows.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/viewer/commands/commands.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
 #include "tests/ui/asked_calls.hpp"
 #include "ui/panels/frame/window_layout.hpp"
@@ -16,7 +17,6 @@
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/style.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 

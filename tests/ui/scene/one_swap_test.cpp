@@ -8,8 +8,8 @@
 #include <mutex>
 #include <thread>
 
-#include "tests/ui/viewer_fixture.hpp"
 #include "core/document/settings/request.hpp"
+#include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope::testing {
 namespace {

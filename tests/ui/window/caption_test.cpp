@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/document/store/inputs.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/scene/picture/draw_marks.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 namespace {

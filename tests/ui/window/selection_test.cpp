@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/store/inputs.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/selection/atom_address.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/viewer_fixture.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -7,11 +7,11 @@
 #include <atomic>
 #include <thread>
 
+#include "core/document/settings/request.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/scene/picture/step_text.hpp"
-#include "core/document/settings/request.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -4,20 +4,20 @@
 #include <string>
 #include <utility>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/commands/number_input.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/text/grouped_number.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/panel.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/number_field.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/cavities/cavity_results.hpp"
-#include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/panels/view_state.hpp"
-#include "core/cavity/cavity_ground.hpp"
-#include "core/document/commands/number_input.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,20 +4,20 @@
 #include <string>
 #include <string_view>
 
-#include "core/document/store/key.hpp"
-#include "core/document/tables/column.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-#include "core/molecule/name_table.hpp"
-#include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/widgets/format.hpp"
-#include "ui/widgets/table_cells.hpp"
 #include "core/chart/colour_map.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/store/key.hpp"
+#include "core/document/tables/column.hpp"
+#include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/name_table.hpp"
 #include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/theme.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/table_cells.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

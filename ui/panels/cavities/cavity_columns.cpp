@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/document/tables/cell_value.hpp"
-#include "core/document/tables/column.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
+#include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/known_cavities.hpp"
+#include "core/document/tables/cell_value.hpp"
+#include "core/document/tables/column.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/cavities/cavity_contents.hpp"
 
 namespace alphascope {
 namespace {

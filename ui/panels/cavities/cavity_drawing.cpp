@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws the chosen cavities in the view: asks for their shapes, and makes their layers anew whenever
-// something that they depend on has changed.
+// Draws the chosen cavities in the view: asks for their shapes, and makes their layers anew
+// whenever something that they depend on has changed.
 #include <memory>
 #include <utility>
 

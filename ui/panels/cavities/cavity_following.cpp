@@ -5,23 +5,23 @@
 #include <string>
 #include <utility>
 
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/selected_cavities.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/document/store/store.hpp"
+#include "ui/panels/cavities/cavity_columns.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
-#include "ui/widgets/format.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/cavities/cavity_results.hpp"
-#include "core/document/cavities/selected_cavities.hpp"
-#include "ui/panels/cavities/cavity_columns.hpp"
-#include "ui/panels/cavities/cavity_page.hpp"
-#include "ui/widgets/widgets.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/document/store/store.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

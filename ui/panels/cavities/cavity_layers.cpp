@@ -13,8 +13,8 @@
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/widgets/widgets.hpp"
 #include "ui/theme.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 

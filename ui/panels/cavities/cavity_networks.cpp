@@ -6,24 +6,24 @@
 #include <string>
 #include <vector>
 
-#include "core/document/cavities/cavity_names.hpp"
-#include "core/document/channels/network_results.hpp"
-#include "core/text/grouped_number.hpp"
-#include "core/document/settings/request.hpp"
-#include "ui/number_text.hpp"
-#include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/widgets/format.hpp"
 #include "core/cavity/cavities.hpp"
 #include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
-#include "ui/panels/cavities/cavity_page.hpp"
-#include "ui/widgets/widgets.hpp"
-#include "core/document/store/store.hpp"
-#include "ui/panels/view_state.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/document/settings/cavity_settings.hpp"
+#include "core/document/channels/network_results.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/settings/cavity_settings.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/document/store/store.hpp"
+#include "core/text/grouped_number.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

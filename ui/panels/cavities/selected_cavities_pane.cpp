@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <string>
 
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
-#include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/widgets/format.hpp"
-#include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/selected_cavities.hpp"
 #include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
-#include "ui/widgets/widgets.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

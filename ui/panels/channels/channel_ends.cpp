@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/commands/number_input.hpp"
-#include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/panels/channels/channel_parts.hpp"
-#include "ui/widgets/number_field.hpp"
 #include "core/document/channels/channel_results.hpp"
+#include "core/document/commands/number_input.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/geometry/ball_set.hpp"
-#include "ui/panels/channels/channel_state.hpp"
-#include "ui/widgets/widgets.hpp"
-#include "ui/panels/view_state.hpp"
-#include "core/selection/prepare_balls.hpp"
 #include "core/document/store/store.hpp"
-#include "ui/panels/viewport_info.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/selection/prepare_balls.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
+#include "ui/panels/channels/channel_parts.hpp"
+#include "ui/panels/channels/channel_state.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "ui/widgets/number_field.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The channel that was found, in words: its bottleneck, its length, the atoms that it touches, and what
-// is in its way. Or the reason why there is none.
+// The channel that was found, in words: its bottleneck, its length, the atoms that it touches, and
+// what is in its way. Or the reason why there is none.
 #include <algorithm>
 #include <string>
 #include <vector>

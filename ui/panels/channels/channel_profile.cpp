@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "ui/number_text.hpp"
-#include "ui/panels/channels/channel_parts.hpp"
-#include "ui/widgets/plot.hpp"
 #include "core/channel/channel.hpp"
 #include "core/document/channels/channel_text.hpp"
 #include "core/molecule/rgb8.hpp"
+#include "ui/number_text.hpp"
+#include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/theme.hpp"
+#include "ui/widgets/plot.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {

@@ -35,7 +35,8 @@ void channel_save_buttons(PanelContext& ctx, const std::shared_ptr<const FoundCh
   if (button(ctx, "channels.copy", "Copy profile")) {
     ImGui::SetClipboardText(channel_csv_text(*found->channel, source).c_str());
     ctx.state.notice = "Profile copied as CSV: " +
-                       with_separators(static_cast<long long>(found->channel->samples.size())) + " rows.";
+                       with_separators(static_cast<long long>(found->channel->samples.size())) +
+                       " rows.";
   }
   tooltip(ctx, "Copies length, radius and position every 0.1 Å as CSV for a spreadsheet.");
   ImGui::SameLine(0, ctx.px(8));

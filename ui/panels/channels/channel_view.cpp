@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/channel/channel.hpp"
+#include "core/document/channels/channel_text.hpp"
 #include "ui/layer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
+#include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/theme.hpp"
-#include "core/channel/channel.hpp"
-#include "core/document/channels/channel_text.hpp"
-#include "ui/panels/channels/channel_state.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

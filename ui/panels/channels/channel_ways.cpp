@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "core/document/channels/channel_columns.hpp"
+#include "core/document/channels/channel_results.hpp"
+#include "core/document/channels/channel_text.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/selection/selection_error.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
-#include "core/document/channels/channel_results.hpp"
-#include "core/document/channels/channel_text.hpp"
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/widgets/widgets.hpp"
 

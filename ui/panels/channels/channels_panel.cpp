@@ -5,19 +5,19 @@
 #include <cmath>
 #include <utility>
 
+#include "core/document/channels/channel_text.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/principal_axes.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/widgets/format.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/selection/prepare_balls.hpp"
-#include "core/document/channels/channel_text.hpp"
-#include "ui/widgets/widgets.hpp"
 #include "ui/panels/view_state.hpp"
-#include "core/geometry/ball_set.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

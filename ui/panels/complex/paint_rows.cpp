@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "core/document/commands/number_input.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/widgets/number_field.hpp"
-#include "core/document/commands/number_input.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

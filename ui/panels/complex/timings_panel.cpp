@@ -2,21 +2,21 @@
 // The page of timings: our engine's times beside CGAL's, and whether both complexes are equal.
 #include <optional>
 
+#include "core/document/store/answer.hpp"
+#include "core/engine/cold_and_warm.hpp"
 #include "ui/calls.hpp"
 #include "ui/panels/complex/timings_state.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/work_info.hpp"
 #include "ui/running_job.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
-#include "ui/widgets/widgets.hpp"
-#include "ui/panels/view_state.hpp"
-#include "core/document/store/answer.hpp"
-#include "core/engine/cold_and_warm.hpp"
 #include "ui/widgets/style.hpp"
-#include "ui/panels/work_info.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,9 +6,9 @@
 #include "core/engine/cold_and_warm.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/view_info.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
-#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {

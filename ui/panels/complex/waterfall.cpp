@@ -15,12 +15,12 @@
 #include "ui/number_text.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/running_job.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/plot.hpp"
 #include "ui/widgets/style.hpp"
-#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {

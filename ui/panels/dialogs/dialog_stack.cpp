@@ -12,12 +12,12 @@
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/picture_requests.hpp"
+#include "ui/panels/dialogs/session_problem.hpp"
 #include "ui/panels/dialogs/table_state.hpp"
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/number_field.hpp"
-#include "ui/panels/dialogs/session_problem.hpp"
 
 namespace alphascope {
 namespace {

@@ -11,13 +11,13 @@
 #include "core/molecule/assembly.hpp"
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
+#include "ui/panels/dialogs/session_problem.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"
-#include "ui/panels/dialogs/session_problem.hpp"
 
 namespace alphascope {
 namespace {

@@ -16,6 +16,7 @@
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
 #include "ui/panels/dialogs/save_state.hpp"
+#include "ui/panels/dialogs/session_problem.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
@@ -23,7 +24,6 @@
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/style.hpp"
-#include "ui/panels/dialogs/session_problem.hpp"
 
 namespace alphascope {
 namespace {

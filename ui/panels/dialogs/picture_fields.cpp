@@ -5,12 +5,12 @@
 #include <imgui.h>
 
 #include "core/document/picture/picture_options.hpp"
+#include "core/document/store/answer.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "ui/caption.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/number_field.hpp"
-#include "core/document/store/answer.hpp"
-#include "ui/panels/view_state.hpp"
-#include "core/selection/prepare_balls.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {

@@ -7,24 +7,24 @@
 #include <memory>
 #include <utility>
 
+#include "core/document/export/file_writer.hpp"
+#include "core/document/export/record_source.hpp"
+#include "core/document/export/shape_export.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
+#include "core/triangulation/memory_need.hpp"
+#include "ui/panels/dialogs/table_state.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
-#include "core/document/export/record_source.hpp"
-#include "core/document/export/shape_export.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/triangulation/memory_need.hpp"
-#include "ui/panels/dialogs/table_state.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "core/document/export/file_writer.hpp"
 
 namespace alphascope {
 

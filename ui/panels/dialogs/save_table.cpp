@@ -12,12 +12,12 @@
 #include "ui/panels/dialogs/dialog_stack.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/save_target.hpp"
+#include "ui/panels/dialogs/table_state.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"
-#include "ui/panels/dialogs/table_state.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/grown_radius.hpp"
-#include "core/geometry/lattice_point.hpp"
-#include "ui/number_text.hpp"
 #include "core/document/settings/request.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/grown_radius.hpp"
 #include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_point.hpp"
+#include "ui/number_text.hpp"
 
 namespace alphascope {
 

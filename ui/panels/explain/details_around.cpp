@@ -11,9 +11,9 @@
 #include "ui/number_text.hpp"
 #include "ui/panels/explain/details_parts.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/widgets/format.hpp"
 
 namespace alphascope {
 namespace {
@@ -82,7 +82,8 @@ std::string lines_title(const SimplexDetails& details) {
   const std::size_t corners = details.balls.size();
   if (corners == 1) {
     const std::size_t n = details.neighbours.size();
-    return with_separators(static_cast<long long>(n)) + (n == 1 ? " neighbour" : " neighbours") + ", joined by an edge";
+    return with_separators(static_cast<long long>(n)) + (n == 1 ? " neighbour" : " neighbours") +
+           ", joined by an edge";
   }
   const std::string all = details.beside.size() == SimplexDetails::kMostListed ? "the first " : "";
   return std::to_string(corners) + " vertices; " + all +

@@ -2,6 +2,7 @@
 // Facts on an atom or a simplex, one below the other.
 #include <string>
 
+#include "core/document/explain/explanation_text.hpp"
 #include "core/document/explain/simplex_details.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/molecule/element.hpp"
@@ -13,7 +14,6 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "core/document/explain/explanation_text.hpp"
 
 namespace alphascope {
 namespace {
@@ -46,7 +46,8 @@ std::string class_text(const SimplexDetails& details) {
 }  // namespace
 
 std::string simplices_counted(std::size_t n, std::size_t corners) {
-  return with_separators(static_cast<long long>(n)) + " " + (n == 1 ? simplex_kind_name(corners) : kPlural[corners - 1]);
+  return with_separators(static_cast<long long>(n)) + " " +
+         (n == 1 ? simplex_kind_name(corners) : kPlural[corners - 1]);
 }
 
 void draw_atom_facts(PanelContext& ctx, const BallReferences& atoms, std::size_t atom) {

@@ -7,19 +7,19 @@
 #include <cmath>
 
 #include "core/document/explain/explanation_results.hpp"
+#include "core/document/explain/simplex_details.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/document/store/store.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/selection/atom_address.hpp"
+#include "ui/panels/explain/details_parts.hpp"
 #include "ui/panels/explain/details_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "core/document/explain/simplex_details.hpp"
-#include "core/document/store/store.hpp"
-#include "core/document/store/definition.hpp"
-#include "core/document/store/inputs.hpp"
-#include "ui/panels/explain/details_parts.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,9 +8,9 @@
 #include <iterator>
 #include <utility>
 
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/text/grouped_number.hpp"
-#include "core/geometry/ball_set.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "core/document/explain/steps_results.hpp"
-#include "ui/panels/explain/steps_state.hpp"
-#include "ui/widgets/widgets.hpp"
-#include "ui/panels/view_state.hpp"
 #include "ui/panels/explain/steps_parts.hpp"
+#include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/widgets/style.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 void draw_step_list(PanelContext& ctx, float width) {

@@ -6,14 +6,14 @@
 
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/steps_results.hpp"
+#include "core/document/store/definition.hpp"
+#include "core/document/store/inputs.hpp"
 #include "ui/panels/explain/steps_parts.hpp"
 #include "ui/panels/explain/steps_state.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/widgets/widgets.hpp"
 #include "ui/panels/view_state.hpp"
-#include "core/document/store/definition.hpp"
-#include "core/document/store/inputs.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,6 +4,7 @@
 #include "core/document/explain/explanation_results.hpp"
 #include "core/document/explain/explanation_text.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "ui/calls.hpp"
@@ -15,7 +16,6 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,14 +4,14 @@
 #include <algorithm>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/document/store/answer.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/widgets/format.hpp"
-#include "ui/widgets/widgets.hpp"
-#include "core/document/store/answer.hpp"
-#include "ui/widgets/style.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/panels/work_info.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,14 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/complex/alpha_complex.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/dimension_words.hpp"
+#include "core/document/picture/caption_parts.hpp"
 #include "core/document/settings/clip.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/predicates/spanning_balls.hpp"
 #include "core/read/file_format.hpp"
 #include "ui/calls.hpp"
 #include "ui/caption.hpp"
 #include "ui/panels/complex/clip_panel.hpp"
+#include "ui/panels/frame/context_state.hpp"
+#include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/frame/running_jobs.hpp"
 #include "ui/panels/frame/view_marks.hpp"
 #include "ui/panels/panels.hpp"
@@ -21,14 +26,9 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/running_job.hpp"
+#include "ui/theme.hpp"
 #include "ui/view_problem.hpp"
 #include "ui/widgets/format.hpp"
-#include "core/complex/alpha_complex.hpp"
-#include "core/document/picture/caption_parts.hpp"
-#include "core/document/store/answer.hpp"
-#include "ui/theme.hpp"
-#include "ui/panels/frame/context_state.hpp"
-#include "ui/panels/frame/mouse_state.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {

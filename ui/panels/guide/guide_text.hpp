@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/text/markdown.hpp"
+#include "core/document/guide/markdown.hpp"
 
 namespace alphascope {
 

@@ -10,15 +10,15 @@
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/request.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
-#include "ui/theme.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

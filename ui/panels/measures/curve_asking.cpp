@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether curves may be computed: the work that they take, and the buttons that start and cancel it.
+// Whether curves may be computed: the work that they take, and the buttons that start and cancel
+// it.
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -54,7 +55,8 @@ bool curves_are_asked_for(PanelContext& ctx, CurveState& memory) {
   return false;
 }
 
-void curves_cancel_button(PanelContext& ctx, const CurveState& memory, const Derived<CavityCurves>& curves) {
+void curves_cancel_button(PanelContext& ctx, const CurveState& memory,
+                          const Derived<CavityCurves>& curves) {
   const std::string_view id = curves_wanted(memory).id;
   if (curves.state == DerivedState::running || curves.state == DerivedState::waiting) {
     if (button(ctx, "curves.cancel", "Cancel")) ctx.store.cancel(id);
@@ -63,7 +65,8 @@ void curves_cancel_button(PanelContext& ctx, const CurveState& memory, const Der
   }
 }
 
-std::string curves_waiting_text(const PanelContext& ctx, const CurveState& memory, const Derived<CavityCurves>& curves) {
+std::string curves_waiting_text(const PanelContext& ctx, const CurveState& memory,
+                                const Derived<CavityCurves>& curves) {
   if (!ctx.state.has_molecule()) return "Open a molecule: curves of its cavities appear here.";
   if (curve_axis(memory) == CurveAxis::model) {
     const std::string why = why_no_model_curve(ctx.inputs);

@@ -29,7 +29,7 @@ struct CurveState {
   // The chart, and the results from which it was made.
   CavityChart chart;
   std::vector<Rgb8> colours;  // one for each series
-  CurveAxis chart_axis{};  // of alpha
+  CurveAxis chart_axis{};     // of alpha
   std::shared_ptr<const void> curves, links;
   std::shared_ptr<const CavityLines> lines;  // null: no cavity is chosen
   std::vector<std::size_t> rows;             // rows of `lines` that are plotted

@@ -7,21 +7,19 @@
 #include "core/chart/chart.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
+#include "ui/panels/measures/curve_parts.hpp"
 #include "ui/panels/measures/curve_state.hpp"
 #include "ui/panels/measures/lives_view.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/plot.hpp"
-#include "core/document/store/inputs.hpp"
 #include "ui/widgets/style.hpp"
-#include "ui/panels/measures/curve_parts.hpp"
 
 namespace alphascope {
 namespace {
-
-
 
 void legend(PanelContext& ctx, const CurveState& memory) {
   const std::vector<ChartSeries>& series = memory.chart.chart.series;

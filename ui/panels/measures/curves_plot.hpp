@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string>
 
-
 namespace alphascope {
 
 struct CurveState;

@@ -4,21 +4,21 @@
 #include <vector>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/complex/triangulation.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/inputs.hpp"
-#include "core/complex/triangulation.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/panels/measures/lives_state.hpp"
 #include "ui/panels/measures/lives_parts.hpp"
+#include "ui/panels/measures/lives_state.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 
 std::string life_text(const PanelContext& ctx, const ShownLives& memory, const KnownLives& known,
-                       std::size_t bar) {
+                      std::size_t bar) {
   const std::size_t row = row_of_bar(memory, *known.page, bar);
   const bool there = row != ShownLives::kNoRow;
   const auto& sink = known.ground->triangulation->tetrahedra[memory.bars.longest[bar].sink];
@@ -30,7 +30,8 @@ std::string life_text(const PanelContext& ctx, const ShownLives& memory, const K
                 : "\nClick to select it and go to an alpha at which it exists.");
 }
 
-void choose_life(PanelContext& ctx, const ShownLives& memory, const KnownLives& known, std::size_t bar) {
+void choose_life(PanelContext& ctx, const ShownLives& memory, const KnownLives& known,
+                 std::size_t bar) {
   const std::size_t row = row_of_bar(memory, *known.page, bar);
   if (row != ShownLives::kNoRow) return select_cavity(ctx, *known.page, row, HowSelected::alone);
   const auto& sink = known.ground->triangulation->tetrahedra[memory.bars.longest[bar].sink];

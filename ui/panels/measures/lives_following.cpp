@@ -12,8 +12,8 @@
 #include "core/document/store/store.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
-#include "ui/panels/measures/lives_state.hpp"
 #include "ui/panels/measures/lives_parts.hpp"
+#include "ui/panels/measures/lives_state.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
@@ -38,7 +38,8 @@ void find_rows(ShownLives& memory, const CavityPage& page) {
 
 }  // namespace
 
-bool follow_lives(PanelContext& ctx, ShownLives& memory, KnownLives& known, const Derived<CavityLives>& lives) {
+bool follow_lives(PanelContext& ctx, ShownLives& memory, KnownLives& known,
+                  const Derived<CavityLives>& lives) {
   const Derived<CavityGround> ground = ctx.store.want(cavity_ground(), ctx.inputs);
   known.ground = ground.value;
   known.current = lives.ready() && ground.ready() && ctx.inputs.atoms;

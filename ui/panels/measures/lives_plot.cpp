@@ -6,12 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "core/document/cavities/cavity_chart.hpp"
 #include "core/cavity_identity/cavity_curves.hpp"
+#include "core/document/cavities/cavity_chart.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/panels/measures/lives_state.hpp"
 #include "ui/panels/measures/lives_parts.hpp"
+#include "ui/panels/measures/lives_state.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/plot.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -49,7 +49,8 @@ std::optional<std::size_t> BarsPlot::bar_at(const std::vector<CavityBar>& bars,
   return hit ? std::optional(bar) : std::nullopt;
 }
 
-std::optional<BarsPlot> place_bars(const PanelContext& ctx, const ShownLives& memory, double shown) {
+std::optional<BarsPlot> place_bars(const PanelContext& ctx, const ShownLives& memory,
+                                   double shown) {
   const auto area = plot_area(ctx, {.left = 16, .least_height = 30});
   if (!area) return {};
   BarsPlot bars{.area = *area};

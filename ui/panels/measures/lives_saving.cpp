@@ -11,11 +11,11 @@
 #include "ui/number_text.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
-#include "ui/panels/measures/lives_state.hpp"
 #include "ui/panels/measures/lives_parts.hpp"
+#include "ui/panels/measures/lives_plot.hpp"
+#include "ui/panels/measures/lives_state.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/panels/measures/lives_plot.hpp"
 
 namespace alphascope {
 

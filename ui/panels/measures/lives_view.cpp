@@ -11,20 +11,20 @@
 #include <utility>
 #include <vector>
 
-#include "core/document/store/store.hpp"
-#include "ui/number_text.hpp"
-#include "ui/panels/cavities/cavity_parts.hpp"
-#include "ui/widgets/format.hpp"
-#include "ui/widgets/plot.hpp"
 #include "core/cavity/cavity_lives.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/document/store/store.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
-#include "ui/panels/view_state.hpp"
-#include "ui/widgets/style.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/measures/lives_parts.hpp"
-#include "core/document/store/inputs.hpp"
 #include "ui/panels/measures/lives_plot.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/plot.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -43,7 +43,8 @@ void legend(PanelContext& ctx, const ShownLives& memory, std::size_t drawn) {
   record(ctx, "curves.legend");
 }
 
-void take_mouse(PanelContext& ctx, const BarsPlot& bars, const ShownLives& memory, const KnownLives& known) {
+void take_mouse(PanelContext& ctx, const BarsPlot& bars, const ShownLives& memory,
+                const KnownLives& known) {
   const PlotMouse mouse = plot_mouse(ctx, bars.area, "curves.lives");
   if (!known.current) return;
   const double at = std::round(mouse.x / kStep) * kStep;

@@ -82,7 +82,8 @@ void select_chosen(PanelContext& ctx, const MeasureState& memory, const BallRefe
     }
   }
   if (refs.size() == Selection::kMostItems) {
-    ctx.state.notice = "Only the first " + with_separators(Selection::kMostItems) + " atoms are selected.";
+    ctx.state.notice =
+        "Only the first " + with_separators(Selection::kMostItems) + " atoms are selected.";
   }
   ctx.state.settings.selection.items = RefSet(std::move(refs));
   if (!memory.chosen.empty()) ctx.calls.view.zoom_to_selection();

@@ -8,20 +8,20 @@
 #include <string>
 #include <vector>
 
+#include "core/complex/alpha_complex.hpp"
+#include "core/document/measures/measure_rows.hpp"
+#include "core/document/reference/reference.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
 #include "core/document/tables/cell_value.hpp"
+#include "ui/panels/measures/measure_parts.hpp"
 #include "ui/panels/measures/measure_state.hpp"
 #include "ui/panels/molecule/reset_for_molecule.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/widgets/format.hpp"
-#include "core/document/store/inputs.hpp"
-#include "ui/widgets/widgets.hpp"
-#include "core/document/reference/reference.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"
-#include "ui/panels/measures/measure_parts.hpp"
-#include "core/document/measures/measure_rows.hpp"
-#include "core/complex/alpha_complex.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

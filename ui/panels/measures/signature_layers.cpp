@@ -17,7 +17,7 @@
 namespace alphascope {
 namespace {
 
-constexpr double kMarkedWithin = 0.02;  // Å², on either side of alpha
+constexpr double kMarkedWithin = 0.02;      // Å², on either side of alpha
 constexpr std::size_t kMostMarked = 20000;  // for each dimension; more would be a blur
 
 template <class List, class Simplices>

@@ -8,22 +8,22 @@
 #include <vector>
 
 #include "core/document/alpha/signature.hpp"
-#include "core/molecule/rgb8.hpp"
-#include "ui/number_text.hpp"
-#include "ui/panels/panel.hpp"
-#include "ui/widgets/format.hpp"
-#include "ui/widgets/plot.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
-#include "ui/panels/view_state.hpp"
-#include "ui/widgets/style.hpp"
-#include "ui/panels/work_info.hpp"
+#include "core/molecule/rgb8.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/measures/signature_parts.hpp"
+#include "ui/panels/panel.hpp"
+#include "ui/panels/view_state.hpp"
+#include "ui/panels/work_info.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/plot.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
 
-constexpr double kStep = 0.01;          // Å², as the slider's step
+constexpr double kStep = 0.01;  // Å², as the slider's step
 
 struct SignatureMemory {
   bool mark = false;  // the view marks the simplices that appear at alpha

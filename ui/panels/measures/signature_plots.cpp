@@ -16,7 +16,7 @@
 namespace alphascope {
 namespace {
 
-constexpr double kLeastHigh = 10;       // Å², the right end of the axis, unless alpha is larger
+constexpr double kLeastHigh = 10;  // Å², the right end of the axis, unless alpha is larger
 
 template <class Value>
 PlotCurve sampled(const std::vector<double>& alphas, const Value& value) {

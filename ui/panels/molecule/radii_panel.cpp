@@ -9,6 +9,7 @@
 
 #include "core/document/commands/commands.hpp"
 #include "core/document/commands/number_input.hpp"
+#include "core/document/settings/open_options.hpp"
 #include "core/document/settings/radius_edits.hpp"
 #include "core/radii/radii_set.hpp"
 #include "ui/number_text.hpp"
@@ -16,12 +17,11 @@
 #include "ui/panels/molecule/molecule_state.hpp"
 #include "ui/panels/molecule/radius_row.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
-#include "core/document/settings/open_options.hpp"
-#include "ui/panels/view_info.hpp"
-#include "ui/theme.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {

@@ -9,17 +9,17 @@
 #include "core/chart/colour_scale.hpp"
 #include "core/chart/flat_svg.hpp"
 #include "core/document/reference/ref_set.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/document/settings/request.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/molecule/sandbox.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/theme.hpp"
-#include "core/document/store/answer.hpp"
-#include "core/document/settings/request.hpp"
-#include "core/document/settings/open_options.hpp"
 #include "ui/panels/viewport_info.hpp"
-#include "core/selection/prepare_balls.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,6 +6,8 @@
 #include "core/chart/flat_drawing.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/explain/dimension_words.hpp"
+#include "core/document/settings/open_options.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "ui/number_text.hpp"
@@ -15,8 +17,6 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "core/document/settings/open_options.hpp"
-#include "core/document/store/answer.hpp"
 
 namespace alphascope {
 namespace {

@@ -9,13 +9,13 @@
 #include <memory>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_lives.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/reference/reference.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/cavity/cavity_lives.hpp"
-#include "core/document/reference/reference.hpp"
 
 namespace alphascope {
 namespace {

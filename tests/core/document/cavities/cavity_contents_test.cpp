@@ -8,12 +8,14 @@
 #include <map>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/radii/radii_set.hpp"
@@ -24,8 +26,6 @@
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/support/molecules.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/cavity/cavity_table.hpp"
 
 namespace alphascope {
 namespace {

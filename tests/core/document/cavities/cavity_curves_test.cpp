@@ -14,6 +14,7 @@
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/molecule/sandbox.hpp"
 #include "core/selection/ball_options.hpp"
@@ -23,7 +24,6 @@
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

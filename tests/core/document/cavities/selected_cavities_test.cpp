@@ -6,18 +6,18 @@
 #include <gtest/gtest.h>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/cavity/cavity_table.hpp"
-#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,10 +6,10 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/known_cavities.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/triangulation/flow.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

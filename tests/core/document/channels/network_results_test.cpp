@@ -8,9 +8,9 @@
 
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/store/inputs.hpp"
 #include "tests/core/cavity/chambers.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -8,15 +8,15 @@
 #include <sstream>
 
 #include "core/document/lessons/lesson_facts.hpp"
+#include "core/document/measures/measure_results.hpp"
 #include "core/document/reference/ref_set.hpp"
+#include "core/document/store/answer.hpp"
 #include "core/engine/engine.hpp"
 #include "core/files/read_error.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
-#include "core/document/measures/measure_results.hpp"
-#include "core/document/store/answer.hpp"
 #include "core/triangulation/filtration.hpp"
 
 namespace alphascope {

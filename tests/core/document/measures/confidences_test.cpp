@@ -13,8 +13,8 @@
 #include "core/document/reference/atom_labels.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "tests/core/files/temporary_file.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,13 +4,13 @@
 
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/engine/engine.hpp"
 #include "core/radii/radii_choice.hpp"
 #include "core/selection/ball_options.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -2,17 +2,17 @@
 // Tests areas and volumes as derived results, and as rows of a table.
 #include "core/document/measures/measure_rows.hpp"
 
-#include "core/document/measures/measure_columns.hpp"
 #include "core/document/export/record_source.hpp"
+#include "core/document/measures/measure_columns.hpp"
 #include "core/document/measures/measure_tables.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/engine/engine.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/selection/prepare_balls.hpp"
 
 namespace alphascope {
 namespace {

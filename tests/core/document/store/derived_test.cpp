@@ -2,11 +2,11 @@
 // Tests triangulation and filtration as results of a store.
 #include "core/document/store/derived.hpp"
 
+#include "core/document/store/inputs.hpp"
 #include "core/engine/engine.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/support/five_balls.hpp"
-#include "core/document/store/inputs.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,13 +5,13 @@
 #include "core/cavity/cavities.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/predicates/flow_predicate.hpp"
 #include "core/run/internal_error.hpp"
+#include "core/triangulation/memory_need.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/support/five_balls.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/triangulation/memory_need.hpp"
 
 namespace alphascope {
 namespace {

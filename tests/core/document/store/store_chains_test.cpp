@@ -3,11 +3,11 @@
 // waiting result. Also tests results that other code has made.
 #include <stdexcept>
 
-#include "core/document/store/key.hpp"
-#include "tests/core/document/store/store_fixture.hpp"
 #include "core/document/store/inputs.hpp"
+#include "core/document/store/key.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "tests/core/document/store/store_fixture.hpp"
 
 namespace alphascope {
 namespace {

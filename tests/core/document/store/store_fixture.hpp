@@ -9,8 +9,8 @@
 #include <memory>
 #include <thread>
 
-#include "core/document/store/store.hpp"
 #include "core/document/store/inputs.hpp"
+#include "core/document/store/store.hpp"
 #include "core/triangulation/memory_need.hpp"
 
 namespace alphascope::testing {

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/document/store/inputs.hpp"
 #include "core/document/store/key.hpp"
 #include "core/run/parallel.hpp"
-#include "tests/core/document/store/store_fixture.hpp"
-#include "core/document/store/inputs.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "tests/core/document/store/store_fixture.hpp"
 
 namespace alphascope {
 namespace {

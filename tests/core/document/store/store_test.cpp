@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the store of derived results: made once a key, in the background, under a budget.
-#include "core/document/store/key.hpp"
-#include "tests/core/document/store/store_fixture.hpp"
 #include "core/document/store/inputs.hpp"
+#include "core/document/store/key.hpp"
 #include "core/run/cancel_token.hpp"
+#include "tests/core/document/store/store_fixture.hpp"
 
 #include <mutex>
 #include <new>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests blocks and styles of Markdown.
-#include "core/text/markdown.hpp"
+#include "core/document/guide/markdown.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,6 +43,12 @@ std::vector<std::string> outline(const std::string& text) {
 
 using Texts = std::vector<std::string>;
 
+// The styles of a text that is one paragraph.
+MarkdownText read_markdown_text(const std::string& text) {
+  const std::vector<MarkdownBlock> blocks = read_markdown(text);
+  return blocks.size() == 1 && blocks[0].cells.size() == 1 ? blocks[0].cells[0] : MarkdownText{};
+}
+
 TEST(Markdown, HasHeadingsAndParagraphs) {
   EXPECT_EQ(outline("# One\nText\ngoes on.\n\nMore.\r\n### Three\n"),
             (Texts{"h1 One", "p Text goes on.", "p More.", "h3 Three"}));
@@ -66,7 +72,7 @@ TEST(Markdown, KeepsCodeAsItIs) {
 }
 
 TEST(Markdown, ReadsRowsOfTables) {
-  EXPECT_EQ(outline("| a | b |\n|---|---|\n| `x\\|y` | 1<br>2 |\n| z |\nText\n"),
+  EXPECT_EQ(outline("| a | b |\n|---|---|\n| `x\\|y` | 1<br>2 |\n| z |\n\nText\n"),
             (Texts{"t a\tb", "r x|y\t1\n2", "r z", "p Text"}));
   EXPECT_EQ(outline("| no | table |\n"), Texts{"p | no | table |"});
   const auto blocks = read_markdown("\n| a |\n|---|\n| *b* |\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the part of Markdown that the docs are written in, as blocks of text: headings, paragraphs,
-// lists, code, tables and pictures. Any text can be read; marks without a meaning stay in the text.
+// Markdown as blocks of text: headings, paragraphs, lists, code, tables and pictures. Any text can
+// be read; marks without a meaning stay in the text. HTML is left out, except line breaks (<br>).
 #pragma once
 
 #include <cstddef>
@@ -35,9 +35,8 @@ struct MarkdownBlock {
   std::string picture = {};  // of a picture: its file as written; its text describes it
 };
 
+// CommonMark with GitHub's tables. Texts have at most 4 GB.
 std::vector<MarkdownBlock> read_markdown(std::string_view text);
-// A text of a single paragraph, without blocks.
-MarkdownText read_markdown_text(std::string_view text);
 
 std::string plain_text(const MarkdownText& text);
 std::string plain_text(const MarkdownBlock& block);  // cells are separated by tabs

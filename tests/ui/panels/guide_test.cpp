@@ -40,11 +40,12 @@ TEST_F(GuideWindow, OpensByTheMenuAndFollowsAHit) {
   run("click guide.hit." + last + "\nframes 3\n");
   const GuidePage& page = viewer_->state().guide.guide->pages[hits.back().place.page];
   EXPECT_TRUE(has("guide.title." + page.name())) << page.name();
-  ASSERT_TRUE(has("guide.marked"));
-  EXPECT_TRUE(viewer_->widgets().at("guide.marked").visible);
+  const std::string marked = "guide.marked." + std::to_string(hits.back().place.block);
+  ASSERT_TRUE(has(marked));
+  EXPECT_TRUE(viewer_->widgets().at(marked).visible);
   run("click guide.clear\nframes 2\n");
   EXPECT_TRUE(has("guide.page.window"));
-  EXPECT_FALSE(has("guide.marked"));
+  EXPECT_FALSE(has(marked));
 }
 
 TEST_F(GuideWindow, EnterGoesFromHitToHit) {
@@ -58,7 +59,7 @@ TEST_F(GuideWindow, EnterGoesFromHitToHit) {
   EXPECT_TRUE(has(page_of(0)));
   run("key enter\nframes 3\nkey enter\nframes 3\n");
   EXPECT_TRUE(has(page_of(2)));
-  EXPECT_TRUE(viewer_->widgets().at("guide.marked").visible);
+  EXPECT_TRUE(has("guide.marked." + std::to_string(hits[2].place.block)));
   run("key up\nframes 3\nkey up\nframes 3\nkey up\nframes 3\n");
   EXPECT_TRUE(has(page_of(hits.size() - 1))) << "around the end";
   run("click guide.search\ntype zzz\nframes 2\n");

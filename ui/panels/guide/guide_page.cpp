@@ -162,7 +162,8 @@ std::string draw_blocks(PanelContext& ctx, const GuidePage& page, GuideView& vie
     if (end < low || top > high) continue;
     if (view.marked == n) {
       mark_block(ctx, {corner.x, top}, end - top);
-      ctx.rects["guide.marked"] = {corner.x, top, corner.x + width, end, top >= low && end <= high};
+      ctx.rects["guide.marked." + std::to_string(n)] = {corner.x, top, corner.x + width, end,
+                                                        top >= low && end <= high};
     }
     std::vector<ShownLink> links;
     put_guide_block(ctx, page.blocks[n], {corner.x, top}, width, view.layout.columns[n],

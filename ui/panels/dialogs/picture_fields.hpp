@@ -12,5 +12,7 @@ namespace alphascope {
 // The widgets' names begin with `dialog` and a dot.
 void size_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);
 void marks_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);
+// Draws the parts of the caption as check boxes, and below them the caption.
+void caption_parts_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);
 
 }  // namespace alphascope

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/geometry/ball_index.hpp"
 
@@ -26,6 +27,9 @@ void draw_step_counts(PanelContext& ctx, float width);
 // Draws the title, such as "Kernel II: 3 of 39 valid", the ball, the sentences, and how much more
 // work there is.
 void draw_step_text(PanelContext& ctx, float width);
+
+// Returns sentences that a user needs to understand the picture.
+std::vector<std::string> steps_notes(const PanelContext& ctx);
 
 // Returns the index of the step with this number, from 1, or this name, such as "filter"; none if
 // there is no such step.

@@ -78,6 +78,10 @@ double ViewState::alpha_angstrom2() const {
   return settings.request.alpha_angstrom2;
 }
 
+double ViewState::solvent_radius_angstrom() const {
+  return settings.request.solvent_radius_angstrom;
+}
+
 const Request* ViewState::shown_request() const {
   return result ? &result->request : nullptr;
 }

@@ -174,7 +174,9 @@ struct ViewState : ViewValues {
   const std::string& file_name() const;  // "4hhb.pdb.gz"; empty: none
   const std::string& file_hash() const;  // SHA-256 of the molecule's file
   Theme theme() const;
-  double alpha_angstrom2() const;  // of the request
+  // Of the request.
+  double alpha_angstrom2() const;
+  double solvent_radius_angstrom() const;
   // Of the complex on screen; null: there is none.
   const Request* shown_request() const;
   const std::shared_ptr<const BallSet>& shown_balls() const;  // with the solvent radius

@@ -5,9 +5,9 @@
 #include <imgui.h>
 
 #include "core/document/picture/picture_options.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/number_field.hpp"
-#include "ui/panels/view_state.hpp"
 
 namespace alphascope {
 namespace {

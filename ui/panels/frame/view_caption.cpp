@@ -12,8 +12,8 @@
 #include "ui/panels/frame/view_parts.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/widgets/style.hpp"
 #include "ui/running_job.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 

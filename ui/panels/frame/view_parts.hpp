@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of the 3-D view, for its own sources only. `corner` and `size` of the view are in pixels, as
-// are heights from its top.
+// Parts of the 3-D view, for its own sources only. `corner` and `size` of the view are in pixels,
+// as are heights from its top.
 #pragma once
 
 #include <imgui.h>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The 3-D view: shows the picture, and lays progress, notes and marks over it. The renderer draws the
-// molecule.
+// The 3-D view: shows the picture, and lays progress, notes and marks over it. The renderer draws
+// the molecule.
 #include <cstdint>
 
 #include "ui/panels/frame/running_jobs.hpp"
 #include "ui/panels/frame/view_marks.hpp"
+#include "ui/panels/frame/view_parts.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sandbox/flat_view.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
@@ -12,7 +13,6 @@
 #include "ui/panels/viewport_info.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/style.hpp"
-#include "ui/panels/frame/view_parts.hpp"
 
 namespace alphascope {
 namespace {

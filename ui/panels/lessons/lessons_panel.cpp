@@ -11,13 +11,13 @@
 #include "ui/calls.hpp"
 #include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/lessons/lesson_text.hpp"
+#include "ui/panels/lessons/shown_facts.hpp"
 #include "ui/panels/panel.hpp"
-#include "ui/widgets/widgets.hpp"
-#include "ui/theme.hpp"
-#include "ui/widgets/style.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/window_settings.hpp"
-#include "ui/panels/lessons/shown_facts.hpp"
+#include "ui/theme.hpp"
+#include "ui/widgets/style.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {

@@ -28,9 +28,10 @@ void draw_moved_balls(PanelContext& ctx, const FlatPaper& paper) {
                        drawn.centres[i] == ball.centre && drawn.radii[i] == ball.radius;
     if (there) continue;
     const SandboxPlace at = centre_of(sandbox, i);
-    ImGui::GetWindowDrawList()->AddCircle(paper.pixel({at[0], at[1]}),
-                                          paper.pixels(radius_of(sandbox, i) + s.solvent_radius_angstrom()),
-                                          to_u32(ctx.palette.accent, 0.8f), 64, ctx.px(1));
+    ImGui::GetWindowDrawList()->AddCircle(
+        paper.pixel({at[0], at[1]}),
+        paper.pixels(radius_of(sandbox, i) + s.solvent_radius_angstrom()),
+        to_u32(ctx.palette.accent, 0.8f), 64, ctx.px(1));
   }
 }
 
@@ -41,8 +42,8 @@ void draw_flat_marks(PanelContext& ctx, const FlatPaper& paper) {
   const auto ring = [&](std::size_t ball, ImU32 ink, float width) {
     const SandboxPlace at = centre_of(sandbox, ball);
     draw->AddCircle(paper.pixel({at[0], at[1]}),
-                    paper.pixels(radius_of(sandbox, ball) + ctx.state.solvent_radius_angstrom()), ink, 96,
-                    ctx.px(width));
+                    paper.pixels(radius_of(sandbox, ball) + ctx.state.solvent_radius_angstrom()),
+                    ink, 96, ctx.px(width));
   };
   for (const BallIndex ball : selected_balls(ctx.state)) {
     ring(ball, to_u32(ctx.palette.selected), 2.5f);

@@ -16,7 +16,7 @@ namespace {
 
 // Pixels at scale 1; the mouse takes centres and rims within this distance.
 constexpr float kReach = 7;
-constexpr double kZoomStep = 1.15;                          // factor for a notch of the wheel
+constexpr double kZoomStep = 1.15;  // factor for a notch of the wheel
 
 // Finds the centre or rim under the mouse. A centre precedes a rim, and the nearest wins.
 void look_under(PanelContext& ctx, const FlatPaper& paper, ImVec2 mouse) {
@@ -88,7 +88,8 @@ void drag(PanelContext& ctx, const FlatPoint& mouse) {
               {snapped(mouse[0] + m.grip[0], step), snapped(mouse[1] + m.grip[1], step), 0});
   } else {
     const SandboxPlace at = centre_of(sandbox, m.ball);
-    const double radius = std::hypot(mouse[0] - at[0], mouse[1] - at[1]) - ctx.state.solvent_radius_angstrom();
+    const double radius =
+        std::hypot(mouse[0] - at[0], mouse[1] - at[1]) - ctx.state.solvent_radius_angstrom();
     resize_ball(sandbox, m.ball, std::max(snapped(radius, step), step));
   }
 }

@@ -14,8 +14,8 @@ constexpr double kLeastPixels = 0.05, kMostPixels = 20000;  // pixels for 1 Å
 
 void FlatPaper::fit(const FlatBox& box) {
   memory_.middle = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2};
-  memory_.pixels_per_angstrom = std::clamp(
-      std::min(size_.x / box.width(), size_.y / box.height()), kLeastPixels, kMostPixels);
+  memory_.pixels_per_angstrom = std::clamp(std::min(size_.x / box.width(), size_.y / box.height()),
+                                           kLeastPixels, kMostPixels);
 }
 
 ImVec2 FlatPaper::pixel(const FlatPoint& p) const {

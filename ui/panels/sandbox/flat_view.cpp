@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/settings/request.hpp"
+#include "core/document/store/answer.hpp"
+#include "ui/panels/sandbox/flat_parts.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"
 #include "ui/panels/view_state.hpp"
-#include "ui/theme.hpp"
-#include "core/document/store/answer.hpp"
-#include "core/document/settings/request.hpp"
 #include "ui/panels/viewport_info.hpp"
-#include "ui/panels/sandbox/flat_parts.hpp"
+#include "ui/theme.hpp"
 
 namespace alphascope {
 namespace {

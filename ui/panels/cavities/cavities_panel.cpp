@@ -146,7 +146,7 @@ void draw_cavities(PanelContext& ctx) {
   const FollowedCavities followed = follow_cavities(ctx);
   CavityPage& page = *memory.page;
   const bool current = followed.current;
-  follow_columns(ctx, page, current);
+  follow_column_results(ctx, page, current);
   if (current) select_wanted_row(ctx, page);
   if (!page.rows.lines) {
     muted_wrapped(ctx, waiting_text(ctx, followed.wanted));

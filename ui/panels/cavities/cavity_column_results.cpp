@@ -23,7 +23,7 @@ void take(CavityPage& page, std::shared_ptr<const T>& to, const Derived<T>& from
 
 }  // namespace
 
-void follow_columns(PanelContext& ctx, CavityPage& page, bool current) {
+void follow_column_results(PanelContext& ctx, CavityPage& page, bool current) {
   const auto shown = [&](const char* column) { return is_shown(page, column); };
   if (!current) {
     // The store makes the contents in one job with the rows, so both come together.

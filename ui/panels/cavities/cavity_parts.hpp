@@ -48,7 +48,7 @@ void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool cu
 
 // Takes results that are computed after the rows themselves, as far as shown columns need them.
 // `current`: the rows belong to the picture.
-void follow_columns(PanelContext& ctx, CavityPage& page, bool current);
+void follow_column_results(PanelContext& ctx, CavityPage& page, bool current);
 
 // --- cavity_castp.cpp
 

@@ -15,12 +15,12 @@
 #include <vector>
 
 #include "core/document/reference/ref_set.hpp"
-#include "ui/theme.hpp"
 
 namespace alphascope {
 
 class BallReferences;
 class SelectionError;
+enum class Theme : std::uint8_t;
 struct Annotations;
 struct Answer;
 struct Appearance;
@@ -66,7 +66,6 @@ struct TableState;
 struct ViewParts;
 struct ViewportInfo;
 struct WindowSettings;
-enum class Theme : std::uint8_t;
 
 inline constexpr double kTooltipDelaySeconds = 0.4;
 // Most balls for which the window compares with CGAL after each change. With more, CGAL would

@@ -7,6 +7,7 @@
 #include "core/document/picture/picture_options.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/number_field.hpp"
 
 namespace alphascope {

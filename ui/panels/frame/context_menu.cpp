@@ -16,6 +16,7 @@
 #include "ui/panels/frame/context_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {

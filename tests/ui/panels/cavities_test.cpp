@@ -22,6 +22,7 @@
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
+#include "core/document/cavities/selected_cavities.hpp"
 
 namespace alphascope::testing {
 namespace {

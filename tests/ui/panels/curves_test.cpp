@@ -19,6 +19,7 @@
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/measures/curve_state.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -12,6 +12,7 @@
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope::testing {
 namespace {

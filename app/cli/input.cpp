@@ -13,6 +13,7 @@
 #include "app/cli/text/text.hpp"
 #include "app/options/did_you_mean.hpp"
 #include "core/document/settings/cavity_preset.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/user_radii.hpp"

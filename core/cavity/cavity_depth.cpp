@@ -10,6 +10,7 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/complex/face_class.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/measure/triangle_distance.hpp"

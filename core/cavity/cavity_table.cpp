@@ -8,6 +8,7 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/split_networks.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/stage_timer.hpp"

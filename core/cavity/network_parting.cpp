@@ -9,6 +9,7 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/mouth_counts.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/triangulation/membership.hpp"

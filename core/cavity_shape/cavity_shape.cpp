@@ -7,6 +7,7 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice.hpp"
 #include "core/triangulation/incidence.hpp"
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/geometry/alpha.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/molecule/atom_type.hpp"
 #include "core/neighbours/uniform_grid.hpp"

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/complex/simplices.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/verify/verify.hpp"
 
 namespace alphascope {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/write/text_writer.hpp"

@@ -2,6 +2,7 @@
 // Fields and sliders for numbers: typing, refusal of invalid input, and the reason below the field.
 #include "ui/widgets/number_field.hpp"
 
+#include <imgui.h>
 // Needs imgui.h first.
 #include <imgui_stdlib.h>
 

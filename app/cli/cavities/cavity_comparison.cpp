@@ -14,6 +14,7 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/document/tables/column_json.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/predicates/wide_int.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/run/work_threads.hpp"

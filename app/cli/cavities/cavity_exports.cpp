@@ -4,6 +4,8 @@
 
 #include "app/cli/cavities/cavity_records.hpp"
 #include "app/cli/failure.hpp"
+#include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_lives.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_export.hpp"

@@ -11,6 +11,7 @@
 #include "app/cli/text/text.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_columns.hpp"
+#include "core/molecule/molecule.hpp"
 
 namespace alphascope::cli {
 namespace {

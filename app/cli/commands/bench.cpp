@@ -24,6 +24,7 @@
 #include "core/document/settings/request_columns.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/engine/engine_choice.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/text/printable.hpp"
 #include "core/write/csv.hpp"
 

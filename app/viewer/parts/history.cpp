@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "core/selection/selection_error.hpp"
 #include "ui/panels/playback.hpp"
 #include "ui/widgets/number_typing.hpp"
 

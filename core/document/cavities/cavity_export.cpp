@@ -16,6 +16,7 @@
 #include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/molecule/rgb8.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/text/printable.hpp"
 #include "core/triangulation/memory_need.hpp"
 #include "core/write/viewer_script.hpp"

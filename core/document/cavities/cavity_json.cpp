@@ -10,6 +10,7 @@
 #include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/tables/column_json.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/atom_address.hpp"
 

@@ -10,6 +10,7 @@
 #include "core/document/cavities/cavity_columns.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/tables/column.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {

@@ -8,6 +8,7 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/ref_set.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/ball_set.hpp"

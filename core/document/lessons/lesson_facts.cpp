@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/cavity/cavity_table.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/measures/measure_results.hpp"
 #include "core/document/reference/reference.hpp"

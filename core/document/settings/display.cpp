@@ -3,6 +3,7 @@
 #include "core/document/settings/display.hpp"
 
 #include "core/selection/ball_options.hpp"
+#include "core/selection/drop_reason.hpp"
 
 namespace alphascope {
 

@@ -14,6 +14,7 @@
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/selected_cavities.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -22,7 +23,6 @@
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
-#include "core/document/cavities/selected_cavities.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -12,6 +12,7 @@
 #include "core/cavity_identity/cavity_curves.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/radii/radii_set.hpp"
 #include "tests/support/well_formed_xml.hpp"
@@ -19,7 +20,6 @@
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/measures/curve_state.hpp"
-#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -6,13 +6,13 @@
 
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_contents.hpp"
+#include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/selected_cavities.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
-#include "core/document/cavities/cavity_results.hpp"
 
 namespace alphascope::testing {
 namespace {

@@ -10,6 +10,7 @@
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_export.hpp"
 #include "core/run/work_threads.hpp"
+#include "core/geometry/ball_set.hpp"
 
 namespace alphascope::cli {
 

@@ -9,8 +9,8 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_bars.hpp"
 #include "core/document/cavities/cavity_export.hpp"
-#include "core/run/work_threads.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/run/work_threads.hpp"
 
 namespace alphascope::cli {
 

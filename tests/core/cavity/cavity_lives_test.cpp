@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "core/cavity/cavity_ground.hpp"
+#include "core/complex/alpha_complex.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"

@@ -17,6 +17,7 @@
 #include "core/cavity/cavity_depth.hpp"
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
+#include "core/complex/alpha_complex.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

@@ -8,8 +8,10 @@
 #include <array>
 #include <cmath>
 
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/lifted.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/filtration.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/incidence.hpp"
 #include "core/triangulation/membership.hpp"

@@ -11,6 +11,7 @@
 #include "core/cavity/cavity_lives.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/channel/bottlenecks.hpp"
+#include "core/document/cavities/cavity_bottlenecks.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/known_cavities.hpp"

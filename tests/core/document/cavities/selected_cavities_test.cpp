@@ -10,6 +10,7 @@
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
+#include "core/document/cavities/drawn_parts.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/document/store/inputs.hpp"

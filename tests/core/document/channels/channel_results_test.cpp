@@ -4,6 +4,7 @@
 #include "core/document/channels/channel_results.hpp"
 
 #include "core/cavity/cavity_table.hpp"
+#include "core/document/cavities/cavity_bottlenecks.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/known_cavities.hpp"
 #include "core/document/store/inputs.hpp"

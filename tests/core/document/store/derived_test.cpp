@@ -2,6 +2,7 @@
 // Tests triangulation and filtration as results of a store.
 #include "core/document/store/derived.hpp"
 
+#include "core/complex/triangulation.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/engine/engine.hpp"
 #include "core/triangulation/filtration.hpp"

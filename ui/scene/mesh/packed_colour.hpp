@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/molecule/atom_colours.hpp"
+#include "core/molecule/rgb8.hpp"
 
 namespace alphascope {
 

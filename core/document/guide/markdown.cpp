@@ -136,7 +136,6 @@ class BlockMaker {
       if (text.starts_with("<br") && !blocks_.empty()) add("\n");
       return;
     }
-    if (type == MD_TEXT_NULLCHAR) text = "\uFFFD";
     if (type == MD_TEXT_BR) text = "\n";
     if (type == MD_TEXT_SOFTBR) text = " ";
     if (type == MD_TEXT_ENTITY) text = character_of(text);
@@ -252,6 +251,12 @@ std::vector<MarkdownBlock> read_markdown(std::string_view text) {
   parser.text = [](MD_TEXTTYPE type, const char* piece, MD_SIZE size, void* maker) {
     return guarded(maker, [&](BlockMaker& blocks) { blocks.take(type, {piece, size}); });
   };
+  // The parser reports a byte 0 in code twice.
+  std::string readable;
+  if (text.find('\0') != text.npos) {
+    for (const char c : text) readable += c == '\0' ? std::string("\uFFFD") : std::string(1, c);
+    text = readable;
+  }
   BlockMaker blocks(text);
   const int failed = md_parse(text.data(), static_cast<MD_SIZE>(text.size()), &parser, &blocks);
   if (blocks.failure) std::rethrow_exception(blocks.failure);

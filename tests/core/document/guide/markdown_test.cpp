@@ -82,6 +82,11 @@ TEST(Markdown, ReadsRowsOfTables) {
   EXPECT_EQ(blocks[1].cells, (std::vector<MarkdownText>{{{.text = "b", .emphasis = true}}}));
 }
 
+TEST(Markdown, ReplacesBytesOfValue0) {
+  EXPECT_EQ(outline(std::string("a\0b\n\n```\n\0\0\n```\n", 16)),
+            (Texts{"p a\uFFFDb", "c \uFFFD\uFFFD"}));
+}
+
 TEST(Markdown, HasPicturesAndNoComments) {
   EXPECT_EQ(outline("![A pocket](../a.png)\n\nSee ![it](b.png) here.\n"),
             (Texts{"i A pocket ../a.png", "p See it here."}));

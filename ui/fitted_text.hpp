@@ -13,4 +13,8 @@ using TextWidth = std::function<float(const std::string&)>;
 // between.
 std::string fitted_text(const std::string& text, float width, const TextWidth& width_of);
 
+// Returns the text if it fits. Otherwise it keeps as much of the beginning as fits, with "…"
+// behind.
+std::string fitted_beginning(const std::string& text, float width, const TextWidth& width_of);
+
 }  // namespace alphascope

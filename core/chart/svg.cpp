@@ -10,6 +10,7 @@
 #include "core/chart/xml_text.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/molecule/rgb8.hpp"
+#include "core/text/utf8.hpp"
 
 namespace alphascope {
 namespace {
@@ -19,9 +20,7 @@ namespace {
 constexpr float kLetterWidth = 0.56f, kFont = 13;
 
 float estimated_width(const std::string& text) {
-  std::size_t letters = 0;
-  for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  return static_cast<float>(letters) * kLetterWidth * kFont;
+  return static_cast<float>(character_count(text)) * kLetterWidth * kFont;
 }
 
 template <class... Args>

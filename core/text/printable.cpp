@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "core/text/utf8.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -24,7 +26,7 @@ Character first_character(std::string_view text) {
   if (lead < 0xC2 || lead > 0xF4 || text.size() < bytes) return {lead, 1, false};
   std::uint32_t code = lead & (0x7Fu >> bytes);
   for (std::size_t k = 1; k < bytes; ++k) {
-    if ((byte(k) & 0xC0) != 0x80) return {lead, 1, false};
+    if (!continues_character(text[k])) return {lead, 1, false};
     code = (code << 6) | (byte(k) & 0x3Fu);
   }
   constexpr std::uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -112,9 +114,7 @@ std::string shortened(std::string_view text) {
   std::string result(text.substr(0, kLongest));
   if (text.size() > kLongest) {
     // Do not cut a UTF-8 character in half.
-    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0xC0) == 0x80) {
-      result.pop_back();
-    }
+    while (!result.empty() && continues_character(result.back())) result.pop_back();
     if (!result.empty() && static_cast<unsigned char>(result.back()) >= 0xC0) result.pop_back();
     return printable(result) + "…";
   }

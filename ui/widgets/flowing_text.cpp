@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/utf8.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -107,7 +109,7 @@ class Flow {
     span.font->CalcTextSizeA(span.font->FontSize * span.size, room, 0, begin, end, &rest);
     if (rest == begin && at_left()) {
       ++rest;
-      while (rest < end && (static_cast<unsigned char>(*rest) & 0xC0) == 0x80) ++rest;
+      while (rest < end && continues_character(*rest)) ++rest;
     }
     if (rest == end) return false;
     // Paths and lists of choices are broken behind their marks.

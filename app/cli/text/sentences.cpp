@@ -14,6 +14,7 @@
 #include "core/text/grouped_number.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_parts.hpp"
+#include "core/text/utf8.hpp"
 
 namespace alphascope::cli {
 
@@ -51,18 +52,14 @@ void print_line(std::ostream& out, const ExplanationLine& line) {
   std::string row =
       line.heading + std::string(kMargin - std::min(kMargin, line.heading.size()), ' ');
   std::size_t used = 0;
-  const auto columns = [](const std::string& word) {
-    return static_cast<std::size_t>(std::count_if(
-        word.begin(), word.end(), [](unsigned char c) { return (c & 0xc0) != 0x80; }));
-  };
   for (const std::string& word : words_of(line.text)) {
-    if (used > 0 && used + 1 + columns(word) > kWidth) {
+    if (used > 0 && used + 1 + character_count(word) > kWidth) {
       out << row << "\n";
       row = std::string(kMargin, ' ');
       used = 0;
     }
     row += (used > 0 ? " " : "") + word;
-    used += (used > 0 ? 1 : 0) + columns(word);
+    used += (used > 0 ? 1 : 0) + character_count(word);
   }
   out << row << "\n";
 }

@@ -5,6 +5,7 @@
 #include "core/document/guide/guide.hpp"
 #include "core/text/letter_case.hpp"
 #include "core/text/text_parts.hpp"
+#include "core/text/utf8.hpp"
 
 namespace alphascope {
 namespace {
@@ -23,10 +24,6 @@ bool begins_with(std::string_view text, std::string_view word) {
                     [](char a, char b) { return a == lower_case(b); });
 }
 
-bool inside_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;  // UTF-8
-}
-
 // The text around `at`, with "…" where something is left out.
 std::string excerpt_of(const std::string& text, std::size_t at) {
   std::size_t begin = at > kBefore ? at - kBefore : 0;
@@ -35,7 +32,7 @@ std::string excerpt_of(const std::string& text, std::size_t at) {
     begin = blank < at ? blank + 1 : at;
   }
   std::size_t end = std::min(begin + kExcerpt, text.size());
-  while (end < text.size() && inside_character(text[end])) --end;
+  while (end < text.size() && continues_character(text[end])) --end;
   std::string excerpt = text.substr(begin, end - begin);
   for (char& c : excerpt) c = c == '\t' || c == '\n' ? ' ' : c;
   return (begin > 0 ? "…" : "") + excerpt + (end < text.size() ? "…" : "");

@@ -9,6 +9,7 @@
 
 #include "core/document/settings/display_fields.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/text/utf8.hpp"
 
 namespace alphascope {
 namespace {
@@ -19,13 +20,6 @@ std::string values_text(const DisplayField& field) {
   if (is_switch(field)) return "on, off";
   if (is_paint(field)) return "colours";
   return range_text(field) + (field.rule.unit[0] == '\0' ? "" : std::string(" ") + field.rule.unit);
-}
-
-// Number of letters of UTF-8 text.
-std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
 }
 
 std::vector<Row> rows() {
@@ -49,7 +43,8 @@ std::string display_help() {
   const std::vector<Row> all = rows();
   std::array<std::size_t, 6> widths{};
   for (const Row& row : all) {
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], letters(row[c]));
+    for (std::size_t c = 0; c < row.size(); ++c)
+      widths[c] = std::max(widths[c], character_count(row[c]));
   }
   std::string text =
       "Settings of the display: title, values, default, command, option, key in session files:\n";
@@ -57,7 +52,7 @@ std::string display_help() {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {
       line += "  " + row[c];
-      if (c + 1 < row.size()) line.append(widths[c] - letters(row[c]), ' ');
+      if (c + 1 < row.size()) line.append(widths[c] - character_count(row[c]), ' ');
     }
     text += line + "\n";
   }

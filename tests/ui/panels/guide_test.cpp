@@ -10,6 +10,7 @@
 #include "core/document/guide/guide.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/fitted_text.hpp"
 #include "ui/widgets/flowing_text.hpp"
 
 namespace alphascope::testing {
@@ -191,6 +192,15 @@ TEST(FlowingText, BreaksAtBlanksOnly) {
   EXPECT_EQ(lines_of(panels, {{"a\nb"}}, 100), "a|b");
   EXPECT_EQ(lines_of(panels, {{"abcdefghij"}}, width("abcd")), "abcd|efgh|ij");
   EXPECT_TRUE(lines_of(panels, {{"ab/cdefghij"}}, width("ab/cde")).starts_with("ab/|cde"));
+}
+
+// The font is one in which each byte is one pixel wide.
+TEST(FittedBeginning, CutsBetweenCharacters) {
+  const auto width = [](const std::string& text) { return static_cast<float>(text.size()); };
+  EXPECT_EQ(fitted_beginning("aÅÅb", 6, width), "aÅÅb");
+  EXPECT_EQ(fitted_beginning("aÅÅbc", 6, width), "aÅ…");
+  EXPECT_EQ(fitted_beginning("aÅÅbc", 5, width), "a…");
+  EXPECT_EQ(fitted_beginning("abc", 2, width), "…");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/document/commands/commands.hpp"
 #include "core/document/guide/guide.hpp"
 #include "ui/calls.hpp"
+#include "ui/fitted_text.hpp"
 #include "ui/panels/guide/guide_page.hpp"
 #include "ui/panels/guide/guide_state.hpp"
 #include "ui/panels/panel.hpp"
@@ -124,13 +125,8 @@ bool list_row(PanelContext& ctx, const std::string& name, bool chosen, float hei
 void row_text(PanelContext& ctx, const std::string& text, float x, float y, const Colour& colour) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const float room = high.x - low.x - x - ctx.px(4);
-  std::string shown = text;
-  while (!shown.empty() && ImGui::CalcTextSize((shown + "…").c_str()).x > room) {
-    do shown.pop_back();
-    while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0) == 0x80);
-  }
-  if (ImGui::CalcTextSize(text.c_str()).x <= room) shown = text;
-  if (shown != text) shown += "…";
+  const std::string shown = fitted_beginning(
+      text, room, [](const std::string& some) { return ImGui::CalcTextSize(some.c_str()).x; });
   ImGui::GetWindowDrawList()->AddText({low.x + x, low.y + y}, to_u32(colour), shown.c_str());
 }
 

@@ -16,6 +16,7 @@
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/name_table.hpp"
+#include "core/text/utf8.hpp"
 
 namespace alphascope {
 namespace {
@@ -32,7 +33,7 @@ char32_t character_at(const std::string& text, std::size_t& at) {
   const auto first = static_cast<unsigned char>(text[at++]);
   if (first < 0x80) return first;
   char32_t character = first < 0xe0 ? first & 0x1f : first < 0xf0 ? first & 0x0f : first & 0x07;
-  while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) {
+  while (at < text.size() && continues_character(text[at])) {
     character = character << 6 | (static_cast<unsigned char>(text[at++]) & 0x3f);
   }
   return character;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog that lists what mouse and keys do. The keys come from the list of commands.
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -13,9 +14,11 @@
 namespace alphascope {
 namespace {
 
-// Pixels at scale 1. The keys are in two halves beside each other.
+// Pixels at scale 1. The keys are in three parts beside each other, so the dialog is lower than a
+// window of 700 pixels.
+constexpr std::size_t kColumns = 3;
 constexpr float kMouseWidth = 180, kKeysWidth = 115, kWhatWidth = 195;
-constexpr float kWidth = 2 * (kKeysWidth + kWhatWidth);
+constexpr float kWidth = kColumns * (kKeysWidth + kWhatWidth);
 
 // Actions of the mouse, which are not commands.
 constexpr std::pair<const char*, const char*> kMouse[] = {
@@ -88,11 +91,14 @@ void draw_cheat_sheet(PanelContext& ctx) {
   }
   std::vector<Row> rows(std::begin(kPlaces), std::end(kPlaces));
   for (const CommandSpec& spec : ctx.commands.all()) add_command(spec, rows);
-  if (begin_rows(ctx, "Keyboard", {kKeysWidth, kWhatWidth, kKeysWidth, kWhatWidth})) {
-    const std::size_t half = (rows.size() + 1) / 2;
-    for (std::size_t n = 0; n < half; ++n) {
-      cells(ctx, rows[n]);
-      if (half + n < rows.size()) cells(ctx, rows[half + n]);
+  if (begin_rows(ctx, "Keyboard",
+                 {kKeysWidth, kWhatWidth, kKeysWidth, kWhatWidth, kKeysWidth, kWhatWidth})) {
+    const std::size_t lines = (rows.size() + kColumns - 1) / kColumns;
+    rows.resize(lines * kColumns);
+    for (std::size_t line = 0; line < lines; ++line) {
+      for (std::size_t column = 0; column < kColumns; ++column) {
+        cells(ctx, rows[column * lines + line]);
+      }
     }
     end_rows(ctx);
   }

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <new>
 #include <string>
 
@@ -111,6 +112,49 @@ TEST_F(DialogsTest, CancelIsAtTheLeftOfWhatIsDone) {
   at_left("assembly.cancel", "assembly.expand");
   p.state.dialogs.show_benchmark = true;
   at_left("benchmark.cancel", "benchmark.run");
+}
+
+// The smallest window is as kLeastWidth and kLeastHeight of ui/window/glfw_host.cpp say.
+TEST(Dialogs, HaveTheirButtonsInTheSmallestWindow) {
+  const auto expect_inside = [](const char* prefix, std::initializer_list<const char*> buttons,
+                                const std::function<void(ViewState&)>& open) {
+    for (const float scale : {1.0f, 2.0f}) {
+      Panels p{{900, 600, scale}};
+      p.state = loaded_state();
+      p.state.molecule.assemblies = {{"1", "", 60, 1000000, 1}};
+      open(p.state);
+      p.frame(6);
+      for (const char* name : buttons) {
+        ASSERT_TRUE(p.rects.contains(name)) << name;
+        const WidgetRect& r = p.rects.at(name);
+        EXPECT_TRUE(r.visible && r.y0 >= 0 && r.y1 <= 600 * scale) << name << " at " << r.y1;
+      }
+      for (const auto& [name, r] : p.rects) {
+        if (!name.starts_with(prefix)) continue;
+        EXPECT_TRUE(r.x0 >= 0 && r.x1 <= 900 * scale) << name << " ends at " << r.x1;
+      }
+    }
+  };
+  expect_inside("benchmark.", {"benchmark.cancel", "benchmark.run", "benchmark.close"},
+                [](ViewState& s) { s.dialogs.show_benchmark = true; });
+  expect_inside("browser.", {"browser.cancel", "browser.open"},
+                [](ViewState& s) { s.browser.show = true; });
+  expect_inside("save.", {"save.cancel", "save.ok"},
+                [](ViewState& s) { s.dialogs.show_save = true; });
+  expect_inside("record.", {"record.cancel", "record.ok"},
+                [](ViewState& s) { s.record.show = true; });
+  expect_inside("export.", {"export.cancel", "export.ok"},
+                [](ViewState& s) { s.dialogs.show_export = true; });
+  expect_inside("save_session.", {"save_session.cancel", "save_session.ok"},
+                [](ViewState& s) { s.dialogs.show_save_session = true; });
+  expect_inside("assembly.", {"assembly.cancel", "assembly.expand"},
+                [](ViewState& s) { s.dialogs.confirm_assembly = "1"; });
+  expect_inside("cheat_sheet.", {"cheat_sheet.close"},
+                [](ViewState& s) { s.dialogs.show_cheat_sheet = true; });
+  expect_inside("about.", {"about.close"}, [](ViewState& s) { s.dialogs.show_about = true; });
+  expect_inside("error.", {"error.copy", "error.ok"}, [](ViewState& s) {
+    for (int line = 0; line < 60; ++line) s.error += "Line of a long message.\n";
+  });
 }
 
 TEST_F(DialogsTest, APictureIsSavedOnlyWhereThereIsAFolder) {

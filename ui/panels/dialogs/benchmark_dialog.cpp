@@ -84,6 +84,8 @@ void controls(PanelContext& ctx) {
     engine_box(ctx, choice);
     ImGui::SameLine(0, ctx.px(16));
   }
+  ImGui::NewLine();
+  row_label(ctx, "Optimisations");
   checkbox(ctx, "benchmark.ablation", "each optimisation off in turn", c.ablation);
   tooltip(ctx,
           "Measures the tuple engines again at the smallest alpha, with one optimisation off at a "

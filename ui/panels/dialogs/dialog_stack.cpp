@@ -22,6 +22,9 @@
 namespace alphascope {
 namespace {
 
+constexpr float kMargin = 8;  // pixels at scale 1 between a dialog and the window's edge
+constexpr const char* kBody = "body";
+
 struct Entry {
   bool (*wanted)(const ViewState& state);
   void (*draw)(PanelContext& ctx);
@@ -85,6 +88,28 @@ void end_dialog(PanelContext& ctx) {
     --ctx.dialog;
   }
   ImGui::EndPopup();
+}
+
+float dialog_room(const PanelContext& ctx) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return ImGui::GetIO().DisplaySize.x - 2 * style.WindowPadding.x - style.ScrollbarSize -
+         2 * ctx.px(kMargin);
+}
+
+void begin_dialog_body(PanelContext& ctx, float width) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float buttons = 2 * ImGui::GetFrameHeightWithSpacing();
+  const float room = ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() -
+                     2 * style.WindowPadding.y - buttons - 2 * ctx.px(kMargin);
+  const float wanted = ImGui::GetStateStorage()->GetFloat(ImGui::GetID(kBody), room);
+  ImGui::BeginChild(kBody,
+                    {wanted > room ? width + style.ScrollbarSize : width, std::min(wanted, room)});
+}
+
+void end_dialog_body() {
+  const float wanted = ImGui::GetCursorPosY();
+  ImGui::EndChild();
+  ImGui::GetStateStorage()->SetFloat(ImGui::GetID(kBody), wanted);
 }
 
 bool on_top(const PanelContext& ctx) {

@@ -15,6 +15,13 @@ bool begin_dialog(PanelContext& ctx, const char* title, ImVec2 size = {0, 0},
                   DialogPlace place = DialogPlace::centre);
 void end_dialog(PanelContext& ctx);  // also draws the dialogs above it
 
+// The width that the contents of a dialog can have at most in the window, in pixels.
+float dialog_room(const PanelContext& ctx);
+// What is drawn between these scrolls if the window is too low for it, so that a row of buttons
+// below it stays in the window. `width` is in pixels.
+void begin_dialog_body(PanelContext& ctx, float width);
+void end_dialog_body();
+
 // Whether the present dialog is the topmost one, which alone gets keys.
 bool on_top(const PanelContext& ctx);
 // Whether the topmost dialog itself gets the keys. An open list or a field that is typed into takes

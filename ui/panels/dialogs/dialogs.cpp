@@ -102,10 +102,11 @@ void draw_error(PanelContext& ctx) {
   const std::string title =
       (s.error_title.empty() ? "The action failed" : s.error_title) + "###error";
   if (!begin_dialog(ctx, title.c_str())) return;
-  ImGui::Dummy({ctx.px(kWidth), 0});
+  begin_dialog_body(ctx, ctx.px(kWidth));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ctx.px(kWidth));  // wraps long paths
   ImGui::TextUnformatted(broken_lines(s.error, ctx.px(kWidth)).c_str());
   ImGui::PopTextWrapPos();
+  end_dialog_body();
   ImGui::Dummy({0, ctx.px(6)});
   if (button(ctx, "error.copy", "Copy text", {ctx.px(100), 0})) {
     ImGui::SetClipboardText(s.error.c_str());

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog that lists what mouse and keys do. The keys come from the list of commands.
+#include <algorithm>
+#include <array>
 #include <cstddef>
-#include <initializer_list>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,11 +16,10 @@
 namespace alphascope {
 namespace {
 
-// Pixels at scale 1. The keys are in three parts beside each other, so the dialog is lower than a
-// window of 700 pixels.
-constexpr std::size_t kColumns = 3;
+// Pixels at scale 1. Three parts of the keys beside each other are lower than a window of 700.
+constexpr std::size_t kMostColumns = 3;
 constexpr float kMouseWidth = 180, kKeysWidth = 115, kWhatWidth = 195;
-constexpr float kWidth = kColumns * (kKeysWidth + kWhatWidth);
+constexpr float kColumnWidth = kKeysWidth + kWhatWidth;
 
 // Actions of the mouse, which are not commands.
 constexpr std::pair<const char*, const char*> kMouse[] = {
@@ -48,7 +49,7 @@ void cells(PanelContext& ctx, const Row& row) {
   muted_text(ctx, row.what);
 }
 
-bool begin_rows(PanelContext& ctx, const char* title, std::initializer_list<float> widths) {
+bool begin_rows(PanelContext& ctx, const char* title, std::span<const float> widths) {
   strong_text(ctx, title);
   if (!ImGui::BeginTable(title, static_cast<int>(widths.size()))) return false;
   for (const float width : widths) {
@@ -85,25 +86,34 @@ void add_command(const CommandSpec& spec, std::vector<Row>& rows) {
 
 void draw_cheat_sheet(PanelContext& ctx) {
   if (!begin_dialog(ctx, "Mouse and keyboard")) return;
-  if (begin_rows(ctx, "Mouse", {kMouseWidth, kWidth - kMouseWidth})) {
+  const float room = dialog_room(ctx);
+  const auto columns = std::clamp<std::size_t>(
+      static_cast<std::size_t>(room / ctx.px(kColumnWidth)), 1, kMostColumns);
+  const float width = std::min(room, ctx.px(kColumnWidth * static_cast<float>(columns) + 8));
+  begin_dialog_body(ctx, width);
+  if (begin_rows(ctx, "Mouse", std::array{kMouseWidth, kColumnWidth * 2 - kMouseWidth})) {
     for (const auto& [keys, what] : kMouse) cells(ctx, {keys, what});
     end_rows(ctx);
   }
   std::vector<Row> rows(std::begin(kPlaces), std::end(kPlaces));
   for (const CommandSpec& spec : ctx.commands.all()) add_command(spec, rows);
-  if (begin_rows(ctx, "Keyboard",
-                 {kKeysWidth, kWhatWidth, kKeysWidth, kWhatWidth, kKeysWidth, kWhatWidth})) {
-    const std::size_t lines = (rows.size() + kColumns - 1) / kColumns;
-    rows.resize(lines * kColumns);
+  std::vector<float> widths;
+  for (std::size_t column = 0; column < columns; ++column) {
+    widths.insert(widths.end(), {kKeysWidth, kWhatWidth});
+  }
+  if (begin_rows(ctx, "Keyboard", widths)) {
+    const std::size_t lines = (rows.size() + columns - 1) / columns;
+    rows.resize(lines * columns);
     for (std::size_t line = 0; line < lines; ++line) {
-      for (std::size_t column = 0; column < kColumns; ++column) {
+      for (std::size_t column = 0; column < columns; ++column) {
         cells(ctx, rows[column * lines + line]);
       }
     }
     end_rows(ctx);
   }
+  end_dialog_body();
   ImGui::NewLine();
-  if (close_button(ctx, ctx.px(kWidth + 8), {"cheat_sheet.close", "Close"})) {
+  if (close_button(ctx, width, {"cheat_sheet.close", "Close"})) {
     ctx.state.dialogs.show_cheat_sheet = false;
   }
   end_dialog(ctx);

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Precompiled headers. Reading the standard library took a quarter of the compile time of core/,
-# app/ and ui/; now it is read once. No source may depend on it: scripts/check_includes and the
-# preset asan, which does not precompile, find such sources. Off by default with ccache, because
-# ccache then finds no results of other build folders. The preset ci always precompiles.
+# app/ and ui/; now it is read once. No source may depend on it: scripts/check_includes finds such
+# sources. Off by default with ccache, because ccache then finds no results of other build folders.
+# The presets ci, asan and tsan always precompile.
 set(by_default ON)
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   set(by_default OFF)
@@ -11,17 +11,16 @@ option(ALPHASCOPE_PRECOMPILE "Read the standard library's headers once" ${by_def
 
 # alphascope_precompile(TARGET): precompiles the headers of one target.
 function(alphascope_precompile target)
-  if(NOT ALPHASCOPE_PRECOMPILE OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  if(NOT ALPHASCOPE_PRECOMPILE OR NOT CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang)$")
     return()
   endif()
   set(quiet)
-  if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # GCC wrongly warns about precompiled "text" + std::string in three more ways
     # (AlphascopeFlags.cmake).
     set(quiet -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
-  # GCC takes the optimisation of the precompiled headers for the whole source. So glue needs
-  # headers of its own.
+  # Precompiled headers fit one level of optimisation only. So glue needs headers of its own.
   set(headers alphascope_headers)
   get_target_property(glue ${target} ALPHASCOPE_GLUE)
   if(glue)

@@ -55,7 +55,7 @@ void add_saved_view_commands(Commands& commands, ViewState& s, const Calls& ask)
                                 .help = "Its name; an older camera of that name is replaced",
                                 .example = "active site"}},
                 .why_not = without_molecule(s),
-                .run = [&s, ask](const Arguments& arguments) {
+                .run = [ask](const Arguments& arguments) {
                   ask.view.save(arguments.text("name"));
                   return Outcome();
                 }});
@@ -65,7 +65,7 @@ void add_saved_view_commands(Commands& commands, ViewState& s, const Calls& ask)
                 .menu = "View",
                 .parameters = {saved_view(s)},
                 .why_not = without_saved_views(s),
-                .run = [&s, ask](const Arguments& arguments) {
+                .run = [ask](const Arguments& arguments) {
                   ask.view.go_to(arguments.text("name"));
                   return Outcome();
                 }});
@@ -101,7 +101,7 @@ void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
        .line_above = true,
        .parameters = {from},
        .why_not = without_molecule(s),
-       .run = [&s, ask](const Arguments& arguments) { return look_along(arguments, ask); }});
+       .run = [ask](const Arguments& arguments) { return look_along(arguments, ask); }});
   static constexpr NumberRule kZoomRule{"The factor", 0.01, 100};
   commands.add({.id = "view.zoom",
                 .title = "Zoom…",
@@ -112,7 +112,7 @@ void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
                                 .example = "0.7",
                                 .rule = kZoomRule}},
                 .why_not = without_molecule(s),
-                .run = [&s, ask](const Arguments& arguments) {
+                .run = [ask](const Arguments& arguments) {
                   ask.view.zoom(arguments.number("factor"));
                   return Outcome();
                 }});

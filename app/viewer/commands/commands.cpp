@@ -229,7 +229,7 @@ void add_file_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .shortcuts = {{"Ctrl+Q"}},
                 .menu = "File",
                 .line_above = true,
-                .run = [&s, ask](const Arguments&) {
+                .run = [ask](const Arguments&) {
                   ask.files.quit();
                   return Outcome();
                 }});
@@ -246,7 +246,7 @@ void add_edit_commands(Commands& commands, ViewState& s, const Calls& ask) {
        .menu = "Edit",
        .why_not = [&s] { return s.undo_text.empty() ? "There is nothing to undo." : ""; },
        .run =
-           [&s, ask](const Arguments&) {
+           [ask](const Arguments&) {
              ask.files.undo();
              return Outcome();
            }});
@@ -257,7 +257,7 @@ void add_edit_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .menu = "Edit",
                 .why_not = [&s] { return s.redo_text.empty() ? "There is nothing to redo." : ""; },
                 .run =
-                    [&s, ask](const Arguments&) {
+                    [ask](const Arguments&) {
                       ask.files.redo();
                       return Outcome();
                     }});
@@ -273,7 +273,7 @@ void add_view_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .shortcuts = {{"R"}},
                 .menu = "View",
                 .why_not = without_molecule(s),
-                .run = [&s, ask](const Arguments&) {
+                .run = [ask](const Arguments&) {
                   ask.view.reset();
                   return Outcome();
                 }});

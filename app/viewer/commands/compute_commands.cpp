@@ -285,7 +285,7 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .menu = "Tools",
                 .line_above = true,
                 .why_not = without_result(s),
-                .run = [&s, ask](const Arguments&) {
+                .run = [ask](const Arguments&) {
                   ask.jobs.compare();
                   return Outcome();
                 }});
@@ -294,7 +294,7 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .help = "Computes the same complex again, including the engine's set-up",
                 .menu = "Tools",
                 .why_not = without_result(s),
-                .run = [&s, ask](const Arguments&) {
+                .run = [ask](const Arguments&) {
                   ask.jobs.compute_anew();
                   return Outcome();
                 }});

@@ -156,7 +156,7 @@ void add_pointed_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 .help = "Opens the menu of the right mouse button where the mouse is in the view",
                 .shortcuts = {{"Shift+F10"}, {"Menu"}},
                 .why_not = without_molecule(s),
-                .run = [&s, ask](const Arguments&) {
+                .run = [ask](const Arguments&) {
                   ask.view.open_context_menu();
                   return Outcome();
                 }});

@@ -149,7 +149,7 @@ void add_selection_commands(Commands& commands, ViewState& s, const Calls& ask) 
              return none ? "No selected item is in the picture." : "";
            },
        .run =
-           [&s, ask](const Arguments&) {
+           [ask](const Arguments&) {
              ask.view.zoom_to_selection();
              return Outcome();
            }});

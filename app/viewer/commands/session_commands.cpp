@@ -123,7 +123,7 @@ CommandSpec recent_files_command(ViewState& s, const Calls& ask) {
                           .kind = Kind::choice,
                           .help = "The file; clear empties the list",
                           .choices = [&s] { return recent(s); }}},
-          .run = [&s, ask](const Arguments& arguments) { return open_recent(arguments, ask); }};
+          .run = [ask](const Arguments& arguments) { return open_recent(arguments, ask); }};
 }
 
 CommandSpec scale_command(ViewState& s) {

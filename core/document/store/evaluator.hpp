@@ -11,6 +11,7 @@
 
 #include "core/document/store/definition.hpp"
 #include "core/document/store/key.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 

@@ -42,7 +42,7 @@ void expect_small_sets_equal(const EngineFactory& factory, int seed, int rounds,
 }
 
 TEST_P(HardSets, EqualTheDefinition) {
-  expect_small_sets_equal(GetParam(), 1, testing::unless_sanitized(6, 2), 9);
+  expect_small_sets_equal(GetParam(), 1, testing::unless_sanitized(6, 1), 9);
 }
 
 TEST_P(HardSets, EqualTheDefinitionLong) {

@@ -33,8 +33,9 @@ constexpr const char* kFromHelp[] = {
     "The centre of the atoms that are selected in the view.",
     "The centre of all balls.",
     "Coordinates in Å, as in the file.",
-    "From outside to outside: ways through the whole molecule, through groups of equal chains, and "
-    "through each chain."};
+    ("From outside to outside: ways through the whole molecule, through groups of equal chains, "
+     "and "
+     "through each chain.")};
 constexpr const char* kTo[] = {"outside, by any way", "outside, one way along", "both ways along",
                                "a mouth of the cavity", "a point"};
 constexpr const char* kToHelp[] = {
@@ -96,8 +97,8 @@ void mouth_field(PanelContext& ctx, const char* name, int& mouth) {
 
 void axis_choice(PanelContext& ctx, ChannelState& memory) {
   static constexpr const char* kHelp[] = {
-      "The axis around which equal chains are arranged. Without one: the direction in which "
-      "the molecule is longest.",
+      ("The axis around which equal chains are arranged. Without one: the direction in which "
+       "the molecule is longest."),
       "The x axis of the file.", "The y axis of the file.", "The z axis of the file.",
       "The present direction of view. Turning the view later does not change it."};
   const bool clicked = combo(ctx, "channels.axis", kAxes, kHelp, memory.axis, 116);

@@ -6,7 +6,7 @@
 
 namespace alphascope {
 
-class Signature;
+struct Signature;
 struct PanelContext;
 struct Plot;
 struct PlotRange;

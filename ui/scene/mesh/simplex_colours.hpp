@@ -28,7 +28,7 @@ Rgb8 most_frequent_colour(const std::array<BallIndex, N>& simplex,
   for (std::size_t i = 1; i < N; ++i) {
     bool has_more = false;
     for (std::size_t k = i + 1; k < N; ++k) has_more |= of[k] == of[i];
-    most = first_is_alone & has_more ? of[i] : most;
+    most = (first_is_alone & has_more) ? of[i] : most;
   }
   return unpacked(most);
 }

@@ -35,5 +35,9 @@ Command make_command(OptionCommand (*describe)(Options&), ExitCode (*run)(const 
 
 // All commands, in the order of the help.
 std::vector<Command> all_commands();
+// The command that the first word after the program's name is. All commands where it is none, as
+// help and messages list them. None for the version alone. The tables of all commands take as long
+// as the rest of the start.
+std::vector<Command> needed_commands(const std::vector<std::string>& words);
 
 }  // namespace alphascope::cli

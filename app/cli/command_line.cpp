@@ -21,7 +21,7 @@ const Command& named(const std::string& name, const CommandOptions& options) {
 }
 
 int parse_and_run(int argc, const char* const* argv) {
-  CommandOptions options;
+  CommandOptions options{needed_commands({argv + std::min(argc, 1), argv + argc})};
   const OptionProgram program = command_table(options);
   const ParsedArguments parsed = parse_arguments(program, argc, argv);
   if (parsed.ended) {

@@ -31,4 +31,13 @@ std::vector<Command> all_commands() {
   return commands;
 }
 
+std::vector<Command> needed_commands(const std::vector<std::string>& words) {
+  if (words.empty()) return all_commands();
+  if (words.size() == 1 && (words[0] == "--version" || words[0] == "-V")) return {};
+#define ALPHASCOPE_NAMED(name) \
+  if (words[0] == #name) return {name##_command()};
+  ALPHASCOPE_COMMANDS(ALPHASCOPE_NAMED)
+  return all_commands();
+}
+
 }  // namespace alphascope::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes one table of the program's options and of all its commands.
+// Makes one table of the program's options and of its commands.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 namespace alphascope::cli {
 
 struct CommandOptions {
-  std::vector<Command> commands = all_commands();
+  std::vector<Command> commands;
   Verbosity verbosity = Verbosity::normal;
   bool times = true;  // false: --no-times
 };

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# alphascope_version: writes the program's version and commit, and a hash of the sources of core and
-# gpu, at each build when they have changed. Run as a script (-P), this file writes the source.
+# alphascope_version: writes the program's version and commit, and a hash of the sources of core,
+# gpu and net, at each build when they have changed. Run as a script (-P), this file writes the source.
 # Included, it makes the target.
 if(CMAKE_SCRIPT_MODE_FILE)
   # The folder may lie inside the repository of a packager or of another project, whose commit would
@@ -23,7 +23,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
     endif()
   endif()
   file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR}
-    ${SOURCE_DIR}/core/*.[ch]pp ${SOURCE_DIR}/gpu/*.[ch]pp ${SOURCE_DIR}/gpu/*.cu ${SOURCE_DIR}/gpu/*.cuh)
+    ${SOURCE_DIR}/core/*.[ch]pp ${SOURCE_DIR}/gpu/*.[ch]pp ${SOURCE_DIR}/gpu/*.cu ${SOURCE_DIR}/gpu/*.cuh
+    ${SOURCE_DIR}/net/*.[ch]pp)
   list(SORT sources)
   set(hashes)
   foreach(source IN LISTS sources)
@@ -34,7 +35,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   string(SUBSTRING ${hash} 0 16 hash)
   file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[
 #include "app/session/version.hpp"
-#include "core/engines/gpu_library.hpp"
+#include "core/run/library_build.hpp"
 
 #ifdef __clang__
 #define ALPHASCOPE_COMPILER "clang " __clang_version__
@@ -45,7 +46,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
 namespace alphascope {
 std::string_view program_version() { return "@VERSION@"; }
 std::string_view program_commit() { return "@commit@"; }
-const char* gpu_build() { return "@VERSION@ @hash@ " ALPHASCOPE_COMPILER; }
+const char* library_build() { return "@VERSION@ @hash@ " ALPHASCOPE_COMPILER; }
 }  // namespace alphascope
 ]] @ONLY)
   return()

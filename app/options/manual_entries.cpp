@@ -18,7 +18,7 @@ std::vector<Entry> all_files() {
   return {{{"~/.config/alphascope/preferences.json",
             "Preferences and recent files. XDG_CONFIG_HOME replaces ~/.config"},
            Read::by_window},
-          {{ALPHASCOPE_GPU_FOLDER "/alphascope-gpu.so",
+          {{ALPHASCOPE_LIBRARY_FOLDER "/alphascope-gpu.so",
             "The GPU engines, below the folder of the installation, such as /usr. Without this "
             "file the CPU engine computes the same results"}},
           {{ALPHASCOPE_RESOURCES_FOLDER,

@@ -7,7 +7,7 @@
 // them. The program makes engines of these, so slabs and the CPU engine are the program's own.
 //
 // Types of the standard library and exceptions cross the boundary. Both sides must therefore be
-// made of the same sources by the same compiler. gpu_build() names both, and a library with another
+// made of the same sources by the same compiler. library_build() names both, and a library with another
 // name is refused before anything else is called. The library is never unloaded, because results
 // refer to its memory and its functions. Exceptions are caught by type on the other side: the
 // runtime of GCC and clang compares types by name, so symbols need not be shared.
@@ -44,10 +44,6 @@ struct GpuLibrary {
   void (*free_unused_memory)();
 };
 
-// Version, sources and compiler of this build, for example "0.2.0 5f0c… GCC 12.2.0". The same
-// sources give the same text in any folder and at any time.
-const char* gpu_build();
-
 // Makes the engine of the device. Requests that do not fit the device are cut into slabs, and at
 // last computed by the CPU engine. Their AlphaComplex says so in engine.route. Returns null if the
 // device cannot be used, and sets *why_not to the reason.
@@ -58,7 +54,7 @@ std::unique_ptr<Engine> make_gpu_engine(const GpuLibrary& library,
 }  // namespace alphascope
 
 // The symbols that the library exports. alphascope_gpu_build() must be called first, and the other
-// one only if it returns the program's own gpu_build().
+// one only if it returns the program's own library_build() (core/run/library_build.hpp).
 extern "C" {
 const char* alphascope_gpu_build();
 const alphascope::GpuLibrary* alphascope_gpu_library();

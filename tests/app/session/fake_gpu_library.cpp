@@ -8,6 +8,7 @@
 #include "core/engines/gpu_library.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/run/library_build.hpp"
 
 namespace alphascope {
 namespace {
@@ -55,7 +56,7 @@ __attribute__((visibility("default"))) const char* alphascope_gpu_build() {
 #ifdef FAKE_OLD_GPU
   return "0.0.1 0123456789abcdef GCC 4.9";
 #else
-  return alphascope::gpu_build();
+  return alphascope::library_build();
 #endif
 }
 

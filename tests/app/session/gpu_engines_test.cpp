@@ -13,6 +13,7 @@
 #include <string>
 
 #include "core/complex/compare.hpp"
+#include "core/run/library_build.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -102,7 +103,7 @@ TEST(GpuEngines, RefuseAForeignLibrary) {
 TEST(GpuEngines, RefuseTheLibraryOfAnotherBuild) {
   expect_unusable(ALPHASCOPE_OLD_GPU_LIBRARY,
                   {"another build of Alphascope (0.0.1 0123456789abcdef GCC 4.9; this is ",
-                   gpu_build(), "Install the programs and the library from the same build"});
+                   library_build(), "Install the programs and the library from the same build"});
 }
 
 TEST(GpuEngines, LoadNothingFromTheCurrentFolder) {
@@ -138,7 +139,7 @@ TEST(GpuEngines, LetTheCpuAnswerWhereTheLibraryDoesNot) {
 
 TEST(GpuLibraryPlaces, AreThoseOfTheInstallation) {
   const Named none(nullptr);
-  const fs::path file = fs::path(ALPHASCOPE_GPU_FOLDER) / "alphascope-gpu.so";
+  const fs::path file = fs::path(ALPHASCOPE_LIBRARY_FOLDER) / "alphascope-gpu.so";
   const auto expect_place = [&](const std::string& program) {
     const std::vector<fs::path> places = gpu_library_places(program);
     ASSERT_EQ(places.size(), 1u);

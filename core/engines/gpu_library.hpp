@@ -7,10 +7,10 @@
 // them. The program makes engines of these, so slabs and the CPU engine are the program's own.
 //
 // Types of the standard library and exceptions cross the boundary. Both sides must therefore be
-// made of the same sources by the same compiler. library_build() names both, and a library with another
-// name is refused before anything else is called. The library is never unloaded, because results
-// refer to its memory and its functions. Exceptions are caught by type on the other side: the
-// runtime of GCC and clang compares types by name, so symbols need not be shared.
+// made of the same sources by the same compiler. library_build() names both, and a library with
+// another name is refused before anything else is called. The library is never unloaded, because
+// results refer to its memory and its functions. Exceptions are caught by type on the other side:
+// the runtime of GCC and clang compares types by name, so symbols need not be shared.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the provenance of a set of balls as texts.
 #include "core/selection/provenance.hpp"
+#include "core/files/fetched_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
@@ -69,7 +70,9 @@ std::string options_text(const BallOptions& options) {
 
 Provenance provenance(const Molecule& molecule, const BallOptions& options,
                       const SelectionReport& report) {
+  const auto from = fetched_from(molecule.source);
   Provenance entries{{"file", molecule.source.string()},
+                     {"fetched", from ? from->text() : std::string()},
                      {"sha256", molecule.sha256},
                      {"format", molecule.format},
                      {"model", model_text(options.model)},

@@ -11,7 +11,7 @@
 
 namespace alphascope {
 
-// Keys and values, in this order: file, sha256, format, model, assembly, options,
+// Keys and values, in this order: file, fetched, sha256, format, model, assembly, options,
 // selection_expression, selection, radii, lattice_unit_angstrom, rounding_angstrom,
 // radius_rounding_angstrom. Every key is always there; its value is empty if it does not apply.
 // Values are printable, even if a file's name is not.

@@ -3,6 +3,7 @@
 #include "core/document/export/record_json.hpp"
 
 #include "core/document/session/json_fields.hpp"
+#include "core/files/fetched_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/radii/radii_set.hpp"
@@ -17,6 +18,12 @@ void write_bytes(Json& json) {
   if (json.is_string()) json = text_json(json.get<std::string>());
   if (!json.is_structured()) return;
   for (Json& inner : json) write_bytes(inner);
+}
+
+// Null if the file was not fetched.
+Json fetched_json(const Molecule& molecule) {
+  const auto from = fetched_from(molecule.source);
+  return from ? Json{{"address", from->address}, {"time", from->time}} : Json();
 }
 
 }  // namespace
@@ -39,6 +46,7 @@ Json input_json(const RecordSource& source) {
   const bool one_model = options.model != kAllModels;
   Json json{
       {"file", molecule.source.string()},
+      {"fetched", fetched_json(molecule)},
       {"sha256", molecule.sha256},
       {"format", molecule.format},
       {"title", molecule.title},

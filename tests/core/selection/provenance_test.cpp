@@ -20,8 +20,9 @@ TEST(Provenance, SaysFileChoicesAndRounding) {
   const PreparedBalls prepared = prepare_balls(m, options);
   const Provenance list = provenance(m, options, prepared.report);
   const std::map<std::string, std::string> said(list.begin(), list.end());
-  EXPECT_EQ(said.size(), 12u);
+  EXPECT_EQ(said.size(), 13u);
   EXPECT_TRUE(said.at("file").ends_with("a.xyzr"));
+  EXPECT_EQ(said.at("fetched"), "");
   EXPECT_EQ(said.at("sha256"), m.sha256);
   EXPECT_EQ(said.at("format"), "XYZR");
   EXPECT_EQ(said.at("model"), "1");

@@ -12,6 +12,7 @@
   COMMAND(export)                    \
   COMMAND(explain)                   \
   COMMAND(steps)                     \
+  COMMAND(fetch)                     \
   COMMAND(formats)                   \
   COMMAND(verify)                    \
   COMMAND(bench)                     \

@@ -12,6 +12,9 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/options/did_you_mean.hpp"
+#include "app/session/net_library.hpp"
+#include "core/document/fetch/fetch.hpp"
+#include "core/document/fetch/molecule_id.hpp"
 #include "core/document/settings/cavity_preset.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/molecule/molecule.hpp"
@@ -126,7 +129,7 @@ Input open_input(const std::filesystem::path& file, const InputOptions& options,
   Input input;
   input.balls = open.balls;
   const bool standard_input = file == "-";
-  const std::filesystem::path name = standard_input ? "stdin" : file;
+  const std::filesystem::path name = standard_input ? "stdin" : local_file(file, options, context);
   try {
     input.open_milliseconds = timed([&] {
       OpenOptions this_one = open;
@@ -154,6 +157,27 @@ const std::vector<std::string>& checked_treatments(const std::vector<std::string
 }
 
 }  // namespace
+
+std::filesystem::path fetched_file(const MoleculeId& id, const InputOptions& options,
+                                   const RunContext& context) {
+  if (options.offline && options.fetch_again) {
+    throw UsageError("--offline and --fetch-again exclude each other.");
+  }
+  FetchOptions fetch = fetch_options_of_program();
+  fetch.offline = fetch.offline || options.offline;
+  fetch.again = options.fetch_again;
+  return fetch_molecule(id, fetch, context).file;
+}
+
+std::filesystem::path local_file(const std::filesystem::path& named, const InputOptions& options,
+                                 const RunContext& context) {
+  try {
+    const auto id = molecule_id_unless_file(named);
+    return id ? fetched_file(*id, options, context) : named;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string(error.what()) + ".");
+  }
+}
 
 OpenOptions open_options(const InputOptions& options, const RunContext& context) {
   OpenOptions open;

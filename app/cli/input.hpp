@@ -2,11 +2,13 @@
 // Opens a molecule by the input options, and prepares its balls.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
 #include "app/cli/input_options.hpp"
 #include "app/session/open_molecule.hpp"
+#include "core/document/fetch/molecule_id.hpp"
 #include "core/selection/provenance.hpp"
 
 namespace alphascope::cli {
@@ -23,6 +25,15 @@ struct Input {
     return alphascope::provenance(molecule(), balls, prepared().report);
   }
 };
+
+// The file to open: the named one, or that of an id, which is fetched if it was not before. An
+// existing file wins over an id. Throws UsageError for an invalid id, and as fetch_molecule() does.
+std::filesystem::path local_file(const std::filesystem::path& named, const InputOptions& options,
+                                 const RunContext& context);
+
+// The file of an id, fetched now or before. Throws as fetch_molecule() does.
+std::filesystem::path fetched_file(const MoleculeId& id, const InputOptions& options,
+                                   const RunContext& context);
 
 // Returns the options of open_molecule(). A table of radii is read here, once for all files. Throws
 // UsageError for an unknown value, and ReadError for the table.

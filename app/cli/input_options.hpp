@@ -18,6 +18,8 @@ struct InputOptions {
   std::vector<std::string> chains, without_chains, treated;
   std::string select;    // an expression of core/selection/selection_expression.hpp
   std::string assembly;  // id; empty: as deposited
+  // For ids in place of files: ask no server, or ask even if the file was fetched before.
+  bool offline = false, fetch_again = false;
 };
 
 inline bool each_model(const InputOptions& options) {

@@ -63,11 +63,25 @@ Options input_but_ligands(InputOptions& input) {
                   "Keep dummy atoms, such as OPM's membrane planes (dropped by default)",
                   input.dummies),
       off("--no-polymers", "Drop proteins and nucleic acids (kept by default)", input.no_polymers),
+      offline_option(input),
+      fetch_again_option(input),
   };
 }
 
+Option offline_option(InputOptions& input) {
+  return flag_option("--offline", "Fetch nothing: an id names a file that was fetched before",
+                     input.offline);
+}
+
+Option fetch_again_option(InputOptions& input) {
+  return flag_option("--fetch-again", "Fetch an id even if its file was fetched before",
+                     input.fetch_again);
+}
+
 std::string file_text() {
-  return "Molecule: " + format_names() + "; also packed as .gz; - for standard input";
+  return "Molecule: " + format_names() +
+         "; also packed as .gz; - for standard input; or an id that is fetched: pdb:1CRN, "
+         "af:P69905";
 }
 
 Option one_file(InputOptions& input, bool must_be) {

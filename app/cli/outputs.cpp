@@ -8,9 +8,11 @@
 
 #include <cerrno>
 #include <optional>
+#include <stdexcept>
 
 #include "app/cli/failure.hpp"
 #include "app/cli/text/terminal.hpp"
+#include "core/document/fetch/molecule_id.hpp"
 #include "core/files/output_ending.hpp"
 #include "core/files/read_error.hpp"
 #include "core/files/regular_file.hpp"
@@ -22,6 +24,14 @@ namespace fs = std::filesystem;
 
 bool is_dash(const fs::path& path) {
   return path == "-";
+}
+
+bool is_id(const fs::path& path) {
+  try {
+    return molecule_id_unless_file(path).has_value();
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string(error.what()) + ".");
+  }
 }
 
 // Identifies an ordinary file independently of its names.
@@ -72,7 +82,7 @@ std::vector<fs::path> files_read(const std::vector<std::string>& files, const st
 
 void require_readable(const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
-    if (is_dash(file)) continue;
+    if (is_dash(file) || is_id(file)) continue;
     struct stat status {};
     if (::stat(file.c_str(), &status) != 0) {
       refuse_opening(file, errno);

@@ -21,7 +21,8 @@ std::vector<std::filesystem::path> files_read(const InputOptions& input);
 std::vector<std::filesystem::path> files_read(const std::vector<std::string>& files,
                                               const std::string& list, const InputOptions& input);
 
-// Throws ReadError for the first file that is missing or unreadable. Commands on many molecules
+// Throws ReadError for the first file that is missing or unreadable, and UsageError for an invalid
+// id. Valid ids are fetched later. Commands on many molecules
 // call this first, so that work on other files is not lost.
 void require_readable(const std::vector<std::filesystem::path>& files);
 

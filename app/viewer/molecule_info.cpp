@@ -7,6 +7,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "core/files/fetched_file.hpp"
 #include "core/geometry/grown_radius.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/text/grouped_number.hpp"
@@ -110,6 +111,9 @@ void describe_provenance(MoleculeInfo& info, const OpenedMolecule& opened) {
   info.radii_citation = report.radii_citation;
   auto& rows = info.provenance;
   rows = {{"File", printable(m.source.string())}, {"Format", m.format}, {"SHA-256", m.sha256}};
+  if (const auto from = fetched_from(m.source)) {
+    rows.emplace_back("Fetched", printable(from->text()));
+  }
   rows.emplace_back("Assembly", assembly_text(opened));
   if (m.models.size() > 1) rows.emplace_back("Model", model_text(opened));
   rows.emplace_back("Selection", summary(report));

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "app/cli/input.hpp"
 #include "core/files/file_hash.hpp"
 #include "core/files/read_error.hpp"
 #include "core/selection/selection_expression.hpp"
@@ -40,7 +41,8 @@ SessionToDraw open_session(const ScreenshotCommandOptions& options, const RunCon
     molecule = same_file(file, s.molecule, "its molecule: ",
                          "Put the file back, or name its new place as FILE after --session S.json",
                          context);
-  } else if (hash_of_file(molecule, context) != s.molecule.sha256) {
+  } else if (molecule = local_file(molecule, options.input, context);
+             hash_of_file(molecule, context) != s.molecule.sha256) {
     drawn.notes.push_back(molecule.string() +
                           " differs from the file of the saved session: it has another SHA-256.");
   }

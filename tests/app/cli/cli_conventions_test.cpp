@@ -107,20 +107,21 @@ TEST_F(CliConventions, UsageErrorsSayWhatIsMissing) {
   const std::string file = "'" + cube_.string() + "' ";
   const struct {
     std::string arguments, said;
-  } cases[] = {{"",
-                "alphascope-cli: name a command: info, compute, cavities, channel, measure, "
-                "export, explain, steps, formats, verify, bench, screenshot, frames, columns, "
-                "help."},
-               {"compute " + file, "alphascope-cli: --alpha is required."},
-               {"compute " + file + "--alpha", "--alpha needs a value."},
-               {"compute " + file + "--alpha 1 --alpha 2", "--alpha can be given only once."},
-               {"compute " + file + "--alpha 1 --waters=no", "--waters takes no value."},
-               {"verify " + file + file + "--alpha 1", "too many arguments: "},
-               {"verify --alpha 1", "FILE is required."},
-               {"compute " + file + "--alpha 1 --threads 1.5",
-                "--threads: \"1.5\" is not a whole number from 0 to 1024."},
-               {"compute " + file + "--alpha 1 --solvent 1,4",
-                "--solvent: \"1,4\" is not a number from 0 to 100 Å."}};
+  } cases[] = {
+      {"",
+       "alphascope-cli: name a command: info, compute, cavities, channel, measure, "
+       "export, explain, steps, fetch, formats, verify, bench, screenshot, frames, columns, "
+       "help."},
+      {"compute " + file, "alphascope-cli: --alpha is required."},
+      {"compute " + file + "--alpha", "--alpha needs a value."},
+      {"compute " + file + "--alpha 1 --alpha 2", "--alpha can be given only once."},
+      {"compute " + file + "--alpha 1 --waters=no", "--waters takes no value."},
+      {"verify " + file + file + "--alpha 1", "too many arguments: "},
+      {"verify --alpha 1", "FILE is required."},
+      {"compute " + file + "--alpha 1 --threads 1.5",
+       "--threads: \"1.5\" is not a whole number from 0 to 1024."},
+      {"compute " + file + "--alpha 1 --solvent 1,4",
+       "--solvent: \"1,4\" is not a number from 0 to 100 Å."}};
   for (const auto& c : cases) {
     const Outcome outcome = run(c.arguments);
     EXPECT_EQ(outcome.code, 2) << c.arguments;
@@ -234,7 +235,7 @@ TEST_F(CliConventions, ManualAndCompletionsHoldEveryOption) {
 TEST_F(CliConventions, BashCompletes) {
   EXPECT_EQ(completed("alphascope-cli comp", 2), "compute\n");
   EXPECT_EQ(completed("alphascope-cli \"\"", 2),
-            "info compute cavities channel measure export explain steps formats verify bench "
+            "info compute cavities channel measure export explain steps fetch formats verify bench "
             "screenshot frames columns help\n");
   EXPECT_EQ(completed("alphascope-cli help comp", 3), "compute\n");
   EXPECT_EQ(completed("alphascope-cli --vers", 2), "--version\n");

@@ -6,6 +6,7 @@ namespace alphascope::testing {
 namespace {
 
 constexpr const char* kProvenance[] = {"file",
+                                       "fetched",
                                        "sha256",
                                        "format",
                                        "model",

@@ -168,7 +168,7 @@ TransferAnswer curl_get(const TransferRequest& request, const RunContext& contex
     curl_multi_remove_handle(multi.get(), easy.get());
     throw std::bad_alloc();
   }
-  answer.end = !ended                ? TransferEnd::cancelled
+  answer.end = !ended               ? TransferEnd::cancelled
                : received.too_large ? TransferEnd::too_large
                                     : end_of(code, easy);
   answer.detail = error[0] != '\0' ? error : ended ? curl_easy_strerror(code) : "";

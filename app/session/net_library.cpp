@@ -18,8 +18,9 @@ constexpr LibraryKind kNet{
     .title = "network library",
     .build_symbol = "alphascope_net_build",
     .table_symbol = "alphascope_net_library",
-    .if_missing = "Install alphascope-net.so, or install libcurl (libcurl4-openssl-dev) and build "
-                  "Alphascope again; or open a file that you have."};
+    .if_missing =
+        "Install alphascope-net.so, or install libcurl (libcurl4-openssl-dev) and build "
+        "Alphascope again; or open a file that you have."};
 
 }  // namespace
 

@@ -22,7 +22,8 @@ class FetchServer {
       ::dup2(in[0], 0);
       ::dup2(out[1], 1);
       for (const int end : {in[0], in[1], out[0], out[1]}) ::close(end);
-      const std::string script = std::string(ALPHASCOPE_SOURCE_DIR) + "/tests/support/fetch_server.py";
+      const std::string script =
+          std::string(ALPHASCOPE_SOURCE_DIR) + "/tests/support/fetch_server.py";
       ::execlp("python3", "python3", script.c_str(), nullptr);
       ::_exit(127);
     }

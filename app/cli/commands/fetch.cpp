@@ -34,7 +34,8 @@ struct FetchCommandOptions {
   std::string out;     // "-": standard output; empty: none
 };
 
-// Here a file does not win over an id. So an id is fetched even in a folder with a file of its name.
+// Here a file does not win over an id. So an id is fetched even in a folder with a file of its
+// name.
 MoleculeId id_of(const std::string& typed) {
   try {
     if (auto id = molecule_id(typed)) return *id;
@@ -65,11 +66,13 @@ void copy(const fs::path& file, const std::string& out, AtomicFile& to) {
 
 ExitCode run_fetch(const FetchCommandOptions& options) {
   if (options.out.empty()) {
-    return for_each_file(options.ids, options.ids.size() > 1, [&](const std::string& typed) {
-             const fs::path file = fetched_file(id_of(typed), options.input, run_context());
-             clear_progress();
-             std::cout << printable(file.string()) << std::endl;
-           })
+    return for_each_file(options.ids, options.ids.size() > 1,
+                         [&](const std::string& typed) {
+                           const fs::path file =
+                               fetched_file(id_of(typed), options.input, run_context());
+                           clear_progress();
+                           std::cout << printable(file.string()) << std::endl;
+                         })
         .code;
   }
   if (options.ids.size() > 1) throw UsageError("--output takes the file of one id.");
@@ -96,8 +99,9 @@ ExitCode run_fetch(const FetchCommandOptions& options) {
 OptionCommand table_of_fetch(FetchCommandOptions& options) {
   return {"fetch",
           "Fetch molecules by their id, and print the names of the files",
-          {required(texts_option({"ID", "ID", "Entry of the PDB (pdb:1CRN) or model of AlphaFold "
-                                              "DB (af:P69905)"},
+          {required(texts_option({"ID", "ID",
+                                  "Entry of the PDB (pdb:1CRN) or model of AlphaFold "
+                                  "DB (af:P69905)"},
                                  options.ids)),
            text_option({"-o,--output", "OUT.cif",
                         "Copy the file: unpacked to OUT.cif, packed to OUT.cif.gz; - for standard "

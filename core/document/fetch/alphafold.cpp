@@ -46,9 +46,9 @@ std::string address_of_model(const std::string& answer, const std::string& acces
     }
     elsewhere = elsewhere || !address.empty();
   }
-  throw std::invalid_argument(elsewhere
-                                  ? "an answer that names no model of this accession on its own server"
-                                  : "an answer that names no file");
+  throw std::invalid_argument(
+      elsewhere ? "an answer that names no model of this accession on its own server"
+                : "an answer that names no file");
 }
 
 }  // namespace alphascope

@@ -66,15 +66,17 @@ class Fetching {
   // The file of this address, fetched now or before.
   fs::path file(const std::string& address, std::uint64_t most_bytes, const Check& check) {
     if (options_.folder.empty()) {
-      fail("there is no folder for fetched files, because neither XDG_CACHE_HOME nor HOME names one",
-           "Set one of them to a folder");
+      fail(
+          "there is no folder for fetched files, because neither XDG_CACHE_HOME nor HOME names one",
+          "Set one of them to a folder");
     }
     const fs::path path = fetched_file_path(options_.folder, address);
     std::error_code ignored;
     if (!options_.again && fs::exists(path, ignored)) return path;
     if (options_.offline) {
-      fail("it was not fetched before, and nothing is fetched now (--offline or ALPHASCOPE_OFFLINE)",
-           "Fetch it without that, or open a file that you have");
+      fail(
+          "it was not fetched before, and nothing is fetched now (--offline or ALPHASCOPE_OFFLINE)",
+          "Fetch it without that, or open a file that you have");
     }
     keep(path, [&] {  // before the transfer, which may take long
       make_output_folder(path.parent_path());
@@ -98,9 +100,9 @@ class Fetching {
 
   [[noreturn]] void fail(const std::string& reason, const std::string& remedy) const {
     throw ReadError(id_.typed, 0,
-                    id_.without_name
-                        ? "there is no such file, and " + id_.text() + " cannot be fetched: " + reason
-                        : reason,
+                    id_.without_name ? "there is no such file, and " + id_.text() +
+                                           " cannot be fetched: " + reason
+                                     : reason,
                     remedy);
   }
 
@@ -224,8 +226,7 @@ fs::path fetch_alphafold(const MoleculeId& id, const FetchOptions& options,
   const auto model = [&](const std::string& answer) {
     return address_of_model(answer, id.id, server);
   };
-  const fs::path about =
-      fetching.file(server + "/api/prediction/" + id.id, kLargestAnswer, model);
+  const fs::path about = fetching.file(server + "/api/prediction/" + id.id, kLargestAnswer, model);
   std::string address;
   try {
     address = model(text_of(about));
@@ -244,8 +245,8 @@ FetchOptions fetch_options_of_environment() {
     options.offline = *offline != '\0' && std::string_view(offline) != "0";
   }
   if (const char* const base = std::getenv("ALPHASCOPE_FETCH_BASE")) options.base = base;
-  if (!options.base.empty() && (!is_loopback(options.base) ||
-                                options.base != server_of(options.base))) {
+  if (!options.base.empty() &&
+      (!is_loopback(options.base) || options.base != server_of(options.base))) {
     throw std::invalid_argument(
         "ALPHASCOPE_FETCH_BASE is not an address of this computer, such as "
         "http://127.0.0.1:8080. Correct or unset it");

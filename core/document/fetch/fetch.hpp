@@ -25,8 +25,8 @@ struct FetchOptions {
 };
 
 // Folder, base address and `offline` by the environment: XDG_CACHE_HOME, HOME,
-// ALPHASCOPE_FETCH_BASE, ALPHASCOPE_OFFLINE. Throws std::invalid_argument if the base address is not
-// a loopback address.
+// ALPHASCOPE_FETCH_BASE, ALPHASCOPE_OFFLINE. Throws std::invalid_argument if the base address is
+// not a loopback address.
 FetchOptions fetch_options_of_environment();
 
 struct FetchedMolecule {

@@ -73,8 +73,8 @@ std::string accession(std::string_view text) {
   const std::string upper = in_upper_case(text);
   const bool opq =
       !upper.empty() && std::string_view("OPQ").find(upper[0]) != std::string_view::npos;
-  const bool valid = opq ? matches(upper, "A0XXX0")
-                         : matches(upper, "A0AXX0") || matches(upper, "A0AXX0AXX0");
+  const bool valid =
+      opq ? matches(upper, "A0XXX0") : matches(upper, "A0AXX0") || matches(upper, "A0AXX0AXX0");
   return valid ? upper : std::string();
 }
 

@@ -24,9 +24,9 @@ struct MoleculeId {
 };
 
 // Reads "pdb:1CRN", "pdb:pdb_00001crn" and "af:P69905", in any case of letters. Without the name of
-// the archive, only ids of the PDB are read: "1crn", "pdb_00001crn". Empty for any other text, which
-// is the name of a file. Throws std::invalid_argument with a sentence if an archive is named, but
-// the rest is not a valid id.
+// the archive, only ids of the PDB are read: "1crn", "pdb_00001crn". Empty for any other text,
+// which is the name of a file. Throws std::invalid_argument with a sentence if an archive is named,
+// but the rest is not a valid id.
 std::optional<MoleculeId> molecule_id(std::string_view typed);
 
 // The same, but empty if there is a file, a folder or a link of this name.

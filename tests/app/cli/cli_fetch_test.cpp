@@ -101,8 +101,9 @@ TEST_F(CliFetch, OfflineIsOneClearLine) {
   for (const char* command : {"info pdb:1god --offline", "info 1god --offline"}) {
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.code, 3);
-    EXPECT_TRUE(contains(outcome.err, "it was not fetched before, and nothing is fetched now "
-                                      "(--offline or ALPHASCOPE_OFFLINE). Fetch it without that"))
+    EXPECT_TRUE(contains(outcome.err,
+                         "it was not fetched before, and nothing is fetched now "
+                         "(--offline or ALPHASCOPE_OFFLINE). Fetch it without that"))
         << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
@@ -125,9 +126,10 @@ TEST_F(CliFetch, AFolderThatCannotBeMadeIsNamed) {
   ::setenv("XDG_CACHE_HOME", (cube_ / "cache").c_str(), 1);
   const Outcome outcome = run("info pdb:1god");
   EXPECT_EQ(outcome.code, 5);
-  EXPECT_TRUE(contains(outcome.err, "pdb:1god: the fetched file cannot be kept. Cannot make the "
-                                    "folder " +
-                                        cube_.string()))
+  EXPECT_TRUE(contains(outcome.err,
+                       "pdb:1god: the fetched file cannot be kept. Cannot make the "
+                       "folder " +
+                           cube_.string()))
       << outcome.err;
 }
 
@@ -149,13 +151,14 @@ TEST_F(CliFetch, FetchNamesAndCopiesFiles) {
   const std::string file = fetched("/download/1GOD.cif.gz").string();
   Outcome outcome = run("fetch pdb:1god 1god af:p69905");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out,
-            file + "\n" + file + "\n" + fetched("/files/AF-P69905-F1-model_v6.cif").string() + "\n");
+  EXPECT_EQ(outcome.out, file + "\n" + file + "\n" +
+                             fetched("/files/AF-P69905-F1-model_v6.cif").string() + "\n");
   const std::string packed = (folder_ / "copy.cif.gz").string();
   const std::string plain = (folder_ / "copy.cif").string();
   outcome = run("fetch pdb:1god -o '" + packed + "'");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_TRUE(contains(outcome.out, "fetched     " + server_->address() + "/download/1GOD.cif.gz at "))
+  EXPECT_TRUE(
+      contains(outcome.out, "fetched     " + server_->address() + "/download/1GOD.cif.gz at "))
       << outcome.out;
   EXPECT_EQ(contents(packed), contents(file));
   EXPECT_EQ(run("fetch pdb:1god -o '" + plain + "' -q").out, "");
@@ -181,9 +184,10 @@ TEST_F(CliFetch, TheProgramStartsWithoutTheLibrary) {
   const Outcome loaded = run("--version");
   EXPECT_EQ(loaded.code, 0);
   const fs::path out = folder_ / "libraries";
-  ASSERT_EQ(std::system(("LD_TRACE_LOADED_OBJECTS=1 '" + tested_cli() + "' >'" + out.string() + "'")
-                            .c_str()),
-            0);
+  ASSERT_EQ(
+      std::system(
+          ("LD_TRACE_LOADED_OBJECTS=1 '" + tested_cli() + "' >'" + out.string() + "'").c_str()),
+      0);
   EXPECT_FALSE(contains(contents(out), "curl")) << contents(out);
 }
 

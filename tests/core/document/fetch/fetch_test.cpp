@@ -17,9 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(FetchAddress, IsLoopback) {
-  for (const char* address :
-       {"http://127.0.0.1", "http://127.0.0.1:80", "https://localhost:1/a:b", "http://[::1]:80/x",
-        "http://[::1]"}) {
+  for (const char* address : {"http://127.0.0.1", "http://127.0.0.1:80", "https://localhost:1/a:b",
+                              "http://[::1]:80/x", "http://[::1]"}) {
     EXPECT_TRUE(is_loopback(address)) << address;
   }
   for (const char* address :
@@ -94,9 +93,11 @@ TEST(FetchedFile, TellsItsAddress) {
   std::ofstream(folder / "other") << "x";
   ASSERT_TRUE(fetched_from(file, folder));
   EXPECT_EQ(fetched_from(file, folder)->address, address);
-  EXPECT_EQ(fetched_from(folder / "x" / ".." / "https" / "files.rcsb.org" / "download" / "1CRN.cif.gz",
-                         folder)->address,
-            address);
+  EXPECT_EQ(
+      fetched_from(folder / "x" / ".." / "https" / "files.rcsb.org" / "download" / "1CRN.cif.gz",
+                   folder)
+          ->address,
+      address);
   EXPECT_FALSE(fetched_from(folder / "other", folder));
   EXPECT_FALSE(fetched_from(folder / "https/missing", folder));
   EXPECT_FALSE(fetched_from("/etc/passwd", folder));

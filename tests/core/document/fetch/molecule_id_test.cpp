@@ -36,8 +36,8 @@ TEST(MoleculeId, IsReadInAnyCase) {
 }
 
 TEST(MoleculeId, OtherTextsAreNamesOfFiles) {
-  for (const char* name : {"", "-", "1crn.pdb", "crn1", "0crn", "1cr", "1crnn", "1cr n", "1cr\n", "P69905",
-                           "pdb", "a/1crn", "1cr/", "1cr.", "pdb_1crn", "pdb_00001crnx",
+  for (const char* name : {"", "-", "1crn.pdb", "crn1", "0crn", "1cr", "1crnn", "1cr n", "1cr\n",
+                           "P69905", "pdb", "a/1crn", "1cr/", "1cr.", "pdb_1crn", "pdb_00001crnx",
                            "pdbx_0001crn", "1c\xC3\xA9", "AF-P69905-F1"}) {
     EXPECT_EQ(molecule_id(name), std::nullopt) << name;
   }
@@ -45,15 +45,30 @@ TEST(MoleculeId, OtherTextsAreNamesOfFiles) {
 
 TEST(MoleculeId, NothingElseIsTakenAfterAnArchive) {
   const std::string nul("pdb:1CR\0", 8), longest = "pdb:" + std::string(100'000, '1');
-  for (const std::string& typed :
-       {std::string("pdb:"), std::string("pdb:../../etc"), std::string("pdb:1AB%2F"),
-        std::string("pdb:1ABC/"), std::string("pdb:1ABC\n"), std::string("pdb: 1ABC"),
-        std::string("pdb:1AB?"), std::string("pdb:1AB#"), std::string("pdb:1AB\xC3\xA9"),
-        std::string("pdb:1ABC-assembly1"), std::string("pdb:\xEF\xBC\x91" "ABC"), nul, longest,
-        std::string("pdb:pdb_0000../."), std::string("pdb:P69905"), std::string("af:"),
-        std::string("af:1CRN"), std::string("af:P69905-2"), std::string("af:P6990%"),
-        std::string("af:../P69905"), std::string("af:P69905\n"), std::string("af:A0A023GPI"),
-        std::string("af:O6990X")}) {
+  for (const std::string& typed : {std::string("pdb:"),
+                                   std::string("pdb:../../etc"),
+                                   std::string("pdb:1AB%2F"),
+                                   std::string("pdb:1ABC/"),
+                                   std::string("pdb:1ABC\n"),
+                                   std::string("pdb: 1ABC"),
+                                   std::string("pdb:1AB?"),
+                                   std::string("pdb:1AB#"),
+                                   std::string("pdb:1AB\xC3\xA9"),
+                                   std::string("pdb:1ABC-assembly1"),
+                                   std::string("pdb:\xEF\xBC\x91"
+                                               "ABC"),
+                                   nul,
+                                   longest,
+                                   std::string("pdb:pdb_0000../."),
+                                   std::string("pdb:P69905"),
+                                   std::string("af:"),
+                                   std::string("af:1CRN"),
+                                   std::string("af:P69905-2"),
+                                   std::string("af:P6990%"),
+                                   std::string("af:../P69905"),
+                                   std::string("af:P69905\n"),
+                                   std::string("af:A0A023GPI"),
+                                   std::string("af:O6990X")}) {
     try {
       molecule_id(typed);
       ADD_FAILURE() << typed;

@@ -78,7 +78,7 @@ class Fetching {
           "it was not fetched before, and nothing is fetched now (--offline or ALPHASCOPE_OFFLINE)",
           "Fetch it without that, or open a file that you have");
     }
-    keep(path, [&] {  // before the transfer, which may take long
+    keep([&] {  // before the transfer, which may take long
       make_output_folder(path.parent_path());
     });
     const std::string body = get(address, most_bytes);
@@ -87,7 +87,7 @@ class Fetching {
     } catch (const std::invalid_argument& error) {
       fail(host_of(address) + " sent " + error.what(), kTryLater);
     }
-    keep(path, [&] {
+    keep([&] {
       // No output replaces a file that was read. The old file is removed instead: whoever reads it
       // keeps it.
       if (options_.again) fs::remove(path, ignored);
@@ -108,7 +108,7 @@ class Fetching {
 
  private:
   template <class Action>
-  void keep(const fs::path& path, const Action& action) const {
+  void keep(const Action& action) const {
     try {
       action();
     } catch (const WriteError& error) {

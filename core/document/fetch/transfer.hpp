@@ -40,10 +40,10 @@ enum class TransferEnd {
 
 struct TransferAnswer {
   TransferEnd end = TransferEnd::other;
-  std::string detail;    // of the fault; no sentence
-  int status = 0;        // of HTTP, if answered
-  std::string body;      // if answered
-  std::string redirect;  // the address that the server names instead; empty: none
+  std::string detail = {};    // of the fault; no sentence
+  int status = 0;             // of HTTP, if answered
+  std::string body = {};      // if answered
+  std::string redirect = {};  // the address that the server names instead; empty: none
 };
 
 // Follows no redirect. Ends within 0.1 s after a cancel.

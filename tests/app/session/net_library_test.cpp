@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/files/atomic_file.hpp"
 #include "core/files/read_error.hpp"
 #include "core/read/read_molecule.hpp"
 #include "tests/support/fetch_server.hpp"

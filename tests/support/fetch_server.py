@@ -78,8 +78,8 @@ class Handler(BaseHTTPRequestHandler):
         if name == "1BIG":
             return self.answer(200, PACKED, 1 << 40)
         if name == "1BMB":
-            packer = zlib.compressobj(9, wbits=31)
-            return self.answer(200, packer.compress(b"data_\n" + bytes(40 << 20)) + packer.flush())
+            packer = zlib.compressobj(1, wbits=31)
+            return self.answer(200, packer.compress(b"data_\n" + bytes(17 << 20)) + packer.flush())
         if name == "1PAG":
             return self.answer(200, b"<html>Please log in</html>")
         if name == "1PGZ":

@@ -19,6 +19,7 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/options/option_values.hpp"
+#include "core/files/fetched_file.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/molecule/assembly.hpp"
@@ -155,6 +156,9 @@ void print(const Input& input) {
     const Extent range = extent(balls, axes[axis]);
     std::cout << names[axis] << "           " << shortest_number(range.min) << " to "
               << shortest_number(range.max) << " Å\n";
+  }
+  if (const auto from = fetched_from(molecule.source)) {
+    std::cout << "fetched     " << printable(from->text()) << "\n";
   }
   std::cout << "sha256      " << molecule.sha256 << "\n";
   if (times_shown()) {

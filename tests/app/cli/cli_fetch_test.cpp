@@ -43,6 +43,8 @@ TEST_F(CliFetch, AnIdIsAFile) {
   EXPECT_EQ(input["fetched"]["address"], server_->address() + "/download/1GOD.cif.gz");
   EXPECT_EQ(input["fetched"]["time"].get<std::string>().size(), 20u);
   EXPECT_TRUE(compute_json("'" + cube_.string() + "' --alpha 1")["input"]["fetched"].is_null());
+  EXPECT_TRUE(contains(run("info pdb:1god").out,
+                       "\nfetched     " + server_->address() + "/download/1GOD.cif.gz at 2"));
   const Outcome many = run("info 1god af:P69905 '" + cube_.string() + "' pdb:9zzz --csv - -q");
   EXPECT_EQ(many.code, 3) << "as that of the first file that failed";
   const auto rows = csv_rows(many.out);

@@ -22,6 +22,7 @@ class CliFetch : public Cli {
   }
   void SetUp() override {
     Cli::SetUp();
+    ::unsetenv("ALPHASCOPE_OFFLINE");
     ::setenv("ALPHASCOPE_FETCH_BASE", server_->address().c_str(), 1);
     ::setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
   }

@@ -75,6 +75,7 @@ inline constexpr bool kDrawsPictures = ALPHASCOPE_DRAWS_PICTURES != 0;
 class Cli : public ::testing::Test {
  protected:
   void SetUp() override {
+    ::setenv("ALPHASCOPE_OFFLINE", "1", 1);  // ids in examples of the guide must not be fetched
     std::string pattern = (fs::path(::testing::TempDir()) / "alphascope_cli_XXXXXX").string();
     folder_ = ::mkdtemp(pattern.data());
     // A cube of eight equal balls. It has every kind of tie, and counts known by hand.

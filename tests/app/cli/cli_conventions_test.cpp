@@ -195,8 +195,8 @@ TEST_F(CliConventions, ResultsStandOnAClearLine) {
   std::string many;  // so many files that the work outlasts the delay of the progress line, on any
                      // machine
   for (int n = 0; n < 30; ++n) many += file + " ";
-  for (const std::string command :
-       {"cavities " + many, "compute " + many + "--alpha 1 --engine cpu", "measure " + many}) {
+  for (const std::string& command : std::vector<std::string>{
+           "cavities " + many, "compute " + many + "--alpha 1 --engine cpu", "measure " + many}) {
     const Outcome plain = run(command + " --no-times");
     ASSERT_EQ(plain.code, 0) << plain.err;
     std::string out;

@@ -93,11 +93,12 @@ class Cli : public ::testing::Test {
     return folder_ / name;
   }
 
-  // `input`: the file for standard input.
+  // Runs in folder_, which gets outputs without a folder. `input`: the file for standard input.
   Outcome run(const std::string& arguments, const fs::path& input = "/dev/null") const {
     const fs::path out = folder_ / "stdout", err = folder_ / "stderr";
-    const std::string command = "'" + tested_cli() + "' " + arguments + " >'" + out.string() +
-                                "' 2>'" + err.string() + "' <'" + input.string() + "'";
+    const std::string command = "cd '" + folder_.string() + "' && '" + tested_cli() + "' " +
+                                arguments + " >'" + out.string() + "' 2>'" + err.string() + "' <'" +
+                                input.string() + "'";
     const int status = std::system(command.c_str());
     Outcome outcome;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);

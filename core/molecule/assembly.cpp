@@ -141,6 +141,9 @@ class Expansion {
     result_.sha256 = source_.sha256;
     result_.assembly_id = assembly_.id;
     result_.assemblies = source_.assemblies;
+    result_.stated_secondary = source_.stated_secondary;
+    result_.stated_bonds = source_.stated_bonds;
+    result_.unresolved_bonds = source_.unresolved_bonds;
   }
 
   void add_generator(const AssemblyGenerator& generator, const ModelRange& model) {
@@ -153,7 +156,8 @@ class Expansion {
       add_copy(atoms, operator_at(source_.assemblies, generator, k));
     }
     if (result_.atoms.size() > begin) {
-      result_.copied.push_back({begin, static_cast<std::size_t>(copies), atoms});
+      const auto index = static_cast<std::size_t>(&generator - assembly_.generators.data());
+      result_.copied.push_back({begin, static_cast<std::size_t>(copies), atoms, index});
     }
   }
 

@@ -14,10 +14,12 @@
 #include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/molecule/assembly.hpp"
+#include "core/molecule/bond.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/molecule/residue_kind.hpp"
 #include "core/molecule/residue_reason.hpp"
+#include "core/molecule/secondary_structure.hpp"
 
 namespace alphascope {
 
@@ -56,6 +58,11 @@ inline bool same_residue_number(const Atom& a, const Atom& b) {
          a.insertion_code == b.insertion_code;
 }
 
+// Returns whether two atoms can be there at once: alternative locations of different letters cannot.
+inline bool may_meet(const Atom& a, const Atom& b) {
+  return a.altloc == b.altloc || a.altloc == ' ' || b.altloc == ' ';
+}
+
 // Atoms [begin, end) of Molecule::atoms form one model.
 struct ModelRange {
   int number = 1;  // number in the file
@@ -68,6 +75,7 @@ struct ModelRange {
 struct CopiedAtoms {
   std::size_t begin = 0, copies = 0;
   std::vector<std::size_t> source;  // indices into the deposited molecule's atoms, ascending
+  std::size_t generator = 0;        // index into Assembly::generators
 };
 
 struct Molecule {
@@ -85,7 +93,12 @@ struct Molecule {
   Assemblies assemblies;            // as the file describes them
   std::string assembly_id;          // set by expand_assembly(); empty: as deposited
   std::vector<CopiedAtoms> copied;  // set by expand_assembly(), in the order of `atoms`; else empty
-  std::string sha256;               // of the file on disk, in hexadecimal digits
+  // As the file states them, of all models, with indices of deposited atoms.
+  std::vector<SecondaryRange> stated_secondary;
+  std::vector<Bond> stated_bonds;  // ascending, each once
+  // Records of bonds to atoms that are not in the file, or that share a number with others.
+  std::size_t unresolved_bonds = 0;
+  std::string sha256;              // of the file on disk, in hexadecimal digits
 
   std::string_view text(NameId id) const { return names.text(id); }
 };

@@ -2,7 +2,7 @@
 // MOL2 of Tripos: sections that begin with "@<TRIPOS>", of which these are read:
 //   MOLECULE      name; number of atoms; further molecules become models
 //   ATOM          number name x y z type [substructure-number [substructure-name …]]
-//   BOND          number atom atom type
+//   BOND          number atom atom type (1, 2, 3, am, ar; nc: not connected)
 //   SUBSTRUCTURE  number name first-atom [type [dictionary [chain [residue-name …]]]]
 // SYBYL's atom types give the elements. Substructures are residues.
 #include <algorithm>
@@ -55,6 +55,13 @@ StatedElement sybyl_element(std::string_view type) {
 // True for placeholders such as "****" and "<0>".
 bool is_no_name(std::string_view text) {
   return text.empty() || text.front() == '<' || text.find_first_not_of('*') == text.npos;
+}
+
+BondOrder bond_order(std::string_view type) {
+  if (type == "1" || type == "am") return BondOrder::one;  // am: amide
+  if (type == "2") return BondOrder::two;
+  if (type == "3") return BondOrder::three;
+  return type == "ar" ? BondOrder::aromatic : BondOrder::unknown;
 }
 
 struct Substructure {
@@ -208,7 +215,8 @@ class Mol2Reader {
   void take_bond(std::string_view line) {
     next_field(line);
     const std::int32_t a = bonded_atom(next_field(line)), b = bonded_atom(next_field(line));
-    builder_.records().bonds.add(a, b);
+    const std::string_view type = next_field(line);
+    if (type != "nc") builder_.records().bonds.add({a, b, bond_order(type)});
   }
 
   std::int32_t bonded_atom(std::string_view text) const {

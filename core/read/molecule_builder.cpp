@@ -10,6 +10,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/read/residues/decide_residues.hpp"
+#include "core/read/residues/stated_bonds.hpp"
 #include "core/read/residues/virtual_sites.hpp"
 #include "core/text/printable.hpp"
 
@@ -72,6 +73,8 @@ Molecule MoleculeBuilder::finish() {
   mark_sites_at_atoms(molecule_);
   if (has_residues_) decide_residues(molecule_, records_);
   finish_virtual_sites(molecule_);
+  state_bonds(molecule_, records_.bonds);
+  records_.secondary.state(molecule_);
   make_texts_printable();
   return std::move(molecule_);
 }

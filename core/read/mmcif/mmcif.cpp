@@ -14,6 +14,7 @@
 #include "core/read/mmcif/mmcif_bonds.hpp"
 #include "core/read/mmcif/mmcif_component.hpp"
 #include "core/read/mmcif/mmcif_entities.hpp"
+#include "core/read/mmcif/mmcif_secondary.hpp"
 #include "core/read/molecule_builder.hpp"
 #include "core/read/predicted_model.hpp"
 #include "core/read/residues/atom_names.hpp"
@@ -107,6 +108,11 @@ class MmcifReader : public CifHandler {
       column_ = (column_ + 1) % tags_.size();
       return;
     }
+    if (kind_ == Table::secondary) {
+      secondary_.add(block_, tags_[column_], plain_cif(raw), line);
+      column_ = (column_ + 1) % tags_.size();
+      return;
+    }
     if (kind_ == Table::entity) {
       entities_.add(block_, tags_[column_], plain_cif(raw));
       column_ = (column_ + 1) % tags_.size();
@@ -141,6 +147,8 @@ class MmcifReader : public CifHandler {
       entities_.add(block_, item_, plain_cif(raw));
     } else if (MmcifBondTable::wants(item_)) {
       bonds_.add(block_, item_, plain_cif(raw));
+    } else if (MmcifSecondaryTables::wants(item_)) {
+      secondary_.add(block_, item_, plain_cif(raw), line);
     }
     if (item_.starts_with(kMetric)) predicted_.take_metric(plain_cif(raw));
     take_method(item_, plain_cif(raw));
@@ -171,6 +179,7 @@ class MmcifReader : public CifHandler {
     assemblies_.finish(builder_.molecule());
     entities_.finish(atoms_block_, builder_.molecule().names, builder_.records());
     bonds_.finish(atoms_block_, builder_.records().bonds);
+    secondary_.finish(atoms_block_, builder_.records().secondary);
     return builder_.finish();
   }
 
@@ -181,6 +190,7 @@ class MmcifReader : public CifHandler {
     assembly,
     entity,
     bonds,
+    secondary,
     component,
     metrics,
     methods,
@@ -204,6 +214,7 @@ class MmcifReader : public CifHandler {
     }
     if (MmcifEntityTables::wants(tags_.front())) return Table::entity;
     if (MmcifBondTable::wants(tags_.front())) return Table::bonds;
+    if (MmcifSecondaryTables::wants(tags_.front())) return Table::secondary;
     if (!tags_.front().starts_with(kAtomSite)) return Table::other;
     if (builder_.size() > 0 && block_ != atoms_block_) {
       ++ignored_blocks_;
@@ -320,6 +331,7 @@ class MmcifReader : public CifHandler {
   MmcifAssemblyTables assemblies_;
   MmcifEntityTables entities_;
   MmcifBondTable bonds_;
+  MmcifSecondaryTables secondary_;
   std::vector<std::string> tags_, single_tags_;
   std::vector<CifValue> row_, single_row_;
   MmcifComponent component_;

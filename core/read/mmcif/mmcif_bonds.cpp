@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Collects rows of struct_conn and keeps the covalent bonds.
+// Collects rows of struct_conn and keeps the bonds.
 #include "core/read/mmcif/mmcif_bonds.hpp"
 
 #include <charconv>
@@ -34,6 +34,12 @@ BondedAtom bonded_atom(const Row& row, const std::string& partner) {
   return atom;
 }
 
+BondOrder bond_order(std::string_view text) {
+  if (text == "sing") return BondOrder::one;
+  if (text == "doub") return BondOrder::two;
+  return text == "trip" ? BondOrder::three : BondOrder::unknown;
+}
+
 }  // namespace
 
 void MmcifBondTable::add(int block, std::string_view tag, std::string_view value) {
@@ -47,10 +53,16 @@ void MmcifBondTable::add(int block, std::string_view tag, std::string_view value
 void MmcifBondTable::take(Block& block) {
   const Row row = std::move(block.row);
   block.row.clear();
-  // The type is "covale", "covale_base" or similar. Both atoms must be of the same asymmetric unit.
-  const bool covalent = lower_case(value(row, "conn_type_id")).starts_with("covale");
-  if (!covalent || value(row, "ptnr1_symmetry") != value(row, "ptnr2_symmetry")) return;
-  block.bonds.add(bonded_atom(row, "ptnr1"), bonded_atom(row, "ptnr2"));
+  // The type is "covale", "covale_base" or similar; hydrogen bonds and salt bridges are no bonds
+  // here. Both atoms must be of the same asymmetric unit.
+  const std::string type = lower_case(value(row, "conn_type_id"));
+  const bool covalent = type.starts_with("covale");
+  const bool bond = covalent || type == "disulf" || type == "metalc";
+  if (!bond || value(row, "ptnr1_symmetry") != value(row, "ptnr2_symmetry")) return;
+  NamedBond named{bonded_atom(row, "ptnr1"), bonded_atom(row, "ptnr2"),
+                  bond_order(lower_case(value(row, "pdbx_value_order"))), covalent};
+  if (type == "disulf") named.order = BondOrder::one;
+  block.bonds.add(std::move(named));
 }
 
 void MmcifBondTable::finish(int block, RecordedBonds& bonds) {

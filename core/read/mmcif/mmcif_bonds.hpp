@@ -20,7 +20,7 @@ class MmcifBondTable {
   // tag comes again.
   void add(int block, std::string_view tag, std::string_view value);
 
-  // Gives the covalent bonds of a block.
+  // Gives the bonds of a block: covalent, disulphides, and those of metals.
   void finish(int block, RecordedBonds& bonds);
 
  private:

@@ -111,6 +111,12 @@ class PdbReader {
       take_sequence(line);
     } else if (line.starts_with("LINK")) {
       builder_.records().bonds.take_link(line, chain_columns_);
+    } else if (line.starts_with("SSBOND")) {
+      builder_.records().bonds.take_disulphide(line, chain_columns_);
+    } else if (line.starts_with("HELIX ")) {
+      builder_.records().secondary.take_helix(line, lines_.number(), chain_columns_);
+    } else if (line.starts_with("SHEET ")) {
+      builder_.records().secondary.take_strand(line, lines_.number(), chain_columns_);
     } else if (line.starts_with("CONECT")) {
       builder_.records().bonds.take_conect(line);
     } else if (line.starts_with("ROOT")) {

@@ -38,9 +38,10 @@ void BondEvidence::note_named(const ModelRange& model, const RecordedBonds::Name
                molecule_.names.find(atom.name)};
   };
   std::map<Key, std::uint32_t> wanted;
-  for (const auto& [a, b] : bonds) {
-    wanted[key(a)] = kNoIndex;
-    wanted[key(b)] = kNoIndex;
+  for (const NamedBond& bond : bonds) {
+    if (!bond.may_make_chain) continue;
+    wanted[key(bond.a)] = kNoIndex;
+    wanted[key(bond.b)] = kNoIndex;
   }
   // Takes the first of alternative locations, since all have the same bonds.
   for (std::size_t i = model.begin; i < model.end; ++i) {
@@ -54,8 +55,9 @@ void BondEvidence::note_named(const ModelRange& model, const RecordedBonds::Name
   const auto atom_of = [&](const BondedAtom& atom) {
     return is_there(atom.chain) && is_there(atom.name) ? wanted[key(atom)] : kNoIndex;
   };
-  for (const auto& [a, b] : bonds) {
-    const std::uint32_t first = atom_of(a), second = atom_of(b);
+  for (const NamedBond& bond : bonds) {
+    if (!bond.may_make_chain) continue;
+    const std::uint32_t first = atom_of(bond.a), second = atom_of(bond.b);
     note(first, second);
     note(second, first);
   }
@@ -75,8 +77,8 @@ void BondEvidence::note_numbered(const ModelRange& model, const RecordedBonds::N
                      (at + 1 == atoms.end() || (at + 1)->first != serial);
     return one ? at->second : kNoIndex;
   };
-  for (const auto& [a, b] : bonds) {
-    const std::uint32_t first = atom_of(a), second = atom_of(b);
+  for (const NumberedBond& bond : bonds) {
+    const std::uint32_t first = atom_of(bond.a), second = atom_of(bond.b);
     note(first, second);
     note(second, first);
   }

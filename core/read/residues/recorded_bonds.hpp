@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bonds that a file states: LINK and CONECT of PDB, struct_conn of mmCIF.
+// Bonds that a file states: LINK, SSBOND and CONECT of PDB, struct_conn of mmCIF, the list of MOL2.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/molecule/bond.hpp"
 #include "core/read/pdb/pdb_chain_columns.hpp"
 
 namespace alphascope {
@@ -19,19 +20,35 @@ struct BondedAtom {
   char insertion_code = ' ';
 };
 
+struct NamedBond {
+  BondedAtom a, b;
+  BondOrder order = BondOrder::unknown;
+  // False for bonds of metals and disulphides, which do not make a chain. LINK does not tell which
+  // of its bonds are such.
+  bool may_make_chain = true;
+};
+
+// Two serial numbers.
+struct NumberedBond {
+  std::int32_t a = 0, b = 0;
+  BondOrder order = BondOrder::unknown;
+};
+
 class RecordedBonds {
  public:
-  void add(BondedAtom a, BondedAtom b) { named_.emplace_back(std::move(a), std::move(b)); }
-  // Adds a bond between two serial numbers. 0 means no atom.
-  void add(std::int32_t a, std::int32_t b) {
-    if (a != 0 && b != 0) numbered_.emplace_back(a, b);
+  void add(NamedBond bond) { named_.push_back(std::move(bond)); }
+  // 0 means no atom.
+  void add(const NumberedBond& bond) {
+    if (bond.a != 0 && bond.b != 0) numbered_.push_back(bond);
   }
   // Lines of a PDB file. Bonds to atoms of another asymmetric unit are left out.
   void take_link(std::string_view line, PdbChainColumns& chain_columns);
+  void take_disulphide(std::string_view line, PdbChainColumns& chain_columns);
+  // An atom that is named twice or three times has a double or triple bond, as many programs write.
   void take_conect(std::string_view line);
 
-  using Named = std::vector<std::pair<BondedAtom, BondedAtom>>;
-  using Numbered = std::vector<std::pair<std::int32_t, std::int32_t>>;
+  using Named = std::vector<NamedBond>;
+  using Numbered = std::vector<NumberedBond>;
   const Named& named() const { return named_; }
   const Numbered& numbered() const { return numbered_; }
 

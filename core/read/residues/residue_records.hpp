@@ -12,6 +12,7 @@
 
 #include "core/molecule/molecule.hpp"
 #include "core/read/residues/recorded_bonds.hpp"
+#include "core/read/residues/secondary_records.hpp"
 
 namespace alphascope {
 
@@ -54,6 +55,7 @@ class ResidueRecords {
   // Residue names in the SEQRES records of each chain.
   std::unordered_map<std::string, std::unordered_set<std::string>> sequences;
   RecordedBonds bonds;
+  SecondaryRecords secondary;
 
  private:
   std::vector<Run> runs_;

@@ -74,8 +74,11 @@ class BondFinder {
       return static_cast<std::uint32_t>(
           std::lower_bound(state.atoms.begin(), state.atoms.end(), atom) - state.atoms.begin());
     };
+    state.stated.assign(state.atoms.size(), false);
     for (const Bond& bond : stated) {
-      state.add_known(number(bond.a), number(bond.b), bond.order, BondReason::file);
+      const std::uint32_t a = number(bond.a), b = number(bond.b);
+      state.add_known(a, b, bond.order, BondReason::file);
+      if (bond.kind == BondKind::covalent) state.stated[a] = state.stated[b] = true;
     }
   }
 

@@ -6,8 +6,8 @@
 
 namespace alphascope {
 
-// Å. Carbon is that of four bonds; Mn, Fe and Co have low spin. 0 for an unknown element, and beyond
-// curium.
+// Å. Carbon is that of four bonds; Mn, Fe and Co have low spin. 0 for an unknown element, and
+// beyond curium.
 double covalent_radius_angstrom(Element element);
 
 // How many covalent bonds an element has at most. 0 for noble gases.

@@ -22,7 +22,7 @@ namespace {
 constexpr double kWithin = 0.45, kBetween = 0.25;
 constexpr double kNearest = 0.4;  // Å
 // Candidates that are tried for an atom. With hydrogens and two locations there are some 500.
-constexpr std::uint32_t kMostTried = 4096;
+constexpr std::uint32_t kMostTried = 2048;
 constexpr std::size_t kMostKept = 48;  // nearest candidates of an atom
 constexpr int kMostOfMetal = 12;
 constexpr std::size_t kBlock = 4096;  // atoms that one task searches around
@@ -138,7 +138,11 @@ class DistanceBonds {
       const bool both = first == second;
       return same && !both ? std::optional(sum + kWithin) : std::nullopt;
     }
-    if (first == Openness::open || second == Openness::open) return sum + (same ? kWithin : kBetween);
+    // A file that states bonds of a residue's atoms states all of them.
+    if (same && state_.stated[a] && state_.stated[b]) return std::nullopt;
+    if (first == Openness::open || second == Openness::open) {
+      return sum + (same ? kWithin : kBetween);
+    }
     if (same) return std::nullopt;
     if (first == Openness::cysteine && second == Openness::cysteine) return sum + kWithin;
     if (first == Openness::chain_end && second == Openness::chain_end && ends_fit(a, b)) {
@@ -227,10 +231,10 @@ class DistanceBonds {
       for (std::uint32_t k = start_[i]; k < start_[i + 1]; ++k) {
         const std::uint32_t other = partners_[k];
         if (is_open(other) && (i > other || !has_partner(other, i))) continue;
-        state_.bonds.push_back({std::min(i, other), std::max(i, other), BondOrder::unknown,
-                                metal(i) || metal(other) ? BondKind::coordination
-                                                         : BondKind::covalent,
-                                BondReason::distance});
+        state_.bonds.push_back(
+            {std::min(i, other), std::max(i, other), BondOrder::unknown,
+             metal(i) || metal(other) ? BondKind::coordination : BondKind::covalent,
+             BondReason::distance});
       }
     }
   }

@@ -78,9 +78,7 @@ class ResidueBonds {
   }
 
  private:
-  static bool named(const Atom& atom) {
-    return atom.residue_name != 0 || atom.residue_number != 0;
-  }
+  static bool named(const Atom& atom) { return atom.residue_name != 0 || atom.residue_number != 0; }
   static std::uint64_t letter_bit(const Atom& atom) {
     return std::uint64_t{1} << (static_cast<unsigned char>(atom.altloc) & 63u);
   }
@@ -260,7 +258,7 @@ class ResidueBonds {
   std::vector<std::uint64_t> seen_letters_;  // by NameId: its alternative locations there
   std::vector<std::uint8_t> roles_;          // by NameId
   NameId sulphur_ = 0;
-  std::uint32_t number_ = 0;  // of the residue
+  std::uint32_t number_ = 0;                        // of the residue
   std::vector<std::vector<std::uint32_t>> places_;  // atoms of the residue by place
   std::vector<NameId> done_;
   Ends here_, before_;

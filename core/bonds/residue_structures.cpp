@@ -58,12 +58,12 @@ constexpr Entry kNucleotides[] = {
 };
 
 // The last two rows are of GROMOS and CHARMM.
-constexpr std::string_view kAminoAcidNames[][2] = {
-    {"OT1", "O"}, {"OC1", "O"}, {"O1", "O"}, {"OT2", "OXT"}, {"OC2", "OXT"}, {"O2", "OXT"}};
+constexpr std::string_view kAminoAcidNames[][2] = {{"OT1", "O"},   {"OC1", "O"},   {"O1", "O"},
+                                                   {"OT2", "OXT"}, {"OC2", "OXT"}, {"O2", "OXT"}};
 constexpr std::string_view kNucleotideNames[][2] = {
-    {"O1P", "OP1"}, {"O2P", "OP2"}, {"O3P", "OP3"}, {"C5M", "C7"},  {"C1*", "C1'"}, {"C2*", "C2'"},
-    {"C3*", "C3'"}, {"C4*", "C4'"}, {"C5*", "C5'"}, {"O2*", "O2'"}, {"O3*", "O3'"}, {"O4*", "O4'"},
-    {"O5*", "O5'"}};
+    {"O1P", "OP1"}, {"O2P", "OP2"}, {"O3P", "OP3"}, {"C5M", "C7"},  {"C1*", "C1'"},
+    {"C2*", "C2'"}, {"C3*", "C3'"}, {"C4*", "C4'"}, {"C5*", "C5'"}, {"O2*", "O2'"},
+    {"O3*", "O3'"}, {"O4*", "O4'"}, {"O5*", "O5'"}};
 
 std::uint8_t add_place(ResidueStructure& structure, std::string_view atom) {
   const auto found = std::find(structure.atoms.begin(), structure.atoms.end(), atom);
@@ -153,8 +153,7 @@ std::uint8_t ResidueStructures::place(NameId residue, NameId atom) {
   std::uint8_t& place = at.places[atom];
   if (place != kUnknown) return place;
   const std::string_view standard = standard_name(names_.text(residue));
-  const std::string_view name =
-      structure_name(standard, names_.text(atom), standard.size() == 1);
+  const std::string_view name = structure_name(standard, names_.text(atom), standard.size() == 1);
   const auto& atoms = at.structure->atoms;
   const auto found = std::find(atoms.begin(), atoms.end(), name);
   place = found == atoms.end() ? kNoPlace : static_cast<std::uint8_t>(found - atoms.begin());

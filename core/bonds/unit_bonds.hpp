@@ -14,13 +14,13 @@ namespace alphascope {
 
 // What may be bonded to an atom by distance.
 enum class Openness : std::uint8_t {
-  none,       // a dummy, or an atom of unknown element
-  closed,     // a known residue has all its bonds but those to ligands and metals
+  none,        // a dummy, or an atom of unknown element
+  closed,      // a known residue has all its bonds but those to ligands and metals
   only_metal,  // water and lone ions: metals
-  chain_end,  // C, N, P or O3' without a neighbour: other ends as well
-  cysteine,   // SG: another one as well
-  hydrogen,   // the nearest heavy atom of its residue
-  open        // all others
+  chain_end,   // C, N, P or O3' without a neighbour: other ends as well
+  cysteine,    // SG: another one as well
+  hydrogen,    // the nearest heavy atom of its residue
+  open         // all others
 };
 
 // State of one unit, passed from step to step. Atoms are numbered from 0 in the unit.
@@ -30,6 +30,7 @@ struct UnitBonds {
   std::vector<std::uint32_t> atoms = {};    // indices of the first copy, ascending
   std::vector<std::uint32_t> residue = {};  // per atom; kNoResidue for atoms without names
   std::vector<Openness> openness = {};      // per atom
+  std::vector<bool> stated = {};            // per atom: the file states a covalent bond of it
   std::vector<Bond> bonds = {};             // with numbers in the unit
   std::size_t too_long = 0, crowded = 0;
 

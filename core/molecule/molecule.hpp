@@ -58,7 +58,8 @@ inline bool same_residue_number(const Atom& a, const Atom& b) {
          a.insertion_code == b.insertion_code;
 }
 
-// Returns whether two atoms can be there at once: alternative locations of different letters cannot.
+// Returns whether two atoms can be there at once: alternative locations of different letters
+// cannot.
 inline bool may_meet(const Atom& a, const Atom& b) {
   return a.altloc == b.altloc || a.altloc == ' ' || b.altloc == ' ';
 }
@@ -98,7 +99,7 @@ struct Molecule {
   std::vector<Bond> stated_bonds;  // ascending, each once
   // Records of bonds to atoms that are not in the file, or that share a number with others.
   std::size_t unresolved_bonds = 0;
-  std::string sha256;              // of the file on disk, in hexadecimal digits
+  std::string sha256;  // of the file on disk, in hexadecimal digits
 
   std::string_view text(NameId id) const { return names.text(id); }
 };

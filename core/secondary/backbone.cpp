@@ -116,9 +116,9 @@ void find_chain_breaks(const Molecule& molecule, std::vector<BackboneResidue>& r
     const Atom &a = molecule.atoms[here.first], &b = molecule.atoms[next.first];
     if (a.chain != b.chain || a.segment != b.segment) continue;
     const bool has_bond = here.c != kNoAtom && next.n != kNoAtom;
-    here.bound_to_next =
-        has_bond ? distance_angstrom(molecule, here.c, next.n) <= kLongestPeptideBond
-                 : distance_angstrom(molecule, here.ca, next.ca) <= kLongestStep;
+    here.bound_to_next = has_bond
+                             ? distance_angstrom(molecule, here.c, next.n) <= kLongestPeptideBond
+                             : distance_angstrom(molecule, here.ca, next.ca) <= kLongestStep;
   }
 }
 

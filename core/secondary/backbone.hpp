@@ -27,7 +27,8 @@ struct BackboneResidue {
   bool complete() const { return n != kNoAtom && c != kNoAtom && o != kNoAtom; }
 };
 
-// Å, as DSSP has it. A peptide bond is 1.33 Å long; consecutive residues of a gap are further apart.
+// Å, as DSSP has it. A peptide bond is 1.33 Å long; consecutive residues of a gap are further
+// apart.
 inline constexpr double kLongestPeptideBond = 2.5;
 // Å. Consecutive CA are 3.8 Å apart, or 2.9 Å across a cis bond.
 inline constexpr double kLongestStep = 4.3;

@@ -162,7 +162,8 @@ class Assignment {
 
 }  // namespace
 
-std::vector<SecondaryStructure> dssp(const Molecule& molecule, const std::vector<BackboneResidue>& residues,
+std::vector<SecondaryStructure> dssp(const Molecule& molecule,
+                                     const std::vector<BackboneResidue>& residues,
                                      const std::vector<HydrogenBonds>& bonds) {
   return Assignment(molecule, residues, bonds).make();
 }

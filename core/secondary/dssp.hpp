@@ -13,7 +13,8 @@
 namespace alphascope {
 
 // One kind per residue. All residues must be complete.
-std::vector<SecondaryStructure> dssp(const Molecule& molecule, const std::vector<BackboneResidue>& residues,
+std::vector<SecondaryStructure> dssp(const Molecule& molecule,
+                                     const std::vector<BackboneResidue>& residues,
                                      const std::vector<HydrogenBonds>& bonds);
 
 }  // namespace alphascope

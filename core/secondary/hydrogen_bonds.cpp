@@ -29,14 +29,15 @@ struct Group {  // Å
   bool gives = false;  // has a hydrogen at N
 };
 
-std::vector<Group> place_groups(const Molecule& molecule, const std::vector<BackboneResidue>& residues) {
+std::vector<Group> place_groups(const Molecule& molecule,
+                                const std::vector<BackboneResidue>& residues) {
   std::vector<Group> groups;
   groups.reserve(residues.size());
   for (std::size_t k = 0; k < residues.size(); ++k) {
     const BackboneResidue& residue = residues[k];
-    Group group{position_angstrom(molecule, residue.n), {}, position_angstrom(molecule, residue.ca),
-                position_angstrom(molecule, residue.c), position_angstrom(molecule, residue.o),
-                !residue.ring_at_nitrogen};
+    Group group{position_angstrom(molecule, residue.n),  {},
+                position_angstrom(molecule, residue.ca), position_angstrom(molecule, residue.c),
+                position_angstrom(molecule, residue.o),  !residue.ring_at_nitrogen};
     // H is 1 Å from N, in the direction from O to C of the residue before. Without such a residue
     // DSSP leaves it at N, where N-H has no dipole.
     group.h = group.n;
@@ -75,8 +76,8 @@ void note(HydrogenBonds& bonds, std::uint32_t acceptor, double energy) {
 UniformGrid grid_of(const Molecule& molecule, const std::vector<BackboneResidue>& residues) {
   BallSet balls;
   balls.lattice = molecule.lattice;
-  const auto radius = static_cast<std::int32_t>(
-      std::ceil(kReach / 2 * molecule.lattice.units_per_angstrom()));
+  const auto radius =
+      static_cast<std::int32_t>(std::ceil(kReach / 2 * molecule.lattice.units_per_angstrom()));
   for (const BackboneResidue& residue : residues) {
     balls.centres.push_back(molecule.atoms[residue.ca].position);
   }
@@ -86,7 +87,8 @@ UniformGrid grid_of(const Molecule& molecule, const std::vector<BackboneResidue>
 
 }  // namespace
 
-HydrogenBondList find_hydrogen_bonds(const Molecule& molecule, const std::vector<BackboneResidue>& residues,
+HydrogenBondList find_hydrogen_bonds(const Molecule& molecule,
+                                     const std::vector<BackboneResidue>& residues,
                                      const RunContext& context) {
   const std::vector<Group> groups = place_groups(molecule, residues);
   const UniformGrid grid = grid_of(molecule, residues);

@@ -31,7 +31,8 @@ struct HydrogenBondList {
 
 // Places the hydrogens, and takes time linear in the residues, which must be complete. Throws
 // Cancelled.
-HydrogenBondList find_hydrogen_bonds(const Molecule& molecule, const std::vector<BackboneResidue>& residues,
+HydrogenBondList find_hydrogen_bonds(const Molecule& molecule,
+                                     const std::vector<BackboneResidue>& residues,
                                      const RunContext& context);
 
 }  // namespace alphascope

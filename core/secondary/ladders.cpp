@@ -127,7 +127,7 @@ class LadderFinder {
   const std::vector<int>& chain_of_;
   const int size_;
   std::vector<Ladder> ladders_;
-  int row_ = -2;                             // i of the pairs that are being added
+  int row_ = -2;                              // i of the pairs that are being added
   std::vector<std::size_t> growing_, grown_;  // ladders that reach row_ - 1, and row_
 };
 

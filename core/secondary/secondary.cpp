@@ -88,8 +88,7 @@ class SecondaryFinder {
     for (std::size_t u = 0; u < units_.size(); ++u) {
       for (std::size_t k = 0; k < residues_[u].size(); ++k) {
         const std::size_t ca = residues_[u][k].ca;
-        kinds_[u][k] =
-            kind_in_file(stretches, CopyUnit::deposited(units_[u].part_of(ca), ca));
+        kinds_[u][k] = kind_in_file(stretches, CopyUnit::deposited(units_[u].part_of(ca), ca));
         any = any || kinds_[u][k] != Kind::coil;
       }
     }
@@ -127,8 +126,7 @@ class SecondaryFinder {
 
   void add_copy(const CopyUnit& unit, BackboneResidue residue, std::size_t copy) {
     const UnitPart& part = unit.part_of(residue.ca);
-    for (std::uint32_t* atom :
-         {&residue.first, &residue.ca, &residue.n, &residue.c, &residue.o}) {
+    for (std::uint32_t* atom : {&residue.first, &residue.ca, &residue.n, &residue.c, &residue.o}) {
       if (*atom != kNoAtom) *atom = static_cast<std::uint32_t>(part.of_copy(*atom, copy));
     }
     result_.incomplete += !residue.complete();
@@ -178,8 +176,8 @@ std::string summary(const SecondaryModel& secondary) {
   const bool from_file = secondary.source == SecondarySource::file;
   text += from_file ? "; from the file's records" : "; from hydrogen bonds (DSSP)";
   if (!from_file && secondary.incomplete > 0) {
-    text += "; " + count_text(secondary.incomplete, "residue lacks", "residues lack") +
-            " N, C or O";
+    text +=
+        "; " + count_text(secondary.incomplete, "residue lacks", "residues lack") + " N, C or O";
   }
   if (secondary.crowded > 0) {
     text += "; " + count_text(secondary.crowded, "residue has", "residues have") +

@@ -11,6 +11,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/commands/columns.hpp"
+#include "app/cli/commands/info_structure.hpp"
 #include "app/cli/failure.hpp"
 #include "app/cli/files_command.hpp"
 #include "app/cli/option_groups.hpp"
@@ -137,6 +138,7 @@ void print(const Input& input) {
             << grouped(molecule.models.size())
             << (molecule.models.size() == 1 ? " model\n" : " models\n");
   std::cout << "kinds       " << kinds_text(input.opened.contents->kinds) << "\n";
+  std::cout << structure_text(input);
   print_assemblies(molecule);
   std::cout << "balls       " << grouped(balls.size()) << "\n";
   std::cout << "radii       " << report.radii_name;
@@ -180,28 +182,37 @@ std::vector<ListedResidues> residues_of(const Input& input, ResidueListing listi
   return list_residues(molecule, model.begin, model.end, listing);
 }
 
-void print_residues(const std::vector<ListedResidues>& list) {
+// `secondary`: the kinds of residues that are listed one by one; null for groups of residues.
+void print_residues(const std::vector<ListedResidues>& list, const SecondaryKinds* secondary) {
   std::vector<std::string> names, numbers;
   for (const ListedResidues& residues : list) {
     names.push_back(residues.name);
     numbers.push_back(residues.number);
   }
-  const Table table({{"chain", 5, true},
-                     {"name", widest(names), true},
-                     {"number", widest(numbers), true},
-                     {"kind", 7, true},
-                     {"residues", 8},
-                     {"atoms", 9},
-                     {"why", 0, true}});
+  std::vector<TableColumn> columns{{"chain", 5, true},
+                                   {"name", widest(names), true},
+                                   {"number", widest(numbers), true},
+                                   {"kind", 7, true},
+                                   {"residues", 8},
+                                   {"atoms", 9}};
+  if (secondary != nullptr) columns.push_back({"secondary", 15, true});
+  columns.push_back({"why", 0, true});
+  const Table table(columns);
   std::cout << table.heading();
   for (const ListedResidues& residues : list) {
-    std::cout << table.line({residues.chain, residues.name, residues.number,
-                             kind_name(residues.kind), grouped(residues.residues),
-                             grouped(residues.atoms), reason_text(residues.why)});
+    std::vector<std::string> line{residues.chain,
+                                  residues.name,
+                                  residues.number,
+                                  kind_name(residues.kind),
+                                  grouped(residues.residues),
+                                  grouped(residues.atoms)};
+    if (secondary != nullptr) line.push_back(secondary_of(*secondary, residues));
+    line.emplace_back(reason_text(residues.why));
+    std::cout << table.line(line);
   }
 }
 
-Json residues_json(const std::vector<ListedResidues>& list) {
+Json residues_json(const std::vector<ListedResidues>& list, const SecondaryKinds* secondary) {
   Json json = Json::array();
   for (const ListedResidues& residues : list) {
     json.push_back({{"chain", residues.chain},
@@ -213,6 +224,8 @@ Json residues_json(const std::vector<ListedResidues>& list) {
                     {"guessed", is_guess(residues.why)},
                     {"residues", residues.residues},
                     {"atoms", residues.atoms}});
+    const std::string kind = secondary ? secondary_of(*secondary, residues) : std::string();
+    if (!kind.empty()) json.back()["secondary_structure"] = kind;
   }
   return json;
 }
@@ -322,12 +335,17 @@ ExitCode run_info(const InfoOptions& options) {
     }
     std::vector<ListedResidues> residues;
     if (listed) residues = residues_of(input, listing_of(options));
-    if (listed && shown) print_residues(residues);
+    std::vector<SecondaryModel> secondary;
+    if (options.each_residue || command.json.wanted()) secondary = secondary_of(input);
+    const SecondaryKinds kinds = options.each_residue ? kinds_by_atom(secondary) : SecondaryKinds();
+    const SecondaryKinds* const shown_kinds = options.each_residue ? &kinds : nullptr;
+    if (listed && shown) print_residues(residues, shown_kinds);
     if (command.json.wanted()) {
       Json json = {{"input", input_json(input, input.prepared().balls->lattice)},
                    {"kinds", kinds_json(*input.opened.contents)},
                    {"radii_in_use", radii_json(*input.prepared().balls)}};
-      if (listed) json["residues"] = residues_json(residues);
+      add_structure_json(input, secondary, json);
+      if (listed) json["residues"] = residues_json(residues, shown_kinds);
       command.json.add(std::move(json));
     }
     if (command.csv.wanted()) command.csv.add(csv_row(input));
@@ -341,7 +359,9 @@ OptionCommand table_of_info(InfoOptions& options) {
   command.options.push_back(flag_option(
       "--residues", "List the kinds of residues, and the reasons for them", options.residues));
   command.options.push_back(flag_option(
-      "--each-residue", "List the kind of every residue on a line of its own, and the reason",
+      "--each-residue",
+      "List the kind and the secondary structure of every residue on a line of its own, and the "
+      "reason for the kind",
       options.each_residue));
   command.options.push_back(output(
       "--json", "Contents, used atoms and radii as JSON; - for standard output", options.json));

@@ -44,8 +44,7 @@ class Statement {
       ++molecule_.unresolved_bonds;
       return;
     }
-    const bool metal =
-        is_metal(molecule_.atoms[a].element) || is_metal(molecule_.atoms[b].element);
+    const bool metal = is_metal(molecule_.atoms[a].element) || is_metal(molecule_.atoms[b].element);
     molecule_.stated_bonds.push_back({std::min(a, b), std::max(a, b), order,
                                       metal ? BondKind::coordination : BondKind::covalent,
                                       BondReason::file});
@@ -77,7 +76,8 @@ class Statement {
     for (const NamedBond& bond : bonds_.named()) {
       const bool there = is_there(bond.a.chain) && is_there(bond.a.name) &&
                          is_there(bond.b.chain) && is_there(bond.b.name);
-      if (!there || !join(wanted[key(bond.a)], wanted[key(bond.b)], bond.order)) ++molecule_.unresolved_bonds;
+      if (!there || !join(wanted[key(bond.a)], wanted[key(bond.b)], bond.order))
+        ++molecule_.unresolved_bonds;
     }
   }
 

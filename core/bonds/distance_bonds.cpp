@@ -21,8 +21,9 @@ namespace {
 // Å beyond the sum of the covalent radii, for atoms of one residue and of two.
 constexpr double kWithin = 0.45, kBetween = 0.25;
 constexpr double kNearest = 0.4;  // Å
-// Candidates that are tried for an atom. With hydrogens and two locations there are some 500.
-constexpr std::uint32_t kMostTried = 2048;
+// An atom is crowded if more atoms are in the cells around it, or more in bonding distance. With
+// hydrogens and two locations there are some 500 in the cells, and 20 in bonding distance.
+constexpr std::uint32_t kMostInCells = 8192, kMostInReach = 256;
 constexpr std::size_t kMostKept = 48;  // nearest candidates of an atom
 constexpr int kMostOfMetal = 12;
 constexpr std::size_t kBlock = 4096;  // atoms that one task searches around
@@ -68,18 +69,19 @@ class NearestList {
 // each of the others.
 class PartnerCounts {
  public:
+  // Returns whether there is room for one more partner, and then counts it.
   bool add(char letter, int most) {
-    int& own = counts_[static_cast<unsigned char>(letter) & 63u];
-    const int with_all = counts_[kNoLetter];
-    const int others = letter == ' ' ? *std::max_element(counts_.begin() + 1, counts_.end()) : own;
-    if (letter == ' ' ? with_all + others >= most : with_all + own >= most) return false;
-    ++own;
+    const int with_letter =
+        letter == ' ' ? *std::max_element(letters_.begin(), letters_.end()) : count(letter);
+    if (without_letter_ + with_letter >= most) return false;
+    ++(letter == ' ' ? without_letter_ : count(letter));
     return true;
   }
 
  private:
-  static constexpr std::size_t kNoLetter = ' ' & 63u;  // 32
-  std::array<int, 64> counts_{};
+  int& count(char letter) { return letters_[static_cast<unsigned char>(letter) % letters_.size()]; }
+  int without_letter_ = 0;
+  std::array<int, 64> letters_{};
 };
 
 class DistanceBonds {
@@ -161,23 +163,29 @@ class DistanceBonds {
 
   int most(std::uint32_t i) const { return metal(i) ? kMostOfMetal : most_bonds(element(i)); }
 
-  // Returns whether too many atoms are near.
+  // Returns false if the atom is crowded.
   bool find_near(std::uint32_t i, NearestList& near) const {
     const LatticePoint& p = state_.atom(i).position;
-    std::uint32_t tried = 0;
-    grid_.for_rows_around(grid_.cell_at(p), [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t slot = begin; slot < end && tried < kMostTried; ++slot, ++tried) {
+    const UniformGrid::Cell cell = grid_.cell_at(p);
+    std::uint32_t in_cells = 0, in_reach = 0;
+    grid_.for_rows_around(cell,
+                          [&](std::uint32_t begin, std::uint32_t end) { in_cells += end - begin; });
+    if (in_cells > kMostInCells) return false;
+    const double nearest = kNearest * unit_, farthest = kFarthest * unit_;
+    grid_.for_rows_around(cell, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t slot = begin; slot < end && in_reach <= kMostInReach; ++slot) {
         const std::uint32_t other = grid_.ball[slot];
         const double x = double(grid_.x[slot]) - p.x, y = double(grid_.y[slot]) - p.y,
                      z = double(grid_.z[slot]) - p.z;
         const double square = x * x + y * y + z * z;
-        if (square > kFarthest * kFarthest * unit_ * unit_ || other == i) continue;
-        if (square < kNearest * kNearest * unit_ * unit_) continue;
+        if (square > farthest * farthest || square < nearest * nearest || other == i) continue;
         const std::optional<double> reach = longest(i, other);
-        if (reach && square <= *reach * *reach * unit_ * unit_) near.add({square, other});
+        if (!reach || square > *reach * *reach * unit_ * unit_) continue;
+        ++in_reach;
+        near.add({square, other});
       }
     });
-    return tried >= kMostTried;
+    return in_reach <= kMostInReach;
   }
 
   void search() {
@@ -191,7 +199,7 @@ class DistanceBonds {
           if (k % 256 == 0 && context_.cancel.cancelled()) return;
           const std::uint32_t i = searching_[k];
           NearestList near;
-          if (find_near(i, near)) {
+          if (!find_near(i, near)) {
             ++crowded[block];
             continue;
           }

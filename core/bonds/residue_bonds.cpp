@@ -33,6 +33,10 @@ bool named_after(std::string_view hydrogen, std::string_view heavy) {
   hydrogen.remove_prefix(1);
   if (hydrogen == heavy) return true;
   heavy.remove_prefix(1);
+  // The first N of a chain has H1, HT1 or HN1.
+  if (heavy.empty() && (hydrogen.starts_with('T') || hydrogen.starts_with('N'))) {
+    hydrogen.remove_prefix(1);
+  }
   return hydrogen.starts_with(heavy) && hydrogen.size() <= heavy.size() + 1;
 }
 

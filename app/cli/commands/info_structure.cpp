@@ -89,8 +89,7 @@ void add_structure_json(const Input& input, const std::vector<SecondaryModel>& s
                         Json& json) {
   if (secondary.size() != 1) return;
   json["secondary_structure"] = secondary_json(secondary.front());
-  json["bonds"] =
-      bonds_json(find_bonds(input.molecule(), models_of(input).front(), run_context()));
+  json["bonds"] = bonds_json(find_bonds(input.molecule(), models_of(input).front(), run_context()));
 }
 
 }  // namespace alphascope::cli

@@ -35,10 +35,9 @@ BondList bonds_of(const Molecule& molecule) {
 std::string atom(int serial, const char* name, const char* residue, int number, double x, double y,
                  double z, const char* element, char altloc = ' ', bool hetero = false) {
   char line[100];
-  std::snprintf(line, sizeof line,
-                "%-6s%5d %-4s%c%3s A%4d    %8.3f%8.3f%8.3f  1.00  0.00          %2s\n",
-                hetero ? "HETATM" : "ATOM", serial, name, altloc, residue, number, x, y, z,
-                element);
+  std::snprintf(
+      line, sizeof line, "%-6s%5d %-4s%c%3s A%4d    %8.3f%8.3f%8.3f  1.00  0.00          %2s\n",
+      hetero ? "HETATM" : "ATOM", serial, name, altloc, residue, number, x, y, z, element);
   return line;
 }
 
@@ -56,11 +55,12 @@ std::set<Pair> names(const Molecule& m, const std::vector<Bond>& bonds) {
   return result;
 }
 
-std::string pdb_text_without(const std::filesystem::path& path, const std::string& record) {
-  std::istringstream text(read_text_file(path).text);
+std::string pdb_text_without(const std::filesystem::path& path, const std::string& record,
+                             const std::string& other = "CONECT") {
+  std::istringstream text(std::string(load_text(path, std::uint64_t{1} << 30, {}).text));
   std::string kept;
   for (std::string line; std::getline(text, line);) {
-    if (!line.starts_with(record)) kept += line + '\n';
+    if (!line.starts_with(record) && !line.starts_with(other)) kept += line + '\n';
   }
   return kept;
 }
@@ -112,8 +112,8 @@ TEST(Bonds, IronOfHaemIsCoordinated) {
 // Bonds within each residue that has all its heavy atoms, without OXT.
 TEST(Bonds, CompleteResiduesHaveTheirBonds) {
   const std::map<std::string, std::size_t> expected = {
-      {"ALA", 4}, {"ARG", 10}, {"ASN", 7}, {"ASP", 7}, {"CYS", 5},  {"GLN", 8}, {"GLU", 8},
-      {"GLY", 3}, {"HIS", 10}, {"ILE", 7}, {"LEU", 7}, {"LYS", 8},  {"MET", 7}, {"PHE", 11},
+      {"ALA", 4}, {"ARG", 10}, {"ASN", 7}, {"ASP", 7},  {"CYS", 5},  {"GLN", 8}, {"GLU", 8},
+      {"GLY", 3}, {"HIS", 10}, {"ILE", 7}, {"LEU", 7},  {"LYS", 8},  {"MET", 7}, {"PHE", 11},
       {"PRO", 7}, {"SER", 5},  {"THR", 6}, {"TRP", 15}, {"TYR", 12}, {"VAL", 6}};
   const Molecule m = sample("4hhb.pdb.gz");
   using Residue = std::pair<NameId, int>;
@@ -124,34 +124,39 @@ TEST(Bonds, CompleteResiduesHaveTheirBonds) {
     ++atoms[{a.chain, a.residue_number}];
     names[{a.chain, a.residue_number}] = m.text(a.residue_name);
   }
-  for (const Bond& bond : bonds_of(m).bonds) {
+  const BondList list = bonds_of(m);
+  for (const Bond& bond : list.bonds) {
     const Atom &a = m.atoms[bond.a], &b = m.atoms[bond.b];
     if (!same_residue_number(a, b) || m.text(a.name) == "OXT" || m.text(b.name) == "OXT") continue;
     ++bonds[{a.chain, a.residue_number}];
   }
   std::set<std::string> seen;
+  std::size_t missing = 0;
   for (const auto& [residue, name] : names) {
-    // VAL 1 and HIS 2 of chain B are bonded by distance, and the valine has impossible lengths.
     const ResidueStructure* structure = residue_structure(name);
     ASSERT_NE(structure, nullptr) << name;
     if (atoms[residue] + 1 != structure->atoms.size()) continue;
-    EXPECT_EQ(bonds[residue], expected.at(name)) << name << ' ' << residue.second;
+    EXPECT_LE(bonds[residue], expected.at(name)) << name << ' ' << residue.second;
+    missing += expected.at(name) - bonds[residue];
     seen.insert(name);
   }
+  // In this entry CZ of arginine 92 in chain C is 2.97 Å from NE.
+  EXPECT_EQ(missing, 1u);
+  EXPECT_EQ(list.too_long, 1u);
   EXPECT_GE(seen.size(), 19u);  // haemoglobin has no isoleucine
   // The number of bonds of a connected structure is one less than that of atoms, and one more for
   // each ring.
   for (const auto& [name, count] : expected) {
     EXPECT_EQ(residue_structure(name)->bonds.size(), count + 1) << name << " with OXT";
   }
-  const std::map<std::string, std::size_t> nucleotides = {
-      {"A", 26}, {"C", 23}, {"G", 27}, {"I", 26}, {"T", 24}, {"U", 23}};
+  const std::map<std::string, std::size_t> nucleotides = {{"A", 25}, {"C", 22}, {"G", 26},
+                                                          {"I", 25}, {"T", 23}, {"U", 22}};
   for (const auto& [name, count] : nucleotides) {
     EXPECT_EQ(residue_structure(name)->bonds.size(), count) << name << " with OP3 and O2'";
   }
 }
 
-// In thirds of a bond: an aromatic one counts one and a half, up to four for a carbon of two rings.
+// In sixths of a bond. An aromatic bond counts 4/3, so that an atom of two rings has four bonds.
 int sixths(BondOrder order) {
   switch (order) {
     case BondOrder::two:
@@ -169,7 +174,7 @@ TEST(Bonds, ValencesOfResidueStructures) {
   const std::map<char, int> most = {{'C', 4}, {'N', 4}, {'O', 2}, {'S', 2}, {'P', 5}};
   for (const char* name : {"ALA", "ARG", "ASN", "ASP", "CYS", "GLN", "GLU", "GLY", "HIS", "ILE",
                            "LEU", "LYS", "MET", "MSE", "PHE", "PRO", "SEC", "SER", "THR", "TRP",
-                           "TYR", "VAL", "A", "C", "G", "I", "T", "U"}) {
+                           "TYR", "VAL", "A",   "C",   "G",   "I",   "T",   "U"}) {
     const ResidueStructure* structure = residue_structure(name);
     ASSERT_NE(structure, nullptr) << name;
     std::vector<int> sums(structure->atoms.size(), 0);
@@ -210,9 +215,9 @@ TEST(Bonds, HydrogensHaveOneBondAndNoElementTooMany) {
 TEST(Bonds, LigandsHaveTheBondsOfConect) {
   ALPHASCOPE_NEED_TEST_DATA();
   std::size_t stated = 0, both = 0, extra = 0;
-  for (const char* file : {"cavities/fpocket/1atp.pdb.gz", "cavities/fpocket/1uyd.pdb.gz",
-                           "cavities/sbl_vorlume/2w83.pdb.gz", "cavities/p2rank/1fbl.pdb.gz",
-                           "thesis/1aon.pdb.gz"}) {
+  for (const char* file :
+       {"cavities/fpocket/1atp.pdb.gz", "cavities/fpocket/1uyd.pdb.gz",
+        "cavities/sbl_vorlume/2w83.pdb.gz", "cavities/p2rank/1fbl.pdb.gz", "thesis/1aon.pdb.gz"}) {
     const Molecule with = read_molecule(test_data(file));
     const Molecule without = read_text("a.pdb", pdb_text_without(test_data(file), "CONECT"));
     ASSERT_EQ(with.atoms.size(), without.atoms.size());
@@ -225,9 +230,6 @@ TEST(Bonds, LigandsHaveTheBondsOfConect) {
       }
       return pairs;
     };
-    for (const Bond& bond : with.stated_bonds) {
-      EXPECT_LT(bond.a, bond.b);
-    }
     const auto a = of_ligands(with), b = of_ligands(without);
     stated += a.size();
     for (const auto& pair : b) (a.contains(pair) ? both : extra) += 1;
@@ -305,8 +307,8 @@ TEST(Bonds, WaterMetalsAndIons) {
 TEST(Bonds, NearestPartnersCountWhereAtomsCrowd) {
   // Carbon with six neighbours in bonding distance keeps the four nearest.
   std::string text = atom(1, " C1", "LIG", 1, 0, 0, 0, "C", ' ', true);
-  const double places[6][3] = {{1.4, 0, 0},  {-1.42, 0, 0}, {0, 1.44, 0},
-                               {0, -1.46, 0}, {0, 0, 1.58}, {0, 0, -1.59}};
+  const double places[6][3] = {{1.4, 0, 0},   {-1.42, 0, 0}, {0, 1.44, 0},
+                               {0, -1.46, 0}, {0, 0, 1.58},  {0, 0, -1.59}};
   for (int k = 0; k < 6; ++k) {
     const std::string name = " F" + std::to_string(k + 1);
     text += atom(2 + k, name.c_str(), "LIG", 1, places[k][0], places[k][1], places[k][2], "F", ' ',
@@ -318,11 +320,11 @@ TEST(Bonds, NearestPartnersCountWhereAtomsCrowd) {
 }
 
 TEST(Bonds, TooLongOnesAreLeftOutAndCounted) {
-  const Molecule m = read_text(
-      "a.pdb", atom(1, " C1", "LIG", 1, 0, 0, 0, "C", ' ', true) +
-                   atom(2, " C2", "LIG", 1, 3.1, 0, 0, "C", ' ', true) +
-                   atom(3, " C3", "LIG", 1, 0, 3.0, 0, "C", ' ', true) +
-                   "CONECT    1    2\nCONECT    1    3\nCONECT    1   99\n");
+  const Molecule m =
+      read_text("a.pdb", atom(1, " C1", "LIG", 1, 0, 0, 0, "C", ' ', true) +
+                             atom(2, " C2", "LIG", 1, 3.1, 0, 0, "C", ' ', true) +
+                             atom(3, " C3", "LIG", 1, 0, 3.0, 0, "C", ' ', true) +
+                             "CONECT    1    2\nCONECT    1    3\nCONECT    1   99\n");
   const BondList list = bonds_of(m);
   EXPECT_EQ(list.bonds.size(), 1u);
   EXPECT_EQ(list.too_long, 1u);
@@ -383,7 +385,6 @@ TEST(Bonds, FilesWithoutResiduesHaveBondsByDistance) {
   EXPECT_EQ(list.guessed(), 5u);
 }
 
-// A search among all pairs would take 20 times as long as the rest of these tests.
 TEST(Bonds, ManyAtomsAtOnePlaceTakeLinearTime) {
   std::string text = "40000\nx\n";
   for (int k = 0; k < 40000; ++k) {

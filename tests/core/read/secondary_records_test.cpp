@@ -25,7 +25,8 @@ std::vector<SampleAtom> two_chains() {
 
 std::string helix(char chain, const char* first, char last_chain, const char* last,
                   const char* kind = " 1") {
-  return text_of("HELIX    1   1 ALA %c %4s  ALA %c %4s %2s", chain, first, last_chain, last, kind) +
+  return text_of("HELIX    1   1 ALA %c %4s  ALA %c %4s %2s", chain, first, last_chain, last,
+                 kind) +
          "                                   9\n";
 }
 std::string sheet(const char* first, const char* last) {
@@ -33,15 +34,14 @@ std::string sheet(const char* first, const char* last) {
 }
 
 bool notes_contain(const Molecule& m, const std::string& text) {
-  return std::any_of(m.notes.begin(), m.notes.end(), [&](const std::string& note) {
-    return note.find(text) != std::string::npos;
-  });
+  return std::any_of(m.notes.begin(), m.notes.end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
 }
 
 TEST(SecondaryRecords, OfPdbFiles) {
-  const Molecule m = read_text("a.pdb", helix('A', "2", 'A', "4") + helix('A', "5", 'A', "6", " 5") +
-                                            helix('B', "1", 'B', "3", " 3") + sheet("8", "9") +
-                                            as_pdb(two_chains()));
+  const Molecule m = read_text(
+      "a.pdb", helix('A', "2", 'A', "4") + helix('A', "5", 'A', "6", " 5") +
+                   helix('B', "1", 'B', "3", " 3") + sheet("8", "9") + as_pdb(two_chains()));
   const std::vector<SecondaryRange> expected = {{4, 16, Kind::alpha_helix},
                                                 {16, 24, Kind::three_ten_helix},
                                                 {40, 52, Kind::pi_helix},
@@ -86,8 +86,9 @@ TEST(SecondaryRecords, HostileNumbersOfMmcif) {
   std::string tables =
       "loop_\n_struct_conf.conf_type_id\n_struct_conf.beg_auth_asym_id\n"
       "_struct_conf.beg_auth_seq_id\n_struct_conf.end_auth_asym_id\n_struct_conf.end_auth_seq_id\n";
-  tables += "HELX_P A 99999999999999999999 A 3\nHELX_P A 1 A -2147483649\nHELX_P A 1.5 A 3\n"
-            "HELX_P ? ? ? ?\nHELX_P A 1 A 2\n";
+  tables +=
+      "HELX_P A 99999999999999999999 A 3\nHELX_P A 1 A -2147483649\nHELX_P A 1.5 A 3\n"
+      "HELX_P ? ? ? ?\nHELX_P A 1 A 2\n";
   const Molecule m = read_text("a.cif", as_mmcif(two_chains(), {}) + tables);
   ASSERT_EQ(m.stated_secondary.size(), 1u);
   EXPECT_EQ(m.stated_secondary[0].end, 8u);
@@ -151,8 +152,9 @@ TEST(StatedBonds, OfMmcifLeaveHydrogenBondsOut) {
     }
   }
   table += "_struct_conn.pdbx_value_order\n";
-  table += "1 covale A 1 C A 3 N sing\n2 hydrog A 1 N A 4 O ?\n3 disulf A 2 CA A 5 CA ?\n"
-           "4 metalc A 2 O A 6 O ?\n5 covale A 1 C A 77 N ?\n";
+  table +=
+      "1 covale A 1 C A 3 N sing\n2 hydrog A 1 N A 4 O ?\n3 disulf A 2 CA A 5 CA ?\n"
+      "4 metalc A 2 O A 6 O ?\n5 covale A 1 C A 77 N ?\n";
   const Molecule m = read_text("a.cif", as_mmcif(two_chains(), {}) + table);
   const std::vector<Bond> expected = {bond(2, 8, BondOrder::one), bond(5, 17, BondOrder::one),
                                       bond(7, 23)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares secondary structure from hydrogen bonds with Debian's package dssp (mkdssp 4), residue by
-// residue.
+// Compares secondary structure from hydrogen bonds with Debian's package dssp (mkdssp 4), residue
+// by residue.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -20,17 +20,29 @@
 namespace alphascope {
 namespace {
 
-// Helices of all kinds, strands, barrels, DNA, an amyloid peptide, NMR, a cyclic peptide, alternative
-// locations, virus proteins and cryo-EM.
-constexpr const char* kFiles[] = {
-    "ladder/1crn.cif",          "ladder/1ubq.pdb",          "ladder/1aki.pdb",
-    "ladder/5i55.cif",          "ladder/2buk.pdb",          "ladder/1f2n.pdb.gz",
-    "ladder/3sn6.cif.gz",       "thesis/1u71.pdb",          "thesis/4hhb.pdb.gz",
-    "thesis/1k4c.pdb.gz",       "thesis/2bg9.cif.gz",       "cavities/fpocket/1atp.pdb.gz",
-    "cavities/alphamol/1tim.pdb.gz", "cavities/p2rank/1fbl.pdb.gz",
-    "cavities/fpocket/3lkf.pdb.gz",  "cavities/fpocket/7taa.pdb.gz",
-    "cavities/sbl_vorlume/1d66.pdb", "ensembles/1d3z.cif.gz",
-    "archive/1sfi.cif.gz",      "archive/2igd.cif.gz",      "archive/1k6p.cif.gz"};
+// Helices of all kinds, strands, barrels, DNA, an amyloid peptide, NMR, a cyclic peptide,
+// alternative locations, virus proteins and cryo-EM.
+constexpr const char* kFiles[] = {"ladder/1crn.cif",
+                                  "ladder/1ubq.pdb",
+                                  "ladder/1aki.pdb",
+                                  "ladder/5i55.cif",
+                                  "ladder/2buk.pdb",
+                                  "ladder/1f2n.pdb.gz",
+                                  "ladder/3sn6.cif.gz",
+                                  "thesis/1u71.pdb",
+                                  "thesis/4hhb.pdb.gz",
+                                  "thesis/1k4c.pdb.gz",
+                                  "thesis/2bg9.cif.gz",
+                                  "cavities/fpocket/1atp.pdb.gz",
+                                  "cavities/alphamol/1tim.pdb.gz",
+                                  "cavities/p2rank/1fbl.pdb.gz",
+                                  "cavities/fpocket/3lkf.pdb.gz",
+                                  "cavities/fpocket/7taa.pdb.gz",
+                                  "cavities/sbl_vorlume/1d66.pdb",
+                                  "ensembles/1d3z.cif.gz",
+                                  "archive/1sfi.cif.gz",
+                                  "archive/2igd.cif.gz",
+                                  "archive/1k6p.cif.gz"};
 
 // Letters by chain and residue number with insertion code.
 using Letters = std::map<std::pair<std::string, std::string>, char>;

@@ -19,7 +19,8 @@ namespace alphascope {
 namespace {
 
 Molecule crambin() {
-  return read_molecule(std::filesystem::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/1crn.pdb");
+  return read_molecule(std::filesystem::path(ALPHASCOPE_SOURCE_DIR) /
+                       "resources/molecules/1crn.pdb");
 }
 
 std::string letters(const SecondaryModel& secondary) {
@@ -62,8 +63,7 @@ TEST(Secondary, CrambinHasTheRecordsOfItsFile) {
 // The letters of mkdssp 4.2.2 for 1CRN.
 TEST(Secondary, CrambinHasTheLettersOfDssp) {
   const Molecule m = crambin();
-  const SecondaryModel dssp =
-      find_secondary(m, m.models.front(), SecondaryChoice::hydrogen_bonds);
+  const SecondaryModel dssp = find_secondary(m, m.models.front(), SecondaryChoice::hydrogen_bonds);
   EXPECT_EQ(dssp.source, SecondarySource::hydrogen_bonds);
   EXPECT_EQ(letters(dssp), " EE SSHHHHHHHHHHHTTT  HHHHHHHHS EE SSS   GGG  ");
   EXPECT_EQ(dssp.residues.size(), 46u);
@@ -227,8 +227,7 @@ TEST(Secondary, ManyResiduesAtOnePlaceTakeLinearTime) {
     text += strand(chain, k % 9999 + 1, 1, 0.001 * (k % 100));
   }
   const Molecule m = read_text("a.pdb", text);
-  const SecondaryModel found =
-      find_secondary(m, m.models.front(), SecondaryChoice::hydrogen_bonds);
+  const SecondaryModel found = find_secondary(m, m.models.front(), SecondaryChoice::hydrogen_bonds);
   EXPECT_EQ(found.residues.size(), 6000u);
   EXPECT_GT(found.crowded, 0u);
   EXPECT_NE(summary(found).find("too many others"), std::string::npos);

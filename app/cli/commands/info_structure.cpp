@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "app/cli/input.hpp"
+#include "app/cli/text/terminal.hpp"
 #include "core/bonds/bonds.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/selection/ball_options.hpp"

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <future>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -26,6 +27,7 @@
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/whole_state.hpp"
+#include "ui/widgets/style.hpp"
 
 namespace alphascope {
 namespace {
@@ -157,7 +159,7 @@ int open_window(alphascope::ViewerOptions options) {
   if (!scripted && !options.preferences_given) {
     options.preferences = alphascope::preferences_folder();
   }
-  const alphascope::HostOptions host_options = alphascope::host_options(options);
+  alphascope::HostOptions host_options = alphascope::host_options(options);
   // An OpenGL driver ends the program without a message if an allocation fails. So the program ends
   // here with one.
   const auto free = alphascope::available_bytes();
@@ -168,6 +170,12 @@ int open_window(alphascope::ViewerOptions options) {
                  static_cast<unsigned long long>(*free / 1000000));
     return status_of(ExitCode::computing_failed);
   }
+  // The fonts take a tenth of the time to the first frame. A thread makes them while the driver of
+  // OpenGL is loaded.
+  std::future<alphascope::BuiltFonts> fonts;
+  host_options.scale_is_known = [&fonts](float scale) {
+    fonts = std::async(std::launch::async, [scale] { return alphascope::build_fonts(scale); });
+  };
   std::unique_ptr<alphascope::Host> host;
   try {
     host = scripted ? alphascope::make_egl_host(host_options)
@@ -176,7 +184,9 @@ int open_window(alphascope::ViewerOptions options) {
     std::fprintf(stderr, "alphascope: %s\n", alphascope::printable(error.what()).c_str());
     return status_of(ExitCode::no_display);
   }
-  alphascope::Viewer viewer(*host, options);
+  alphascope::Viewer viewer(*host, options, alphascope::Session::program_services(),
+                            &alphascope::build_mesh,
+                            fonts.valid() ? fonts.get() : alphascope::BuiltFonts{});
   if (scripted) return drive(viewer, options, script);
   viewer.run();
   return status_of(ExitCode::ok);

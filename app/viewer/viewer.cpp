@@ -23,9 +23,9 @@ std::uint64_t large_object_budget(std::uint64_t held) {
 }  // namespace
 
 Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services services,
-               MeshMaker make_mesh)
+               MeshMaker make_mesh, BuiltFonts fonts)
     : host_(host),
-      frame_(host, options.light ? Theme::light : Theme::dark),
+      frame_(host, options.light ? Theme::light : Theme::dark, std::move(fonts)),
       scene_([&host] { host.wake(); },
              [mb = options.drawing_memory_mb] { return available_or(mb); }, std::move(make_mesh)),
       queued_(make_queued()),

@@ -40,7 +40,7 @@ class Viewer {
  public:
   Viewer(Host& host, const ViewerOptions& options,
          Session::Services services = Session::program_services(),
-         MeshMaker make_mesh = &build_mesh);
+         MeshMaker make_mesh = &build_mesh, BuiltFonts fonts = {});
   ~Viewer();
 
   // Runs until the user quits. Draws only when something has changed.

@@ -33,20 +33,35 @@ ImFontConfig font_config() {
   return config;
 }
 
-ImFont* add_font(std::span<const unsigned char> file, float pixels) {
+ImFont* add_font(ImFontAtlas& atlas, std::span<const unsigned char> file, float pixels) {
   ImFontConfig config = font_config();
   config.FontDataOwnedByAtlas = false;  // because the atlas must not free it
   void* data = const_cast<unsigned char*>(file.data());
-  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(data, static_cast<int>(file.size()), pixels,
-                                                    &config, kGlyphRanges);
+  return atlas.AddFontFromMemoryTTF(data, static_cast<int>(file.size()), pixels, &config,
+                                    kGlyphRanges);
 }
 
-ImFont* add_mono(const std::filesystem::path& installed, float pixels) {
+ImFont* add_mono(ImFontAtlas& atlas, const std::filesystem::path& installed, float pixels) {
   const auto file = installed / "truetype/dejavu/DejaVuSansMono.ttf";
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return add_font(inter_regular(), pixels);
+  if (!std::filesystem::is_regular_file(file, ignored))
+    return add_font(atlas, inter_regular(), pixels);
   const ImFontConfig config = font_config();
-  return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, &config, kGlyphRanges);
+  return atlas.AddFontFromFileTTF(file.c_str(), pixels, &config, kGlyphRanges);
+}
+
+PanelFonts fill(ImFontAtlas& atlas, float scale, const std::filesystem::path& installed) {
+  atlas.Clear();
+  atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+  atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  PanelFonts fonts;
+  fonts.regular = add_font(atlas, inter_regular(), std::round(kBodySize * scale));
+  fonts.strong = add_font(atlas, inter_semibold(), std::round(kBodySize * scale));
+  fonts.small = add_font(atlas, inter_regular(), std::round(kSmallSize * scale));
+  fonts.large = add_font(atlas, inter_semibold(), std::round(kLargeSize * scale));
+  fonts.mono = add_mono(atlas, installed, std::round(kSmallSize * scale));
+  atlas.Build();
+  return fonts;
 }
 
 void set_sizes(ImGuiStyle& style) {
@@ -113,18 +128,19 @@ void apply_style(Theme theme, float scale) {
 }
 
 PanelFonts load_fonts(float scale, const std::filesystem::path& installed) {
-  ImFontAtlas* atlas = ImGui::GetIO().Fonts;
-  atlas->Clear();
-  atlas->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
-  atlas->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
-  PanelFonts fonts;
-  fonts.regular = add_font(inter_regular(), std::round(kBodySize * scale));
-  fonts.strong = add_font(inter_semibold(), std::round(kBodySize * scale));
-  fonts.small = add_font(inter_regular(), std::round(kSmallSize * scale));
-  fonts.large = add_font(inter_semibold(), std::round(kLargeSize * scale));
-  fonts.mono = add_mono(installed, std::round(kSmallSize * scale));
-  atlas->Build();
-  return fonts;
+  return fill(*ImGui::GetIO().Fonts, scale, installed);
+}
+
+void FreeAtlas::operator()(ImFontAtlas* atlas) const {
+  delete atlas;
+}
+
+BuiltFonts build_fonts(float scale, const std::filesystem::path& installed) {
+  BuiltFonts built;
+  built.atlas.reset(new ImFontAtlas);
+  built.fonts = fill(*built.atlas, scale, installed);
+  built.scale = scale;
+  return built;
 }
 
 }  // namespace alphascope

@@ -105,6 +105,7 @@ class GlfwHost final : public Host {
       fail("There is no display to open a window on", "Start the program in a graphical session");
     }
     const float scale = fixed_scale_ > 0 ? fixed_scale_ : monitor_scale();
+    if (options.scale_is_known) options.scale_is_known(scale);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct HostOptions {
   int width = 1440, height = 900;  // at scale 1
   double scale = 0;                // 0: scale of the display
   std::string title = "Alphascope";
+  // Called with the factor on fonts and controls, before the window is made, which takes long.
+  std::function<void(float scale)> scale_is_known = {};
 };
 
 struct HostSize {

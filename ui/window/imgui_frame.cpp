@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <iterator>
+#include <utility>
 
 #include "core/document/reference/atom_set.hpp"
 #include "core/document/reference/ref_set.hpp"
@@ -34,9 +35,10 @@ static_assert(std::size(kKeys) == ImGuiKey_COUNT && ImGuiKey_Tab == 0);
 
 }  // namespace
 
-ImGuiFrame::ImGuiFrame(Host& host, Theme theme) : host_(host), theme_(theme) {
+ImGuiFrame::ImGuiFrame(Host& host, Theme theme, BuiltFonts built)
+    : host_(host), built_(std::move(built)), theme_(theme) {
   IMGUI_CHECKVERSION();
-  context_ = ImGui::CreateContext();
+  context_ = ImGui::CreateContext(built_.atlas.get());
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // the layout of panels is fixed
   io.LogFilename = nullptr;
@@ -64,7 +66,9 @@ void ImGuiFrame::load(Theme theme, float scale) {
   const ImGuiIO defaults;
   io.MouseDoubleClickMaxDist = defaults.MouseDoubleClickMaxDist * scale;
   io.MouseDragThreshold = defaults.MouseDragThreshold * scale;
-  fonts_ = load_fonts(scale);
+  const bool are_built = built_.scale == scale;
+  fonts_ = are_built ? built_.fonts : load_fonts(scale);
+  built_.scale = 0;  // the next scale builds the atlas anew
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }

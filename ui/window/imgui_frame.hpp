@@ -26,7 +26,9 @@ struct ScriptedInput {
 
 class ImGuiFrame {
  public:
-  explicit ImGuiFrame(Host& host, Theme theme);
+  // `built`: fonts for the host's scale, made while the window opened; without them they are made
+  // now.
+  ImGuiFrame(Host& host, Theme theme, BuiltFonts built);
   ~ImGuiFrame();
   ImGuiFrame(const ImGuiFrame&) = delete;
   ImGuiFrame& operator=(const ImGuiFrame&) = delete;
@@ -63,6 +65,7 @@ class ImGuiFrame {
   void load(Theme theme, float scale);
 
   Host& host_;
+  BuiltFonts built_;
   ImGuiContext* context_;
   PanelFonts fonts_;
   Theme theme_;

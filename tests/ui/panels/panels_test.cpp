@@ -2,6 +2,7 @@
 // Tests the panels around the view: alpha, timings, dialogs, shortcuts.
 #include <cmath>
 #include <functional>
+#include <future>
 
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
@@ -211,6 +212,22 @@ TEST(PanelsTest, TheLettersAreThereWithoutAnyInstalledFont) {
     }
   }
   ImGui::DestroyContext();
+}
+
+TEST(PanelsTest, FontsMadeByAThreadAreThoseOfTheWindow) {
+  BuiltFonts built = std::async(std::launch::async, [] { return build_fonts(1.5f); }).get();
+  ImGui::CreateContext();
+  const PanelFonts fonts = load_fonts(1.5f);
+  const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  ASSERT_EQ(built.atlas->TexWidth, atlas.TexWidth);
+  ASSERT_EQ(built.atlas->TexHeight, atlas.TexHeight);
+  EXPECT_EQ(built.fonts.regular->FontSize, fonts.regular->FontSize);
+  EXPECT_EQ(built.fonts.mono->CalcTextSizeA(18, 1e3f, 0, "hash").x,
+            fonts.mono->CalcTextSizeA(18, 1e3f, 0, "hash").x);
+  ImGui::DestroyContext();
+  ImGui::CreateContext(built.atlas.get());
+  ImGui::DestroyContext();
+  EXPECT_TRUE(built.atlas->IsBuilt()) << "the context leaves it to its owner";
 }
 
 TEST(PanelsTest, MissingTimesSayWhyAndHowToGetThem) {

@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include <atomic>
+#include <cmath>
 #include <thread>
 
 #include "core/document/settings/request.hpp"
@@ -130,9 +131,9 @@ TEST_F(WindowWords, UndoBringsBackTheViewOfOtherAtoms) {
   const double before = size_of_pixel();
   state().settings.open.balls.selection = "resi 46 and name CA";
   const double fitted = size_of_pixel();
-  ASSERT_NE(fitted, before) << "the view showed none of them";
+  ASSERT_GT(std::fabs(fitted - before), 0.02 * before) << "the view showed none of them";
   run("edit.undo\n");
-  EXPECT_DOUBLE_EQ(size_of_pixel(), before);
+  EXPECT_NEAR(size_of_pixel(), before, 0.01 * before);  // the view may be a pixel higher
 }
 
 TEST_F(WindowWords, ASavedPictureSaysItsSamples) {

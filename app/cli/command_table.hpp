@@ -11,7 +11,7 @@
 namespace alphascope::cli {
 
 struct CommandOptions {
-  std::vector<Command> commands;
+  std::vector<Command> commands = all_commands();
   Verbosity verbosity = Verbosity::normal;
   bool times = true;  // false: --no-times
 };

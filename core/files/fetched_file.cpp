@@ -5,23 +5,17 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <ctime>
 #include <system_error>
+
+#include "core/files/user_folder.hpp"
 
 namespace alphascope {
 
 namespace fs = std::filesystem;
 
 fs::path fetched_files_folder() {
-  const char* const cache = std::getenv("XDG_CACHE_HOME");
-  // The XDG specification requires that relative paths are ignored.
-  if (cache != nullptr && fs::path(cache).is_absolute()) return fs::path(cache) / "alphascope";
-  const char* const home = std::getenv("HOME");
-  if (home != nullptr && fs::path(home).is_absolute()) {
-    return fs::path(home) / ".cache" / "alphascope";
-  }
-  return {};
+  return user_folder("XDG_CACHE_HOME", ".cache");
 }
 
 fs::path fetched_file_path(const fs::path& folder, std::string_view address) {

@@ -3,12 +3,12 @@
 #include "core/document/session/preferences.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "core/document/session/json_fields.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/read_error.hpp"
 #include "core/files/text_file.hpp"
+#include "core/files/user_folder.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/selection/selection_expression.hpp"
@@ -99,14 +99,7 @@ std::vector<fs::path> merged_recent(const std::vector<fs::path>& before,
 }  // namespace
 
 fs::path preferences_folder() {
-  const char* const config = std::getenv("XDG_CONFIG_HOME");
-  // The XDG specification requires that relative paths are ignored.
-  if (config != nullptr && fs::path(config).is_absolute()) return fs::path(config) / "alphascope";
-  const char* const home = std::getenv("HOME");
-  if (home != nullptr && fs::path(home).is_absolute()) {
-    return fs::path(home) / ".config" / "alphascope";
-  }
-  return {};
+  return user_folder("XDG_CONFIG_HOME", ".config");
 }
 
 ReadPreferences read_preferences(const fs::path& folder) {

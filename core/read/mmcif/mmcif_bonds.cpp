@@ -5,25 +5,14 @@
 #include <charconv>
 #include <utility>
 
+#include "core/read/mmcif/mmcif_row.hpp"
 #include "core/text/letter_case.hpp"
 
 namespace alphascope {
 namespace {
 
-using Row = std::map<std::string, std::string, std::less<>>;
-
-std::string value(const Row& row, const std::string& column) {
-  const auto found = row.find(column);
-  return found == row.end() ? std::string() : found->second;
-}
-
-std::string value(const Row& row, const std::string& first, const std::string& second) {
-  const std::string text = value(row, first);
-  return text.empty() ? value(row, second) : text;
-}
-
 // partner: "ptnr1" or "ptnr2". Takes the author's names where they are given, as for atoms.
-BondedAtom bonded_atom(const Row& row, const std::string& partner) {
+BondedAtom bonded_atom(const MmcifRow& row, const std::string& partner) {
   BondedAtom atom;
   atom.chain = value(row, partner + "_auth_asym_id", partner + "_label_asym_id");
   atom.name = value(row, partner + "_auth_atom_id", partner + "_label_atom_id");
@@ -51,7 +40,7 @@ void MmcifBondTable::add(int block, std::string_view tag, std::string_view value
 }
 
 void MmcifBondTable::take(Block& block) {
-  const Row row = std::move(block.row);
+  const MmcifRow row = std::move(block.row);
   block.row.clear();
   // The type is "covale", "covale_base" or similar; hydrogen bonds and salt bridges are no bonds
   // here. Both atoms must be of the same asymmetric unit.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/read/mmcif/mmcif_row.hpp"
 #include "core/text/letter_case.hpp"
 
 namespace alphascope {
@@ -13,20 +14,8 @@ namespace {
 
 constexpr std::string_view kHelices = "_struct_conf.", kStrands = "_struct_sheet_range.";
 
-using Values = std::map<std::string, std::string, std::less<>>;
-
-std::string value(const Values& row, const std::string& column) {
-  const auto found = row.find(column);
-  return found == row.end() ? std::string() : found->second;
-}
-
-std::string value(const Values& row, const std::string& first, const std::string& second) {
-  const std::string text = value(row, first);
-  return text.empty() ? value(row, second) : text;
-}
-
 // end: "beg" or "end". Takes the author's names where they are given, as for atoms.
-EndResidue end_residue(const Values& row, const std::string& end) {
+EndResidue end_residue(const MmcifRow& row, const std::string& end) {
   EndResidue residue;
   residue.chain = value(row, end + "_auth_asym_id", end + "_label_asym_id");
   const std::string number = value(row, end + "_auth_seq_id", end + "_label_seq_id");
@@ -39,7 +28,7 @@ EndResidue end_residue(const Values& row, const std::string& end) {
 }
 
 // The kind of a row of struct_conf. Empty for other conformations.
-std::optional<SecondaryStructure> conformation(const Values& row) {
+std::optional<SecondaryStructure> conformation(const MmcifRow& row) {
   const std::string type = lower_case(value(row, "conf_type_id"));
   if (type.starts_with("helx_rh_3t")) return SecondaryStructure::three_ten_helix;
   if (type.starts_with("helx_rh_pi")) return SecondaryStructure::pi_helix;

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <string>
-#include <tuple>
-#include <utility>
+
+#include "core/read/residues/recorded_atoms.hpp"
 
 namespace alphascope {
 namespace {
@@ -28,32 +27,23 @@ BondEvidence::BondEvidence(const Molecule& molecule, const ModelRange& model,
 }
 
 void BondEvidence::note_named(const ModelRange& model, const RecordedBonds::Named& bonds) {
-  using Key = std::tuple<NameId, std::int32_t, char, NameId>;
-  // Names that no atom has must not count as the empty name.
-  const auto is_there = [&](const std::string& name) {
-    return name.empty() || molecule_.names.find(name) != 0;
-  };
-  const auto key = [&](const BondedAtom& atom) {
-    return Key{molecule_.names.find(atom.chain), atom.residue_number, atom.insertion_code,
-               molecule_.names.find(atom.name)};
-  };
-  std::map<Key, std::uint32_t> wanted;
+  std::map<AtomKey, std::uint32_t> wanted;
   for (const NamedBond& bond : bonds) {
     if (!bond.may_make_chain) continue;
-    wanted[key(bond.a)] = kNoIndex;
-    wanted[key(bond.b)] = kNoIndex;
+    for (const BondedAtom* atom : {&bond.a, &bond.b}) {
+      if (const auto key = atom_key(molecule_.names, *atom)) wanted[*key] = kNoIndex;
+    }
   }
   // Takes the first of alternative locations, since all have the same bonds.
   for (std::size_t i = model.begin; i < model.end; ++i) {
-    const Atom& atom = molecule_.atoms[i];
-    const auto found =
-        wanted.find({atom.chain, atom.residue_number, atom.insertion_code, atom.name});
+    const auto found = wanted.find(atom_key(molecule_.atoms[i]));
     if (found != wanted.end() && found->second == kNoIndex) {
       found->second = static_cast<std::uint32_t>(i);
     }
   }
   const auto atom_of = [&](const BondedAtom& atom) {
-    return is_there(atom.chain) && is_there(atom.name) ? wanted[key(atom)] : kNoIndex;
+    const auto key = atom_key(molecule_.names, atom);
+    return key ? wanted[*key] : kNoIndex;
   };
   for (const NamedBond& bond : bonds) {
     if (!bond.may_make_chain) continue;
@@ -64,21 +54,9 @@ void BondEvidence::note_named(const ModelRange& model, const RecordedBonds::Name
 }
 
 void BondEvidence::note_numbered(const ModelRange& model, const RecordedBonds::Numbered& bonds) {
-  std::vector<std::pair<std::int32_t, std::uint32_t>> atoms;
-  atoms.reserve(model.size());
-  for (std::size_t i = model.begin; i < model.end; ++i) {
-    atoms.emplace_back(molecule_.atoms[i].serial, static_cast<std::uint32_t>(i));
-  }
-  std::sort(atoms.begin(), atoms.end());
-  // A serial number of several atoms identifies none of them.
-  const auto atom_of = [&](std::int32_t serial) {
-    const auto at = std::lower_bound(atoms.begin(), atoms.end(), std::pair(serial, 0u));
-    const bool one = at != atoms.end() && at->first == serial &&
-                     (at + 1 == atoms.end() || (at + 1)->first != serial);
-    return one ? at->second : kNoIndex;
-  };
+  const AtomsBySerial atoms(molecule_, model);
   for (const NumberedBond& bond : bonds) {
-    const std::uint32_t first = atom_of(bond.a), second = atom_of(bond.b);
+    const std::uint32_t first = atoms.atom(bond.a), second = atoms.atom(bond.b);
     note(first, second);
     note(second, first);
   }

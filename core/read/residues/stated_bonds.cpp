@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "core/molecule/element.hpp"
+#include "core/read/residues/recorded_atoms.hpp"
 
 namespace alphascope {
 namespace {
@@ -51,33 +50,21 @@ class Statement {
   }
 
   void add_named(const ModelRange& model) {
-    using Key = std::tuple<NameId, std::int32_t, char, NameId>;
-    // Names that no atom has must not count as the empty name.
-    const auto is_there = [&](const std::string& name) {
-      return name.empty() || molecule_.names.find(name) != 0;
-    };
-    const auto key = [&](const BondedAtom& atom) {
-      return Key{molecule_.names.find(atom.chain), atom.residue_number, atom.insertion_code,
-                 molecule_.names.find(atom.name)};
-    };
-    std::map<Key, Atoms> wanted;
+    std::map<AtomKey, Atoms> wanted;
     for (const NamedBond& bond : bonds_.named()) {
-      wanted[key(bond.a)];
-      wanted[key(bond.b)];
+      for (const BondedAtom* atom : {&bond.a, &bond.b}) {
+        if (const auto key = atom_key(molecule_.names, *atom)) wanted[*key];
+      }
     }
     for (std::size_t i = model.begin; i < model.end; ++i) {
-      const Atom& atom = molecule_.atoms[i];
-      const auto found =
-          wanted.find({atom.chain, atom.residue_number, atom.insertion_code, atom.name});
+      const auto found = wanted.find(atom_key(molecule_.atoms[i]));
       if (found != wanted.end() && found->second.size() < kMostLocations) {
         found->second.push_back(static_cast<std::uint32_t>(i));
       }
     }
     for (const NamedBond& bond : bonds_.named()) {
-      const bool there = is_there(bond.a.chain) && is_there(bond.a.name) &&
-                         is_there(bond.b.chain) && is_there(bond.b.name);
-      if (!there || !join(wanted[key(bond.a)], wanted[key(bond.b)], bond.order))
-        ++molecule_.unresolved_bonds;
+      const auto a = atom_key(molecule_.names, bond.a), b = atom_key(molecule_.names, bond.b);
+      if (!a || !b || !join(wanted[*a], wanted[*b], bond.order)) ++molecule_.unresolved_bonds;
     }
   }
 
@@ -95,26 +82,13 @@ class Statement {
   }
 
   void add_numbered(const ModelRange& model) {
-    std::vector<std::pair<std::int32_t, std::uint32_t>> atoms;
-    atoms.reserve(model.size());
-    for (std::size_t i = model.begin; i < model.end; ++i) {
-      atoms.emplace_back(molecule_.atoms[i].serial, static_cast<std::uint32_t>(i));
-    }
-    std::sort(atoms.begin(), atoms.end());
-    constexpr std::uint32_t kNone = 0xffffffff;
-    // A serial number of several atoms identifies none of them.
-    const auto atom_of = [&](std::int32_t serial) {
-      const auto at = std::lower_bound(atoms.begin(), atoms.end(), std::pair(serial, 0u));
-      const bool one = at != atoms.end() && at->first == serial &&
-                       (at + 1 == atoms.end() || (at + 1)->first != serial);
-      return one ? at->second : kNone;
-    };
+    const AtomsBySerial atoms(molecule_, model);
     // In MOL2 and with several models each bond belongs to some models only, so an atom that is
     // missing in one of them is no fault.
     const bool one_model = molecule_.models.size() == 1;
     for (const NumberedBond& bond : bonds_.numbered()) {
-      const std::uint32_t a = atom_of(bond.a), b = atom_of(bond.b);
-      if (a != kNone && b != kNone) {
+      const std::uint32_t a = atoms.atom(bond.a), b = atoms.atom(bond.b);
+      if (a != kNoIndex && b != kNoIndex) {
         add(a, b, bond.order);
       } else {
         molecule_.unresolved_bonds += one_model;

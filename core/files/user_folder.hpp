@@ -6,8 +6,8 @@
 
 namespace alphascope {
 
-// The program's folder in that of the environment variable, else in `below_home` of the user's home:
-// user_folder("XDG_CACHE_HOME", ".cache") is ~/.cache/alphascope. Empty if there is no home.
+// The program's folder in that of the environment variable, else in `below_home` of the user's
+// home: user_folder("XDG_CACHE_HOME", ".cache") is ~/.cache/alphascope. Empty if there is no home.
 std::filesystem::path user_folder(const char* variable, const char* below_home);
 
 }  // namespace alphascope

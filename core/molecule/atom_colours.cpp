@@ -87,8 +87,7 @@ std::vector<Rgb8> colours_by_element(const Molecule& molecule,
   return colours;
 }
 
-std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
-                                   const std::vector<std::uint32_t>& atom_of_ball) {
+std::vector<Rgb8> chain_colours(const Molecule& molecule) {
   // Counts all atoms of the molecule, so that a chain keeps its colour while another is switched
   // off.
   std::vector<Rgb8> of_chain(molecule.names.size());
@@ -99,6 +98,12 @@ std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
     seen[atom.chain] = true;
     of_chain[atom.chain] = chain_colour(chains++);
   }
+  return of_chain;
+}
+
+std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
+                                   const std::vector<std::uint32_t>& atom_of_ball) {
+  const std::vector<Rgb8> of_chain = chain_colours(molecule);
   std::vector<Rgb8> colours;
   colours.reserve(atom_of_ball.size());
   for (const std::uint32_t atom : atom_of_ball) {

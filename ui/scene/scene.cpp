@@ -60,6 +60,7 @@ void Scene::set_balls(std::shared_ptr<BallData> balls) {
   set_differences(nullptr);
   set_layers(nullptr);
   set_beside_body(nullptr);
+  set_objects({});
   set_selected(nullptr);
   scene.balls = balls->balls;
   scene.places->set(balls->balls);
@@ -129,6 +130,19 @@ void Scene::set_layers(std::shared_ptr<LayerData> layers) {
 void Scene::set_beside_body(std::shared_ptr<LayerData> atoms) {
   Impl& scene = changed();
   scene.beside_body.show(std::move(atoms), scene.window);
+}
+
+void Scene::set_objects(std::vector<SceneObject> objects) {
+  Impl& scene = changed();
+  const bool had_peels = scene.anything_translucent();
+  while (scene.objects.size() < objects.size()) {
+    scene.objects.push_back(std::make_unique<ObjectActors>());
+    scene.objects.back()->add_to(scene.renderer);
+  }
+  objects.resize(scene.objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) scene.objects[i]->show(objects[i], scene.window);
+  if (had_peels && !scene.anything_translucent()) scene.release_buffers();
+  scene.apply_style();
 }
 
 void Scene::set_selected(std::shared_ptr<BallData> balls, bool outlines) {

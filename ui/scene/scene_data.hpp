@@ -20,6 +20,8 @@ struct MeshData;
 struct DifferenceData;
 struct CapData;
 struct LayerData;
+struct ObjectData;
+struct ObjectMesh;
 
 // Each ball needs one colour and one radius (Å, as drawn); otherwise throws std::invalid_argument.
 std::shared_ptr<BallData> make_ball_data(std::shared_ptr<const BallGeometry> balls,
@@ -30,5 +32,12 @@ std::shared_ptr<MeshData> make_mesh_data(std::shared_ptr<const ComplexMesh> mesh
 std::shared_ptr<CapData> make_cap_data(std::shared_ptr<const CapMesh> mesh);
 std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const DifferenceMesh> mesh);
 std::shared_ptr<LayerData> make_layer_data(std::shared_ptr<const LayerMesh> mesh);
+std::shared_ptr<ObjectData> make_object_data(std::shared_ptr<const ObjectMesh> mesh);
+
+// An object of the molecule's atoms in the scene.
+struct SceneObject {
+  std::shared_ptr<ObjectData> data;
+  float opacity = 1;  // above 0, at most 1
+};
 
 }  // namespace alphascope

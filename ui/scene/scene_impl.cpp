@@ -90,6 +90,44 @@ void LayerActors::show(std::shared_ptr<LayerData> layers, vtkWindow* window) {
   data = std::move(layers);  // after show(), which replaces the old arrays
 }
 
+ObjectActors::ObjectActors() {
+  surface.brighter();
+  surface.smooth();
+  dots.actor->GetProperty()->LightingOff();
+  sticks.mapper->set_places(places);
+}
+
+void ObjectActors::add_to(vtkRenderer* renderer) {
+  renderer->AddActor(surface.actor);
+  renderer->AddActor(dots.actor);
+  renderer->AddActor(sticks.actor);
+  renderer->AddActor(spheres.actor);
+}
+
+void ObjectActors::show(const SceneObject& object, vtkWindow* window) {
+  if (object.data != data) {
+    const ObjectData nothing;
+    const ObjectData& shown = object.data ? *object.data : nothing;
+    surface.show(shown.surface, window);
+    dots.show(shown.dots, window);
+    spheres.show(shown.spheres, window);
+    static const EdgeCells kNone;
+    const bool any = shown.mesh && shown.mesh->sticks.places;
+    places->buffer.release(window);
+    if (any) places->set(shown.mesh->sticks.places);
+    sticks.show(any ? shown.mesh->sticks.rods : kNone, window);
+  }
+  data = object.data;  // after the actors, which replace the old arrays
+  opacity = object.opacity;
+}
+
+void ObjectActors::set_opacity(double shown) {
+  for (vtkActor* a :
+       {surface.actor.Get(), dots.actor.Get(), sticks.actor.Get(), spheres.actor.Get()}) {
+    a->GetProperty()->SetOpacity(shown);
+  }
+}
+
 Scene::Impl::Impl() {
   set_up_window();
   set_up_lights();
@@ -192,6 +230,10 @@ double Scene::Impl::translucent_opacity() const {
   for (const double o : {of_balls, faded(style.complex_opacity), of_cavities}) {
     if (o < 1) opacity = std::max(opacity, o);
   }
+  for (const auto& object : objects) {
+    const double o = object->data ? faded(object->opacity) : 1;
+    if (o < 1) opacity = std::max(opacity, o);
+  }
   return opacity;
 }
 
@@ -206,6 +248,7 @@ void Scene::Impl::apply_style() {
   all_balls.actor->GetProperty()->SetOpacity(faded(style.ball_opacity));
   for (CellActor* c : cells()) c->actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
   layers.translucent.set_opacity(style.cavity_opacity);
+  for (const auto& object : objects) object->set_opacity(faded(object->opacity));
   const bool closed = cap_data && style.cut.on();
   caps.actor->SetVisibility(closed && cap_data->faces);
   cap_edges.actor->SetVisibility(closed && cap_data->edges);
@@ -233,28 +276,39 @@ std::vector<vtkActor*> Scene::Impl::cut_meshes() {
       all.push_back(m->actor);
     }
   }
+  for (const auto& object : objects) all.push_back(object->dots.actor);
   return all;
 }
 
 std::vector<BallActor*> Scene::Impl::cut_balls() {
-  return {&all_balls,
-          &selected,
-          &layers.opaque.spheres,
-          &layers.translucent.spheres,
-          &layers.atoms,
-          &beside_body.opaque.spheres};
+  std::vector<BallActor*> all{&all_balls,
+                              &selected,
+                              &layers.opaque.spheres,
+                              &layers.translucent.spheres,
+                              &layers.atoms,
+                              &beside_body.opaque.spheres};
+  for (const auto& object : objects) all.push_back(&object->spheres);
+  return all;
 }
 
 void Scene::Impl::apply_cut() {
   for (vtkActor* a : cut_meshes()) cut_mesh_actor(a, style.cut.on());
   for (BallActor* b : cut_balls()) cut_ball_actor(b->actor, style.cut.on());
+  for (const auto& object : objects) {
+    cut_closed_actor(object->surface.actor, style.cut.on());
+    cut_rod_actor(object->sticks.actor, style.cut.on());
+  }
 }
 
 void Scene::Impl::set_cut_plane_uniforms(int width, int height) {
   if (!style.cut.on()) return;
   const CutPlanes planes(style.cut, renderer, width, height);
   for (vtkActor* a : cut_meshes()) planes.give_to(a);
-  for (BallActor* b : cut_balls()) planes.give_to(b->actor);
+  for (BallActor* b : cut_balls()) planes.give_to_rounded(b->actor);
+  for (const auto& object : objects) {
+    planes.give_to(object->surface.actor);
+    planes.give_to_rounded(object->sticks.actor);
+  }
 }
 
 // The radius of a rod is at least kLeastRod pixels, so that no rod is thinner than a line.
@@ -267,6 +321,10 @@ void Scene::Impl::set_line_widths() {
   lines.rod_radius = style.rod_radius;
   lines.rod_radius_per_depth = static_cast<float>(kLeastRod * style.line_scale * pixel);
   for (CellActor* c : cells()) c->mapper->set_lines(lines);
+  for (const auto& object : objects) {
+    if (object->data) lines.rod_radius = object->data->mesh->sticks.radius;
+    object->sticks.mapper->set_lines(lines);
+  }
 }
 
 void Scene::Impl::draw(int width, int height) {
@@ -283,6 +341,9 @@ void Scene::Impl::draw(int width, int height) {
     b->edges.actor->GetProperty()->SetLineWidth(1.2f * width_scale);
   }
   cap_edges.actor->GetProperty()->SetLineWidth(1.0f * width_scale);
+  for (const auto& object : objects) {
+    object->dots.actor->GetProperty()->SetPointSize(3.0f * width_scale);
+  }
   const auto box = visible_box();
   finish.outline_jump = static_cast<float>(outline_jump(box ? diagonal(*box) : 0));
   const double back = style.orthographic && box ? kStepBack * diagonal(*box) : 0;

@@ -79,6 +79,21 @@ struct LayerActors {
   void show(std::shared_ptr<LayerData> layers, vtkWindow* window);
 };
 
+// An object: a cartoon's surface, sticks, spheres and points.
+struct ObjectActors {
+  MeshActor surface, dots;
+  CellActor sticks;
+  BallActor spheres;
+  std::shared_ptr<BallPlaces> places = std::make_shared<BallPlaces>();  // of sticks
+  std::shared_ptr<ObjectData> data;                                     // null: nothing
+  float opacity = 1;
+
+  ObjectActors();
+  void add_to(vtkRenderer* renderer);
+  void show(const SceneObject& object, vtkWindow* window);
+  void set_opacity(double shown);
+};
+
 struct Scene::Impl {
   vtkNew<SceneWindow> window;
   vtkNew<SceneRenderer> renderer;
@@ -93,6 +108,7 @@ struct Scene::Impl {
   MarkActors differences;
   std::shared_ptr<DifferenceData> difference_data;
   LayerActors layers, beside_body;
+  std::vector<std::unique_ptr<ObjectActors>> objects;  // actors stay for later objects
   std::shared_ptr<const BallGeometry> balls;
   std::shared_ptr<MeshData> mesh;
   SceneStyle style;

@@ -171,6 +171,7 @@ void CommandLinePictures::follow_options(const ScreenshotCommandOptions& options
   picture_.display = display(options);
   picture_.display.beside = beside_body(options.beside);
   picture_.theme = options.light ? Theme::light : Theme::dark;
+  picture_.objects = options.objects;
   request_ = options.request;
   input_ = open_one_model(options.input, "A picture shows one model.", context);
   picture_.appearance = appearance(input_.molecule(), options.appearance);
@@ -191,6 +192,7 @@ void CommandLinePictures::follow_session(const ScreenshotCommandOptions& options
   // All engines give the same complex, and this machine may lack the session's engine.
   request_.engine = EngineChoice::automatic;
   picture_.appearance = s.settings.appearance;
+  picture_.objects = s.settings.objects;
   annotations_ = s.settings.annotations;
   if (s.view.camera.any()) picture_.camera = s.view.camera;
   picture_.clip = {s.settings.clip, false, true, {}};

@@ -131,6 +131,21 @@ void require_one_source(const ScreenshotCommandOptions& options, bool needs_alph
   }
 }
 
+Option objects(DrawnObjects& objects) {
+  return {.names = "--objects",
+          .value = "LIST",
+          .text = "Drawings of atoms beside the complex: " + object_kind_ids() +
+                  ", each with a colour (" + object_colour_ids() +
+                  ", or #rrggbb), an opacity and a selection, or without: "
+                  "\"cartoon,secondary,40%:chain A; sticks:ligand\"",
+          .fallback = "none",
+          .set = [&objects](const std::string& text) {
+            ObjectListWords words = read_objects(text);
+            if (!words.error.empty()) throw std::invalid_argument(words.error);
+            objects = std::move(words.objects);
+          }};
+}
+
 // Options of each picture, single or as a frame.
 Options picture_options(ScreenshotCommandOptions& options) {
   Options all{
@@ -187,6 +202,7 @@ Options picture_options(ScreenshotCommandOptions& options) {
                    "Kinds of atoms that are drawn although they are not part of the complex: " +
                        kinds_beside_body() + ", with commas; or none"},
                   options.beside),
+      objects(options.objects),
       caption(options.caption),
       flag_option("--scale-bar", "Add a scale bar in Å", options.scale_bar),
       drawing_memory(options.drawing_memory_mb)};

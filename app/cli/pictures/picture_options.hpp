@@ -16,6 +16,7 @@
 #include "core/document/reference/annotations.hpp"
 #include "core/document/reference/appearance.hpp"
 #include "core/document/settings/display_fields.hpp"
+#include "core/document/settings/drawn_object.hpp"
 #include "core/document/settings/paint.hpp"
 #include "core/document/settings/request.hpp"
 
@@ -39,6 +40,7 @@ struct ScreenshotCommandOptions {
   std::string preset;  // id of a DisplayPreset; empty: none
   AppearanceWords appearance;
   AnnotationWords annotations;
+  DrawnObjects objects;
   std::string clip = "off";             // as for read_clip()
   std::string beside = "ligands,ions";  // kinds of AtomsBesideBody, or "none"
   // Assumed free memory for drawing, 10^6 bytes. None: the measured value.

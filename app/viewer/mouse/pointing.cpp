@@ -47,7 +47,7 @@ std::optional<Pointing::UnderMouse> Pointing::under(int x, int y) const {
   const auto hit = scene_.shown().pick(x, y, kBesideALine * scale);
   if (!hit) return std::nullopt;
   if (hit->corners == 0) return UnderMouse{};  // a body that a panel draws, without a name
-  if (hit->layer == kAtomInFront) return under_atom(hit->index);
+  if (hit->layer == kAtomInFront || hit->layer == kAtomOfObject) return under_atom(hit->index);
   if (hit->layer == kBesideBody) {
     const LeftOutAtom& atom = scene_.shown().beside_body().atoms.at(hit->index);
     return UnderMouse{references->atom_of_molecule(atom.atom),

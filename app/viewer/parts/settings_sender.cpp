@@ -60,6 +60,7 @@ void SettingsSender::send_look(float line_scale) {
   scene_.set_display(state_.settings.display, state_.window.theme, line_scale);
   scene_.set_clip(state_.settings.clip);
   scene_.set_appearance(state_.settings.appearance);
+  scene_.set_objects(state_.settings.objects);
 }
 
 void SettingsSender::send_selection() {

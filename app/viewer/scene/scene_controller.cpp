@@ -88,6 +88,12 @@ void SceneController::set_appearance(const Appearance& appearance) {
   if (std::exchange(controls_.appearance, appearance) == appearance) return;
   submit();
   shown_.follow_beside();
+  shown_.follow_objects();
+}
+
+void SceneController::set_objects(const DrawnObjects& objects) {
+  if (std::exchange(controls_.objects, objects) == objects) return;
+  shown_.follow_objects();
 }
 
 void SceneController::submit() {
@@ -168,6 +174,7 @@ void SceneController::describe(ViewportInfo& viewport) const {
     viewport.not_drawn += (viewport.not_drawn.empty() ? "" : " ") + sentence;
   };
   if (!shown_.layers().not_drawn().empty()) add(shown_.layers().not_drawn());
+  if (!shown_.objects().not_drawn().empty()) add(shown_.objects().not_drawn());
   if (shown_.canvas().without_balls()) add(kStandIn);
   viewport.fades_rest = shown_.layers().fades_rest();
   viewport.problem = view_problem_;

@@ -43,6 +43,8 @@ class SceneController {
   // Sets hidden atoms and colours chosen by the user. The picture follows when its simplices are
   // ready.
   void set_appearance(const Appearance& appearance);
+  // Objects follow when a worker has made them; those of the last list stay until then.
+  void set_objects(const DrawnObjects& objects);
   // True while a newer answer or other balls are being computed, so that the picture is outdated.
   void set_pending(bool pending) { pending_ = pending; }
   void pointer(const PointerEvent& event);

@@ -6,6 +6,7 @@
 #include "core/document/reference/appearance.hpp"
 #include "core/document/settings/clip.hpp"
 #include "core/document/settings/display.hpp"
+#include "core/document/settings/drawn_object.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
@@ -16,6 +17,7 @@ struct SceneControls {
   float line_scale = 1;  // as in SceneStyle
   Clip clip;
   Appearance appearance;  // hidden atoms and chosen colours
+  DrawnObjects objects;
 };
 
 }  // namespace alphascope

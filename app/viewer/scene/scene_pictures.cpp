@@ -27,12 +27,13 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
   require_room(
       request.options.width, request.options.height, free_memory_(),
       second_scene_bytes(drawn().molecule->geometry->centres.size(), drawn().parts.mesh.get()) +
-          layer_bytes(layer_points(frame.layers)));
+          layer_bytes(layer_points(frame.layers)) + shown_.objects().bytes());
   frame.style = shown_.canvas().style();
   frame.style.line_scale = line_scale_of(request.options.height);
   frame.viewpoint = shown_.canvas().scene().viewpoint();
   frame.options = request.options;
   frame.beside_body = shown_.beside_body().mesh;
+  frame.objects = shown_.objects().pictured();
   frame.texts = picture_texts(drawn().header());
   frame.not_drawn = drawn().not_drawn;
   PictureToSave picture{
@@ -57,6 +58,7 @@ FrameSource SceneController::frames(const RecordRequest& request) const {
                                                      controls_.theme,
                                                      line_scale_of(request.options.height),
                                                      controls_.appearance,
+                                                     controls_.objects,
                                                      {drawn().parts.clip, false, true, {}},
                                                      cameras().place(),
                                                      request.options,

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "app/viewer/scene/beside_atoms.hpp"
+#include "app/viewer/beside/beside_atoms.hpp"
 #include "app/viewer/scene/canvas.hpp"
 #include "app/viewer/scene/drawn_picture.hpp"
 

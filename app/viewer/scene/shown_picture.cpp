@@ -32,6 +32,7 @@ ShownPicture::ShownPicture(const std::function<void()>& wake, std::chrono::milli
                            const FreeMemory& free_memory, const SceneControls& controls)
     : controls_(controls),
       beside_(wake, canvas_, picture_),
+      objects_(wake, free_memory, canvas_, picture_),
       layers_(wake, free_memory, canvas_, picture_),
       picking_(wake, canvas_, picture_),
       caps_(wake, finishes, canvas_, picture_),
@@ -79,6 +80,7 @@ void ShownPicture::show(Drawing drawing) {
   scene.set_differences(std::move(drawing.differences));
   if (!new_balls) return;
   beside_.follow(controls_);
+  objects_.follow(controls_);
   if (!view.keep) pacing_.forget_times();
   cameras_.follow(view, [this] { return view_problem(); });
 }
@@ -157,6 +159,7 @@ void ShownPicture::clear() {
 
 void ShownPicture::forget_layers() {
   beside_.forget();
+  objects_.forget();
   marks_.forget();
   layers_.forget();
 }
@@ -165,6 +168,7 @@ std::optional<Hit> ShownPicture::pick(int x, int y, double near) const {
   PickLayers others;
   if (caps_.pick()) others.push_back(*caps_.pick());
   if (beside_.pick()) others.push_back(*beside_.pick());
+  others.insert(others.end(), objects_.picks().begin(), objects_.picks().end());
   others.insert(others.end(), layers_.picks().begin(), layers_.picks().end());
   return picking_.pick(x, y, near, layers_.atoms(), others);
 }
@@ -180,9 +184,10 @@ ViewProblem ShownPicture::view_problem() const {
   if (!complex && parts.looks && parts.looks->hidden_balls > 0) {
     const bool any_ball =
         balls && std::any_of(radii.begin(), radii.end(), [](float radius) { return radius > 0; });
-    if (!any_ball) return beside_.body().mesh ? ViewProblem::none : ViewProblem::all_hidden;
+    if (!any_ball)
+      return beside_.body().mesh || objects_.any() ? ViewProblem::none : ViewProblem::all_hidden;
   }
-  if (!complex && !balls) return ViewProblem::none;  // nothing is switched on
+  if (!complex && (!balls || objects_.any())) return ViewProblem::none;  // nothing is switched on
   return alphascope::view_problem(geometry, balls ? radii : std::vector<float>(),
                                   canvas_.scene().sight(), complex);
 }
@@ -190,19 +195,21 @@ ViewProblem ShownPicture::view_problem() const {
 void ShownPicture::poll() {
   layers_.poll();
   beside_.poll();
+  objects_.poll();
   picking_.poll();
   caps_.poll();
   colours_.poll();
 }
 
 bool ShownPicture::busy() const {
-  return layers_.busy() || beside_.busy() || picking_.busy() || caps_.busy() || colours_.busy();
+  return layers_.busy() || beside_.busy() || objects_.busy() || picking_.busy() || caps_.busy() ||
+         colours_.busy();
 }
 
 std::uint64_t ShownPicture::bytes() const {
   if (!picture_.molecule) return 0;
   return drawn_bytes(picture_.molecule->geometry->centres.size(), picture_.parts.mesh.get()) +
-         layers_.bytes();
+         layers_.bytes() + objects_.bytes();
 }
 
 }  // namespace alphascope

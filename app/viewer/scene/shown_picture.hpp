@@ -9,8 +9,9 @@
 #include <memory>
 #include <optional>
 
+#include "app/viewer/beside/beside_atoms.hpp"
+#include "app/viewer/beside/made_objects.hpp"
 #include "app/viewer/scene/ball_colours.hpp"
-#include "app/viewer/scene/beside_atoms.hpp"
 #include "app/viewer/scene/cameras.hpp"
 #include "app/viewer/scene/clip_caps.hpp"
 #include "app/viewer/scene/drawing_maker.hpp"
@@ -37,6 +38,7 @@ class ShownPicture {
   // Follows the controls after a change of these.
   void follow_display(const SceneControls& before);
   void follow_beside() { beside_.follow(controls_); }
+  void follow_objects() { objects_.follow(controls_); }
 
   const DrawnPicture& drawn() const { return picture_; }
   Canvas& canvas() { return canvas_; }
@@ -44,6 +46,7 @@ class ShownPicture {
   Cameras& cameras() { return cameras_; }
   const Cameras& cameras() const { return cameras_; }
   ClipCaps& caps() { return caps_; }
+  const MadeObjects& objects() const { return objects_; }
   PanelLayers& layers() { return layers_; }
   const PanelLayers& layers() const { return layers_; }
   Pacing& pacing() { return pacing_; }
@@ -82,6 +85,7 @@ class ShownPicture {
   Pacing pacing_{canvas_, picture_};
   BesideAtoms beside_;
   SelectionMarks marks_{canvas_, picture_, beside_};
+  MadeObjects objects_;
   PanelLayers layers_;
   Picking picking_;
   ClipCaps caps_;

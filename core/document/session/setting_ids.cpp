@@ -74,4 +74,22 @@ const SettingIds<TurnAxis>& setting_ids(TurnAxis) {
   return ids;
 }
 
+const SettingIds<ObjectKind>& setting_ids(ObjectKind) {
+  static const SettingIds<ObjectKind> ids = [] {
+    SettingIds<ObjectKind> all;
+    for (const ObjectKindInfo& k : object_kinds()) all.emplace_back(k.kind, k.id);
+    return all;
+  }();
+  return ids;
+}
+
+const SettingIds<ObjectColour>& setting_ids(ObjectColour) {
+  static const SettingIds<ObjectColour> ids = [] {
+    SettingIds<ObjectColour> all;
+    for (const ObjectColourInfo& c : object_colours()) all.emplace_back(c.colour, c.id);
+    return all;
+  }();
+  return ids;
+}
+
 }  // namespace alphascope

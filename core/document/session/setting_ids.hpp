@@ -11,6 +11,7 @@
 #include "core/document/alpha/alpha_slider.hpp"
 #include "core/document/picture/recording.hpp"
 #include "core/document/reference/atom_labels.hpp"
+#include "core/document/settings/drawn_object.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/document/settings/request.hpp"
 #include "core/read/file_format.hpp"
@@ -35,5 +36,7 @@ const SettingIds<AlphaScaling>& setting_ids(AlphaScaling);
 const SettingIds<LabelText>& setting_ids(LabelText);
 const SettingIds<RecordingKind>& setting_ids(RecordingKind);
 const SettingIds<TurnAxis>& setting_ids(TurnAxis);
+const SettingIds<ObjectKind>& setting_ids(ObjectKind);
+const SettingIds<ObjectColour>& setting_ids(ObjectColour);
 
 }  // namespace alphascope

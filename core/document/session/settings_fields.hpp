@@ -17,6 +17,7 @@ namespace alphascope {
 inline constexpr NumberRule kThreadsRule{"The number of threads", 0, 1024, "", true};
 inline constexpr NumberRule kStreamsRule{"The number of streams", 1, 8, "", true};
 inline constexpr NumberRule kBatchRule{"The number of tuples", 0, 2e9, "", true};
+inline constexpr NumberRule kObjectOpacityRule{"The opacity", 0.01, 1};
 inline constexpr NumberRule kPlaceRule{"A coordinate", -1e9, 1e9, "Å"};
 inline constexpr NumberRule kAspectRule{"The aspect", 0, 1e6};
 inline constexpr NumberRule kPageHeightRule{"The height", 0, 1e5};
@@ -91,6 +92,16 @@ void visit_fields(Visitor& v, DisplaySettings& d) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& v, DrawnObject& o) {
+  v("kind", o.kind);
+  v("atoms", o.atoms);
+  v("colour", o.colour);
+  v("own_colour", o.own);
+  v("shown", o.shown);
+  v("opacity", o.opacity, kObjectOpacityRule);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& v, NamedView& n) {
   v("name", n.name);
   v("position_angstrom", n.position, kPlaceRule);
@@ -149,6 +160,7 @@ void visit_fields(Visitor& v, Settings& s) {
   v.formerly("compute", "request");
   v.object("request", s.request);
   v.object("display", s.display);
+  v.objects("objects", s.objects);
   v("selection", s.selection.items);
   v("cavities", s.selection.cavities);
   v("clip", s.clip);

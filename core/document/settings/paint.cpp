@@ -10,25 +10,13 @@
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
+#include "core/text/choices.hpp"
 #include "core/text/former_name.hpp"
 
 namespace alphascope {
 namespace {
 
 constexpr const char* kExample = "b_factor,cividis,0:60";
-
-std::string quoted(std::string_view text) {
-  return "\"" + std::string(text) + "\"";
-}
-
-// Converts "a|b|c" to "a, b or c".
-std::string in_words(std::string ids) {
-  if (const std::size_t last = ids.rfind('|'); last != std::string::npos) {
-    ids.replace(last, 1, " or ");
-  }
-  for (std::size_t at = 0; (at = ids.find('|', at)) != std::string::npos;) ids.replace(at, 1, ", ");
-  return ids;
-}
 
 // Reads the range. Returns a sentence if it is invalid, otherwise an empty string.
 std::string take_range(std::string_view text, const SchemeInfo& scheme, Paint& paint) {
@@ -38,7 +26,7 @@ std::string take_range(std::string_view text, const SchemeInfo& scheme, Paint& p
   const NumberInput high = read_number(std::string(text.substr(colon + 1)), rule);
   if (!low.value || !high.value) return low.value ? high.error : low.error;
   if (!(*low.value < *high.value)) {
-    return "The range " + quoted(text) + " is empty. Write the smaller value first, as in 0:60.";
+    return "The range " + in_quotes(text) + " is empty. Write the smaller value first, as in 0:60.";
   }
   paint.range = ColourRange{*low.value, *high.value};
   return {};
@@ -173,11 +161,11 @@ PaintWords read_paint(std::string_view text, PaintTarget what) {
   });
   if (named != all.end()) {
     paint.by = named->by;
-    if (named->id != name) note = quoted(name) + " " + is_called_now(named->id);
+    if (named->id != name) note = in_quotes(name) + " " + is_called_now(named->id);
   } else if (name.starts_with('#') && read_colour(name)) {
     paint = {ColourBy::single, {}, {}, read_colour(name)};
   } else {
-    return refused(quoted(name) + " is not a colour scheme of " +
+    return refused(in_quotes(name) + " is not a colour scheme of " +
                    (what == PaintTarget::balls ? "balls" : "simplices") + ". Write " +
                    in_words(scheme_ids(what)) + ", or a colour such as #5aa9e6.");
   }
@@ -187,12 +175,13 @@ PaintWords read_paint(std::string_view text, PaintTarget what) {
     end = std::min(text.find(',', begin), text.size());
     const std::string_view word = trimmed(text.substr(begin, end - begin));
     if (!scheme.quantity) {
-      return refused(quoted(word) + ": " + scheme.id + " has neither map nor range. Leave it out.");
+      return refused(in_quotes(word) + ": " + scheme.id +
+                     " has neither map nor range. Leave it out.");
     }
     if (const auto map = colour_map_named(word)) {
       paint.map = map;
     } else if (word.find(':') == std::string_view::npos) {
-      return refused(quoted(word) + " is neither a colour map (" + in_words(colour_map_ids()) +
+      return refused(in_quotes(word) + " is neither a colour map (" + in_words(colour_map_ids()) +
                      ") nor a range such as 0:60. Write " + kExample + ".");
     } else if (const std::string fault = take_range(word, scheme, paint); !fault.empty()) {
       return refused(fault);

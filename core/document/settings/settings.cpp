@@ -45,6 +45,7 @@ std::string difference_text(const Settings& a, const Settings& b) {
   note(a.open.sandbox == b.open.sandbox, "balls");
   const std::string display = difference_of(a.display, b.display);
   note(display.empty(), display.c_str());
+  note(a.objects == b.objects, "objects");
   note(a.clip == b.clip, "clip");
   note(a.views == b.views, "saved cameras");
   note(a.appearance.hidden == b.appearance.hidden, "hidden atoms");

@@ -11,6 +11,7 @@
 #include "core/document/settings/cavity_settings.hpp"
 #include "core/document/settings/clip.hpp"
 #include "core/document/settings/display.hpp"
+#include "core/document/settings/drawn_object.hpp"
 #include "core/document/settings/named_view.hpp"
 #include "core/document/settings/open_options.hpp"
 #include "core/document/settings/request.hpp"
@@ -21,7 +22,8 @@ struct Settings {
   OpenOptions open;
   Request request;
   DisplaySettings display;
-  Selection selection;  // in the picture, and in the table of cavities
+  DrawnObjects objects;  // of the molecule's atoms, in the order of their list
+  Selection selection;   // in the picture, and in the table of cavities
   Clip clip;
   NamedViews views;  // saved cameras, in the order of saving
   Appearance appearance;

@@ -61,7 +61,7 @@ class CellPicture : public ::testing::Test {
 
 EdgeCells one_edge() {
   EdgeCells cells;
-  cells.edges = {DrawnEdge{{0, 1}, packed(kGreen), 0}};
+  cells.edges = {DrawnEdge{{0, 1}, packed(kGreen), packed(kGreen)}};
   return cells;
 }
 

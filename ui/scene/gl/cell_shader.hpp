@@ -168,6 +168,7 @@ uniform int parallel;
 uniform float radius;
 uniform float radiusPerDepth;  // the least, which a thin rod far away still has
 flat out vec3 cellColourVSOutput;
+flat out vec3 otherColourVSOutput;  // of the half at the second ball
 flat out vec4 rodFrom;  // and its radius
 flat out vec3 rodAlong;
 vec4 vertexMC;
@@ -198,6 +199,7 @@ inline constexpr const char* kRodsPlaced = R"(
     rodFrom = vec4(from, thick);
     rodAlong = to - from;
     cellColourVSOutput = colourOf(edge.z);
+    otherColourVSOutput = colourOf(edge.w);
     vertexVCVSOutput = vec4(place, 1.0);
     gl_Position = cameraToPicture * vertexVCVSOutput;
   }
@@ -206,6 +208,7 @@ inline constexpr const char* kRodsToFragments = R"(
 uniform mat4 cameraToPicture;
 uniform int parallel;
 flat in vec3 cellColourVSOutput;
+flat in vec3 otherColourVSOutput;
 flat in vec4 rodFrom;
 flat in vec3 rodAlong;
 )";
@@ -213,6 +216,7 @@ flat in vec3 rodAlong;
 // squared distance would exceed the squared radius.
 inline constexpr const char* kRodsMet = R"(
   vec3 normalVCVSOutput;
+  vec3 rodColour = cellColourVSOutput;
   {
     vec3 start = vertexVC.xyz - rodFrom.xyz;
     vec3 ray = parallel != 0 ? vec3(0.0, 0.0, -1.0) : normalize(vertexVC.xyz);
@@ -222,32 +226,35 @@ inline constexpr const char* kRodsMet = R"(
     float a = length2 - rayAlong * rayAlong;
     float reached = rayAlong > 0.0 ? -1.0 : length2 + 1.0;  // along the rod; seen from its end
     float way = 0.0;
+    float b = length2 * dot(start, ray) - startAlong * rayAlong;
+    float c = length2 * (dot(start, start) - square) - startAlong * startAlong;
+    float d = b * b - a * c;
     if (a > 1e-6 * length2) {
-      float b = length2 * dot(start, ray) - startAlong * rayAlong;
-      float c = length2 * (dot(start, start) - square) - startAlong * startAlong;
-      float d = b * b - a * c;
       if (d < 0.0) discard;
       way = (-b - sqrt(d)) / a;
       reached = startAlong + way * rayAlong;
     }
     if (reached <= 0.0 || reached >= length2) {
       vec3 fromEnd = reached <= 0.0 ? start : start - rodAlong;
-      float b = dot(fromEnd, ray);
-      float d = b * b - dot(fromEnd, fromEnd) + square;
-      if (d < 0.0) discard;
-      way = -b - sqrt(d);
+      float e = dot(fromEnd, ray);
+      float f = e * e - dot(fromEnd, fromEnd) + square;
+      if (f < 0.0) discard;
+      way = -e - sqrt(f);
       reached = reached <= 0.0 ? 0.0 : length2;
     }
+    //ALPHASCOPE::CutRod
+    if (2.0 * reached > length2) rodColour = otherColourVSOutput;
     vec3 place = start + way * ray;
     normalVCVSOutput = (place - (length2 > 0.0 ? reached / length2 : 0.0) * rodAlong) / rodFrom.w;
+    //ALPHASCOPE::CapOfRod
     vertexVC = vec4(rodFrom.xyz + place, 1.0);
     vec4 drawn = cameraToPicture * vertexVC;
     gl_FragDepth = (drawn.z / drawn.w + 1.0) / 2.0;
   }
 )";
 inline constexpr const char* kRodsColoured = R"(
-  ambientColor = ambientIntensity * cellColourVSOutput;
-  diffuseColor = diffuseIntensity * cellColourVSOutput;
+  ambientColor = ambientIntensity * rodColour;
+  diffuseColor = diffuseIntensity * rodColour;
 )";
 
 }  // namespace alphascope

@@ -88,6 +88,48 @@ constexpr const char* kFlatCap = R"(
   if (isCap) gl_FragData[0] = vec4(capShade * (ambientColor + diffuseColor), gl_FragData[0].a);
 )";
 
+// The names are those of kRodsMet. Like cut_ball(), but only the beginning of the interval counts.
+constexpr const char* kCutRod = "//ALPHASCOPE::CutRod";
+constexpr const char* kRodClipped = R"(
+    vec3 capNormal = vec3(0.0);
+    {
+      float leave = way, left = rayAlong > 0.0 ? length2 + 1.0 : -1.0;
+      if (a > 1e-6 * length2) {
+        leave = (-b + sqrt(d)) / a;
+        left = startAlong + leave * rayAlong;
+      }
+      if (left <= 0.0 || left >= length2) {
+        vec3 fromEnd = left <= 0.0 ? start : start - rodAlong;
+        float e = dot(fromEnd, ray);
+        leave = -e + sqrt(max(0.0, e * e - dot(fromEnd, fromEnd) + square));
+      }
+      for (int k = 0; k < 2; ++k) {
+        vec4 plane = k == 0 ? cutPlane0 : cutPlane1;
+        float at = dot(plane.xyz, rodFrom.xyz + start) + plane.w;
+        float by = dot(plane.xyz, ray);
+        if (by > 0.0) {
+          if (-at / by > way) { way = -at / by; capNormal = -plane.xyz; rodIsCap = true; }
+        } else if (by < 0.0) {
+          leave = min(leave, -at / by);
+        } else if (at < 0.0) {
+          discard;
+        }
+      }
+      if (!(way < leave)) discard;
+      if (rodIsCap) reached = clamp(startAlong + way * rayAlong, 0.0, length2);
+    }
+)";
+constexpr const char* kCapOfRod = "//ALPHASCOPE::CapOfRod";
+constexpr const char* kRodCapped = R"(
+    if (rodIsCap) normalVCVSOutput = capNormal;
+)";
+constexpr const char* kFlatRodCap = R"(
+  if (rodIsCap) gl_FragData[0] = vec4(ambientColor + diffuseColor, gl_FragData[0].a);
+)";
+constexpr const char* kFlatInside = R"(
+  if (!gl_FrontFacing) gl_FragData[0] = vec4(ambientColor + diffuseColor, gl_FragData[0].a);
+)";
+
 constexpr const char* kGeometryPlanes = R"(
 #define BALLS_ARE_CUT
 uniform vec4 cutPlane0;
@@ -146,6 +188,25 @@ void cut_ball_actor(vtkActor* actor, bool cut) {
   shaders->AddGeometryShaderReplacement(kClip, true, kSkipBall, false);
 }
 
+void cut_rod_actor(vtkActor* actor, bool cut) {
+  if (cut == is_cut(actor)) return;
+  if (!cut) return uncut(actor);
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  shaders->AddFragmentShaderReplacement(kDepth, true,
+                                        std::string("bool rodIsCap = false;\n") + kDepth, false);
+  shaders->AddFragmentShaderReplacement(kLight, true, kLight + std::string(kFlatRodCap), false);
+  shaders->AddFragmentShaderReplacement(kCutRod, false, kRodClipped, false);
+  shaders->AddFragmentShaderReplacement(kCapOfRod, false, kRodCapped, false);
+}
+
+void cut_closed_actor(vtkActor* actor, bool cut) {
+  if (cut == is_cut(actor)) return;
+  if (!cut) return uncut(actor);
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  shaders->AddFragmentShaderReplacement(kDepth, true, std::string(kCutMesh) + kDepth + "\n", false);
+  shaders->AddFragmentShaderReplacement(kLight, true, kLight + std::string(kFlatInside), false);
+}
+
 CutPlanes::CutPlanes(const Cut& cut, vtkRenderer* renderer, int width, int height) {
   vtkCamera* camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> view, picture, pixels;
@@ -172,10 +233,16 @@ CutPlanes::CutPlanes(const Cut& cut, vtkRenderer* renderer, int width, int heigh
 }
 
 void CutPlanes::give_to(vtkActor* actor) const {
+  give(actor, fragment_);
+}
+
+void CutPlanes::give_to_rounded(vtkActor* actor) const {
+  give(actor, camera_);
+}
+
+void CutPlanes::give(vtkActor* actor, const std::array<Plane, 2>& planes) {
   if (!is_cut(actor)) return;
-  // Ball actors have several shader replacements, meshes only one.
   vtkShaderProperty* shaders = actor->GetShaderProperty();
-  const auto& planes = shaders->GetNumberOfShaderReplacements() > 1 ? camera_ : fragment_;
   for (std::size_t k = 0; k < 2; ++k) {
     shaders->GetFragmentCustomUniforms()->SetUniform4f(kPlaneNames[k], planes[k].data());
   }

@@ -205,7 +205,8 @@ class MeshBuilder {
     cells.source = for_drawn(
         list, [&](std::size_t count) { cells.edges.resize(count); },
         [&](std::size_t n, std::size_t i) {
-          cells.edges[n] = {list.simplices[i], packed(colour_of(list, i)), 0};
+          const PackedColour colour = packed(colour_of(list, i));
+          cells.edges[n] = {list.simplices[i], colour, colour};
         });
     return cells;
   }

@@ -87,8 +87,7 @@ struct FaceCells {
 
 struct DrawnEdge {
   std::array<BallIndex, 2> balls{};
-  PackedColour colour{};
-  std::uint32_t unused = 0;  // a shader fetches four numbers
+  PackedColour colour{}, other{};  // of the halves at the first and the second ball
 };
 static_assert(sizeof(DrawnEdge) == 16);
 

@@ -109,7 +109,9 @@ vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners) {
   if (soup.points() == 0) return nullptr;
   auto data = points_in_place(soup.xyz, soup.rgb);
   const auto cells = consecutive_cells(static_cast<vtkIdType>(soup.points()), corners);
-  if (corners == 2) {
+  if (corners == 1) {
+    data->SetVerts(cells);
+  } else if (corners == 2) {
     data->SetLines(cells);
   } else {
     data->SetPolys(cells);
@@ -194,6 +196,18 @@ std::shared_ptr<LayerData> make_layer_data(std::shared_ptr<const LayerMesh> mesh
   data->translucent = body_data(mesh->translucent);
   if (mesh->atoms) {
     data->atoms = make_ball_data(mesh->atoms, mesh->atom_colours, mesh->atoms->radii);
+  }
+  data->mesh = std::move(mesh);
+  return data;
+}
+
+std::shared_ptr<ObjectData> make_object_data(std::shared_ptr<const ObjectMesh> mesh) {
+  if (!mesh) return nullptr;
+  auto data = std::make_shared<ObjectData>();
+  data->surface = smooth_to_vtk(mesh->cartoon.surface);
+  data->dots = soup_to_vtk(mesh->dots, 1);
+  if (mesh->spheres) {
+    data->spheres = make_ball_data(mesh->spheres, mesh->sphere_colours, mesh->spheres->radii);
   }
   data->mesh = std::move(mesh);
   return data;

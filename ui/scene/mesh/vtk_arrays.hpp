@@ -12,6 +12,7 @@
 #include "ui/scene/mesh/complex_mesh.hpp"
 #include "ui/scene/mesh/difference_mesh.hpp"
 #include "ui/scene/mesh/layer_mesh.hpp"
+#include "ui/scene/objects/object_mesh.hpp"
 #include "ui/scene/scene_data.hpp"
 
 namespace alphascope {
@@ -48,6 +49,12 @@ struct LayerData {
   std::shared_ptr<BallData> atoms;  // null: none
 };
 
+struct ObjectData {
+  std::shared_ptr<const ObjectMesh> mesh;  // shaders read its sticks in place
+  vtkSmartPointer<vtkPolyData> surface, dots;
+  std::shared_ptr<BallData> spheres;  // null: none
+};
+
 // Each ball is a vertex cell: vtkOpenGLSphereMapper gets its bounds from cells and draws nothing
 // without them. Point arrays: colours (scalars) and "radius".
 vtkSmartPointer<vtkPolyData> balls_to_vtk(const BallGeometry& balls);
@@ -56,7 +63,7 @@ void set_radii(vtkPolyData* data, const std::vector<float>& radii);
 std::span<const float> radii_of(const BallData& balls);  // Å, as drawn
 
 // The result uses the points and colours of `soup`, which must outlive it. A cell has `corners`
-// points. Null if `soup` has no points.
+// points, 1 to 3. Null if `soup` has no points.
 vtkSmartPointer<vtkPolyData> soup_to_vtk(const CellSoup& soup, int corners);
 
 // The same for triangles with normals.

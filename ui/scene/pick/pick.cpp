@@ -94,6 +94,20 @@ struct FacesOfTetrahedra {
   }
 };
 
+struct CartoonCells {
+  static constexpr std::size_t corners = 3;
+  std::shared_ptr<const ObjectMesh> mesh;
+
+  std::size_t size() const { return mesh->cartoon.triangles(); }
+  Point point(std::size_t cell, std::size_t corner) const {
+    const SmoothMesh& surface = mesh->cartoon.surface;
+    const auto at = static_cast<std::size_t>(surface.corners[corners * cell + corner]);
+    const float* p = &surface.xyz[3 * at];
+    return {p[0], p[1], p[2]};
+  }
+  std::size_t number(std::size_t cell) const { return mesh->cartoon.atom_of(cell); }
+};
+
 template <class Cells>
 Box box_of(const Cells& cells, std::size_t cell) {
   Box box = Box::empty();
@@ -280,6 +294,67 @@ std::optional<PickLayer> atom_layer(const std::shared_ptr<const LayerMesh>& mesh
                      if (hit) hit->index = mesh->atom_of.at(hit->index);
                      return hit;
                    }};
+}
+
+namespace {
+
+PickLayer stick_layer(const std::shared_ptr<const ObjectMesh>& mesh) {
+  const PickLayer rods = layer_of(
+      EdgesOfBalls{std::shared_ptr<const EdgeCells>(mesh, &mesh->sticks.rods), mesh->sticks.places},
+      {kAtomOfObject, 1});
+  return {kAtomOfObject, [mesh, rods](const PickLine& line) {
+            PickLine thick = line;
+            thick.rod_radius = mesh->sticks.radius;
+            std::optional<Hit> hit = rods.pick(thick);
+            if (!hit) return hit;
+            Vector at = line.ray.start;
+            for (std::size_t k = 0; k < 3; ++k) at[k] += hit->depth * line.ray.direction[k];
+            const auto& ends = mesh->sticks.rods.edges[hit->index].balls;
+            const auto away = [&](BallIndex end) {
+              const Vector to = minus(vector(mesh->sticks.places->centres[end]), at);
+              return dot(to, to);
+            };
+            hit->index = mesh->sticks.atom_of_place[ends[away(ends[1]) < away(ends[0]) ? 1 : 0]];
+            return hit;
+          }};
+}
+
+PickLayer atoms_of_object(std::shared_ptr<const BallGeometry> balls,
+                          std::shared_ptr<const std::vector<std::uint32_t>> atoms) {
+  const PickLayer layer = ball_layer(kAtomOfObject, std::move(balls), 1);
+  return {kAtomOfObject, [layer, atoms](const PickLine& line) {
+            std::optional<Hit> hit = layer.pick(line);
+            if (hit) hit->index = atoms->at(hit->index);
+            return hit;
+          }};
+}
+
+}  // namespace
+
+PickLayers object_layers(const std::shared_ptr<const ObjectMesh>& mesh) {
+  using Atoms = const std::vector<std::uint32_t>;
+  constexpr float kDot = 0.3F;  // Å
+  PickLayers layers;
+  if (!mesh) return layers;
+  if (mesh->cartoon.triangles() > 0) {
+    layers.push_back(layer_of(CartoonCells{mesh}, {kAtomOfObject, 1}));
+  }
+  if (mesh->sticks.places) layers.push_back(stick_layer(mesh));
+  if (mesh->spheres) {
+    layers.push_back(
+        atoms_of_object(mesh->spheres, std::shared_ptr<Atoms>(mesh, &mesh->atom_of_sphere)));
+  }
+  if (mesh->dots.points() > 0) {
+    BallGeometry dots;
+    for (std::size_t i = 0; i < mesh->dots.points(); ++i) {
+      const float* p = &mesh->dots.xyz[3 * i];
+      dots.centres.push_back({p[0], p[1], p[2]});
+    }
+    dots.radii.assign(dots.centres.size(), kDot);
+    layers.push_back(atoms_of_object(std::make_shared<const BallGeometry>(std::move(dots)),
+                                     std::shared_ptr<Atoms>(mesh, &mesh->dots.source)));
+  }
+  return layers;
 }
 
 std::optional<Hit> nearest_hit(const PickLayers& layers, const PickLine& line) {

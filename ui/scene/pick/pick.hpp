@@ -14,6 +14,7 @@
 #include "ui/scene/mesh/cap_mesh.hpp"
 #include "ui/scene/mesh/complex_mesh.hpp"
 #include "ui/scene/mesh/layer_mesh.hpp"
+#include "ui/scene/objects/object_mesh.hpp"
 #include "ui/scene/pick/ball_pick.hpp"
 
 namespace alphascope {
@@ -28,10 +29,11 @@ struct PickLine {
 };
 
 inline constexpr std::string_view kBesideBody = "beside", kAtomInFront = "in front";
+inline constexpr std::string_view kAtomOfObject = "object";
 
 struct Hit {
   // "balls", "tetrahedra", "boundary", "triangles", "edges"; "beside" (index in BesideBody::atoms);
-  // "in front" (index in Molecule::atoms); "bodies" (layers of panels, without index).
+  // "in front" and "object" (index in Molecule::atoms); "bodies" (layers of panels, without index).
   std::string_view layer;
   int corners = 1;        // 1: a ball; 0: a body
   std::size_t index = 0;  // of the ball, or of the simplex in its list in the complex
@@ -61,6 +63,10 @@ PickLayer ball_layer(std::string_view id, std::shared_ptr<const BallGeometry> ba
 PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh);
 // The layer of the atoms that panels draw in front of everything; none: there are no such atoms.
 std::optional<PickLayer> atom_layer(const std::shared_ptr<const LayerMesh>& mesh);
+
+// Layers of an object. A hit is on an atom: of a cartoon, on that of the residue's trace; of a
+// stick, on the nearer end. Runs on any thread.
+PickLayers object_layers(const std::shared_ptr<const ObjectMesh>& mesh);
 
 // The nearest hit. At equal depth the first layer wins.
 std::optional<Hit> nearest_hit(const PickLayers& layers, const PickLine& line);

@@ -93,7 +93,8 @@ struct PictureFrame {
   PictureOptions options;
   Layers layers;
   std::shared_ptr<const LayerMesh> beside_body;  // null: none
-  PictureTexts texts;                            // on the source of the complex
+  PicturedObjects objects;
+  PictureTexts texts;     // on the source of the complex
   std::string not_drawn;  // a sentence on parts missing for lack of memory; empty: none are
 };
 

@@ -2,6 +2,9 @@
 // Hands the parts of a picture to a scene.
 #include "ui/scene/picture/picture.hpp"
 
+#include <utility>
+#include <vector>
+
 #include "ui/scene/mesh/cap_mesh.hpp"
 #include "ui/scene/scene_data.hpp"
 
@@ -16,6 +19,10 @@ MarkedPicture show(Scene& scene, const Picture& p) {
   const auto layers = std::make_shared<const LayerMesh>(build_layer_mesh(*p.balls, p.layers));
   scene.set_layers(make_layer_data(layers));
   scene.set_beside_body(make_layer_data(p.beside_body));
+  std::vector<SceneObject> objects;
+  for (const PicturedObject& o : p.objects)
+    objects.push_back({make_object_data(o.mesh), o.opacity});
+  scene.set_objects(std::move(objects));
   if (p.viewpoint) scene.set_viewpoint(*p.viewpoint);
   MarkedPicture marked = p.picture;
   marked.labels = layers->labels;

@@ -11,6 +11,7 @@
 #include "core/molecule/rgb8.hpp"
 #include "ui/scene/mesh/difference_mesh.hpp"
 #include "ui/scene/mesh/layer_mesh.hpp"
+#include "ui/scene/objects/pictured_object.hpp"
 #include "ui/scene/picture/draw_marks.hpp"
 #include "ui/scene/scene.hpp"
 
@@ -26,6 +27,7 @@ struct Picture {
   std::shared_ptr<const DifferenceMesh> differences;  // null: none
   Layers layers;
   std::shared_ptr<const LayerMesh> beside_body;  // null: none
+  PicturedObjects objects;
   SceneStyle style;
   std::optional<Viewpoint> viewpoint;  // none: the scene's present view, at first the default view
   MarkedPicture picture;

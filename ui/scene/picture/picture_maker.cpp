@@ -10,6 +10,7 @@
 #include "ui/scene/display_style.hpp"
 #include "ui/scene/mesh/beside_body.hpp"
 #include "ui/scene/mesh/drawing_memory.hpp"
+#include "ui/scene/objects/object_mesh.hpp"
 #include "ui/window/egl_context.hpp"
 
 namespace alphascope {
@@ -65,6 +66,7 @@ void PictureMaker::make_molecule(const RunContext& context) {
                         left_out_and_shown(*m.molecule, *m.prepared, settings_.appearance.hidden),
                         settings_.display.beside, context.cancel)
           .mesh;
+  objects_ = build_objects(m, settings_.objects, settings_.appearance, context);
 }
 
 Picture PictureMaker::make(const std::shared_ptr<const EngineAnswer>& answer, PictureTexts texts,
@@ -92,6 +94,7 @@ Picture PictureMaker::make(const std::shared_ptr<const EngineAnswer>& answer, Pi
   frame.options = settings_.options;
   frame.layers = settings_.layers;
   frame.beside_body = beside_body_;
+  frame.objects = objects_;
   frame.texts = std::move(texts);
   return picture_of(*molecule_, answer.get(), parts, std::move(frame));
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/document/session/session_file.hpp"
+#include "core/document/settings/drawn_object.hpp"
 #include "ui/scene/picture/drawn_parts.hpp"
 
 namespace alphascope {
@@ -21,6 +22,7 @@ struct PictureSettings {
   Theme theme = Theme::dark;
   float line_scale = 1;  // as in SceneStyle
   Appearance appearance;
+  DrawnObjects objects;
   ClipWords clip;
   std::optional<CameraPlace> camera;  // none: the default view
   PictureOptions options;             // width and height from 16 to 16384
@@ -53,6 +55,7 @@ class PictureMaker {
   bool begun_ = false;
   std::shared_ptr<const BallAppearance> looks_;
   std::shared_ptr<const LayerMesh> beside_body_;
+  PicturedObjects objects_;
   Paintings paintings_;  // of the last picture
   std::vector<std::string> missing_colours_;
 };

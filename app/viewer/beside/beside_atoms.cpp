@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the drawing of the atoms that are no balls.
-#include "app/viewer/scene/beside_atoms.hpp"
+#include "app/viewer/beside/beside_atoms.hpp"
 
 namespace alphascope {
 

@@ -81,6 +81,18 @@ Option record_size_option(ViewerOptions& o) {
   return size;
 }
 
+Option objects_option(ViewerOptions& options) {
+  return {.names = "--objects",
+          .value = "LIST",
+          .text = "Objects of a molecule that is opened, as for alphascope-cli screenshot; or none",
+          .fallback = "a cartoon and the ligands",
+          .set = [&options](const std::string& text) {
+            ObjectListWords words = read_objects(text);
+            if (!words.error.empty()) throw std::invalid_argument(words.error);
+            options.objects = std::move(words.objects);
+          }};
+}
+
 Option script_option(ViewerOptions& options) {
   Option script = path_or_none(
       {"--script", "FILE", "Drive the window by the commands in this file"}, options.script);
@@ -198,6 +210,7 @@ OptionProgram table(ViewerOptions& o) {
       with_default(
           choice_option({"--preset", preset_ids(), "Preset of the picture's look"}, o.preset),
           "none"),
+      objects_option(o),
       flag_option("--tetrahedra-only", "Compute only tetrahedra", o.tetrahedra_only),
       flag_option("--no-compare", "Do not compare with CGAL after each change", o.compare, false),
       preferences_option(o),

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/document/settings/drawn_object.hpp"
 #include "core/geometry/alpha.hpp"
 
 namespace alphascope {
@@ -18,7 +19,8 @@ struct ViewerOptions {
   double scale = 0;           // 0: the scale of the display
   int width = 0, height = 0;  // pixels at scale 1; 0: the last size
   bool light = false;
-  std::string preset;          // id of a DisplayPreset, or none
+  std::string preset;                   // id of a DisplayPreset, or none
+  std::optional<DrawnObjects> objects;  // of an opened molecule; none: usual_objects()
   std::optional<int> samples;  // samples a pixel in pictures at rest; none: the preset's number
   bool tetrahedra_only = false;
   bool compare = true;

@@ -65,6 +65,7 @@ void Viewer::begin_with(const ViewerOptions& options) {
   if (const auto preset = preset_named(options.preset)) {
     state_.settings.display = with_preset(state_.settings.display, *preset);
   }
+  file_.set_first_objects(options.objects);
   if (options.samples) state_.settings.display.samples = *options.samples;
   sender_.send_look(line_scale());
   history_.restart();

@@ -87,29 +87,4 @@ std::vector<Rgb8> colours_by_element(const Molecule& molecule,
   return colours;
 }
 
-std::vector<Rgb8> chain_colours(const Molecule& molecule) {
-  // Counts all atoms of the molecule, so that a chain keeps its colour while another is switched
-  // off.
-  std::vector<Rgb8> of_chain(molecule.names.size());
-  std::vector<bool> seen(molecule.names.size(), false);
-  std::size_t chains = 0;
-  for (const Atom& atom : molecule.atoms) {
-    if (seen[atom.chain]) continue;
-    seen[atom.chain] = true;
-    of_chain[atom.chain] = chain_colour(chains++);
-  }
-  return of_chain;
-}
-
-std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
-                                   const std::vector<std::uint32_t>& atom_of_ball) {
-  const std::vector<Rgb8> of_chain = chain_colours(molecule);
-  std::vector<Rgb8> colours;
-  colours.reserve(atom_of_ball.size());
-  for (const std::uint32_t atom : atom_of_ball) {
-    colours.push_back(of_chain[molecule.atoms[atom].chain]);
-  }
-  return colours;
-}
-
 }  // namespace alphascope

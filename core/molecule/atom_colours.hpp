@@ -18,16 +18,8 @@ Rgb8 element_colour(Element element);
 Rgb8 chain_colour(std::size_t n);
 inline constexpr std::size_t kChainColours = 24;
 
-// The colours of the molecule's chains, by the ids of their names. Chains are numbered in the order
-// of all atoms; colours repeat as chain_colour() does.
-std::vector<Rgb8> chain_colours(const Molecule& molecule);
 // The colour of each ball's element. `atom_of_ball` as in PreparedBalls: for each ball an index
 // into the molecule's atoms.
 std::vector<Rgb8> colours_by_element(const Molecule& molecule,
                                      const std::vector<std::uint32_t>& atom_of_ball);
-// The colour of each ball's chain. Chains are numbered in the molecule's order; colours repeat as
-// chain_colour() does.
-std::vector<Rgb8> colours_by_chain(const Molecule& molecule,
-                                   const std::vector<std::uint32_t>& atom_of_ball);
-
 }  // namespace alphascope

@@ -12,6 +12,7 @@
 #include "core/engine/engine.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/molecule/atom_colours.hpp"
+#include "core/molecule/chain_colours.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/scene/scene.hpp"

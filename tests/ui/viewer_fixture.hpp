@@ -38,6 +38,7 @@ class ViewerTest : public ::testing::Test {
     // Most tests need no fine pictures; those that do choose another preset.
     options.preset = "fast";
     options.samples = 1;
+    options.objects = DrawnObjects();
     viewer_ = std::make_unique<Viewer>(*host_, options);
   }
   ~ViewerTest() override {

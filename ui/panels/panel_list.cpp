@@ -10,6 +10,7 @@ namespace alphascope {
 // A panel's source has the name of its function, if not said otherwise. This file alone calls them.
 std::unique_ptr<Panel> molecule_panel();
 std::unique_ptr<Panel> alpha_panel();
+std::unique_ptr<Panel> objects_panel();
 std::unique_ptr<Panel> display_panel();
 std::unique_ptr<Panel> look_panel();  // in display_panel.cpp
 std::unique_ptr<Panel> clip_panel();
@@ -34,6 +35,8 @@ constexpr PanelSpec kPanels[] = {
     {"molecule", "Molecule", PanelPlace::left, molecule_panel,
      "radii set radius hydrogens altloc chains only expression filter assembly biological units"},
     {"alpha", "Alpha", PanelPlace::left, alpha_panel},
+    {"objects", "Objects", PanelPlace::left, objects_panel,
+     "cartoon ribbon sticks ball-and-stick points representation ligand eye opacity"},
     {"display", "Display", PanelPlace::left, display_panel, "colours opacity size"},
     {"look", "Light", PanelPlace::left, look_panel, "shadows lines fog quality"},
     {"clip", "Clip", PanelPlace::left, clip_panel},

@@ -14,6 +14,7 @@ SettingsParts::SettingsParts(Settings& s)
       open(s.open),
       request(s.request),
       display(s.display),
+      objects(s.objects),
       selection(s.selection),
       clip(s.clip),
       views(s.views),

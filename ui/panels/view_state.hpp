@@ -47,6 +47,7 @@ struct LessonState;
 struct MoleculeInfo;
 struct MouseState;
 struct NamedView;
+struct DrawnObject;
 struct NumberTyping;
 struct OpenOptions;
 struct PaletteState;
@@ -84,6 +85,7 @@ struct SettingsParts {
   OpenOptions& open;
   Request& request;
   DisplaySettings& display;
+  std::vector<DrawnObject>& objects;
   Selection& selection;
   Clip& clip;
   std::vector<NamedView>& views;

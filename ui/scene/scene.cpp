@@ -60,7 +60,8 @@ void Scene::set_balls(std::shared_ptr<BallData> balls) {
   set_differences(nullptr);
   set_layers(nullptr);
   set_beside_body(nullptr);
-  set_objects({});
+  set_objects(ObjectGroup::settings, {});
+  set_objects(ObjectGroup::layers, {});
   set_selected(nullptr);
   scene.balls = balls->balls;
   scene.places->set(balls->balls);
@@ -132,15 +133,20 @@ void Scene::set_beside_body(std::shared_ptr<LayerData> atoms) {
   scene.beside_body.show(std::move(atoms), scene.window);
 }
 
-void Scene::set_objects(std::vector<SceneObject> objects) {
+void Scene::set_objects(ObjectGroup group, std::vector<SceneObject> objects) {
   Impl& scene = changed();
   const bool had_peels = scene.anything_translucent();
-  while (scene.objects.size() < objects.size()) {
-    scene.objects.push_back(std::make_unique<ObjectActors>());
-    scene.objects.back()->add_to(scene.renderer);
+  std::size_t shown = 0;
+  for (const auto& actors : scene.objects) {
+    if (actors->group != group) continue;
+    actors->show(shown < objects.size() ? objects[shown] : SceneObject{}, scene.window);
+    ++shown;
   }
-  objects.resize(scene.objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i) scene.objects[i]->show(objects[i], scene.window);
+  for (; shown < objects.size(); ++shown) {
+    scene.objects.push_back(std::make_unique<ObjectActors>(group));
+    scene.objects.back()->add_to(scene.renderer);
+    scene.objects.back()->show(objects[shown], scene.window);
+  }
   if (had_peels && !scene.anything_translucent()) scene.release_buffers();
   scene.apply_style();
 }

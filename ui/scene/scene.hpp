@@ -88,8 +88,9 @@ class Scene {
   void set_layers(std::shared_ptr<LayerData> layers);
   // Atoms that are not balls. They stay opaque when the rest fades; null: none.
   void set_beside_body(std::shared_ptr<LayerData> atoms);
-  // Objects of the molecule's atoms, in any order. set_balls() removes them.
-  void set_objects(std::vector<SceneObject> objects);
+  // Objects of the molecule's atoms in the place of those of this group, in any order. set_balls()
+  // removes all.
+  void set_objects(ObjectGroup group, std::vector<SceneObject> objects);
   // Selected balls, drawn in the style of all balls, even when those are hidden; null: none.
   // set_balls() removes them. `outlines`: only their rims are drawn, so that they hide little.
   void set_selected(std::shared_ptr<BallData> balls, bool outlines = false);

@@ -4,6 +4,7 @@
 // This header needs no VTK.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -33,6 +34,9 @@ std::shared_ptr<CapData> make_cap_data(std::shared_ptr<const CapMesh> mesh);
 std::shared_ptr<DifferenceData> make_difference_data(std::shared_ptr<const DifferenceMesh> mesh);
 std::shared_ptr<LayerData> make_layer_data(std::shared_ptr<const LayerMesh> mesh);
 std::shared_ptr<ObjectData> make_object_data(std::shared_ptr<const ObjectMesh> mesh);
+
+// Whose objects: those of the settings fade while a layer fades the rest; those of layers do not.
+enum class ObjectGroup : std::uint8_t { settings, layers };
 
 // An object of the molecule's atoms in the scene.
 struct SceneObject {

@@ -90,7 +90,7 @@ void LayerActors::show(std::shared_ptr<LayerData> layers, vtkWindow* window) {
   data = std::move(layers);  // after show(), which replaces the old arrays
 }
 
-ObjectActors::ObjectActors() {
+ObjectActors::ObjectActors(ObjectGroup of) : group(of) {
   surface.brighter();
   surface.smooth();
   dots.actor->GetProperty()->LightingOff();
@@ -223,6 +223,10 @@ double Scene::Impl::faded(double opacity) const {
   return fades ? std::min(opacity, kFadedOpacity) : opacity;
 }
 
+double Scene::Impl::opacity_of(const ObjectActors& object) const {
+  return object.group == ObjectGroup::layers ? object.opacity : faded(object.opacity);
+}
+
 double Scene::Impl::translucent_opacity() const {
   double opacity = 0;
   const double of_balls = style.balls ? faded(style.ball_opacity) : 1;
@@ -231,7 +235,7 @@ double Scene::Impl::translucent_opacity() const {
     if (o < 1) opacity = std::max(opacity, o);
   }
   for (const auto& object : objects) {
-    const double o = object->data ? faded(object->opacity) : 1;
+    const double o = object->data ? opacity_of(*object) : 1;
     if (o < 1) opacity = std::max(opacity, o);
   }
   return opacity;
@@ -248,7 +252,7 @@ void Scene::Impl::apply_style() {
   all_balls.actor->GetProperty()->SetOpacity(faded(style.ball_opacity));
   for (CellActor* c : cells()) c->actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
   layers.translucent.set_opacity(style.cavity_opacity);
-  for (const auto& object : objects) object->set_opacity(faded(object->opacity));
+  for (const auto& object : objects) object->set_opacity(opacity_of(*object));
   const bool closed = cap_data && style.cut.on();
   caps.actor->SetVisibility(closed && cap_data->faces);
   cap_edges.actor->SetVisibility(closed && cap_data->edges);

@@ -87,8 +87,9 @@ struct ObjectActors {
   std::shared_ptr<BallPlaces> places = std::make_shared<BallPlaces>();  // of sticks
   std::shared_ptr<ObjectData> data;                                     // null: nothing
   float opacity = 1;
+  const ObjectGroup group;
 
-  ObjectActors();
+  explicit ObjectActors(ObjectGroup group);
   void add_to(vtkRenderer* renderer);
   void show(const SceneObject& object, vtkWindow* window);
   void set_opacity(double shown);
@@ -134,6 +135,7 @@ struct Scene::Impl {
   // Opacity of the picture beside the bodies of layers: `opacity`, limited while a layer fades the
   // rest.
   double faded(double opacity) const;
+  double opacity_of(const ObjectActors& object) const;
   bool anything_translucent() const;
   double translucent_opacity() const;  // largest opacity among translucent things; 0: there are
                                        // none

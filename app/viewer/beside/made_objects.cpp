@@ -39,10 +39,7 @@ void MadeObjects::follow(const SceneControls& controls) {
   if (same_molecule && set_opacities(controls)) return worker_.cancel();
   Made from;
   from.molecule = picture_.molecule;
-  if (same_molecule) {
-    from.objects = drawn_;
-    from.facts = facts_;
-  }
+  if (same_molecule) from.objects = drawn_;
   worker_.submit(
       [this, from, wanted,
        appearance = controls.appearance](const RunContext& c) -> Worker::Delivery {
@@ -66,7 +63,7 @@ bool MadeObjects::set_opacities(const SceneControls& controls) {
     drawn_[i].object.opacity = wanted[i].opacity;
     objects.push_back({drawn_[i].data, wanted[i].opacity});
   }
-  canvas_.change().set_objects(std::move(objects));
+  canvas_.change().set_objects(ObjectGroup::settings, std::move(objects));
   return true;
 }
 
@@ -74,8 +71,8 @@ MadeObjects::Made MadeObjects::make(Made from, const DrawnObjects& wanted,
                                     const Appearance& appearance, const RunContext& context) const {
   Made made;
   made.molecule = from.molecule;
-  made.facts = from.facts;
-  if (!made.facts) made.facts = find_object_facts(*from.molecule, context);
+  if (wanted.empty()) return made;
+  const std::shared_ptr<const ObjectFacts> facts = facts_.of(*from.molecule, context);
   for (const DrawnObject& object : wanted) {
     const auto before = std::find_if(from.objects.begin(), from.objects.end(), [&](const Drawn& d) {
       return same_drawing(d, object, appearance);
@@ -87,7 +84,7 @@ MadeObjects::Made MadeObjects::make(Made from, const DrawnObjects& wanted,
     }
     try {
       auto mesh = std::make_shared<const ObjectMesh>(
-          build_object(*from.molecule, *made.facts, object, appearance, context.cancel));
+          build_object(*from.molecule, *facts, object, appearance, context.cancel));
       const auto free = free_memory_();
       if (free && object_bytes(*mesh) > drawing_budget(*free)) {
         made.not_drawn = object_title(object) +
@@ -107,7 +104,6 @@ MadeObjects::Made MadeObjects::make(Made from, const DrawnObjects& wanted,
 void MadeObjects::show(Made made) {
   if (made.molecule != picture_.molecule) return;
   of_ = made.molecule;
-  facts_ = made.facts;
   not_drawn_ = made.not_drawn;
   std::vector<SceneObject> objects;
   picks_.clear();
@@ -115,7 +111,7 @@ void MadeObjects::show(Made made) {
     objects.push_back({d.data, d.object.opacity});
     picks_.insert(picks_.end(), d.picks.begin(), d.picks.end());
   }
-  canvas_.change().set_objects(std::move(objects));
+  canvas_.change().set_objects(ObjectGroup::settings, std::move(objects));
   drawn_ = std::move(made.objects);  // after the scene has let go of the old arrays
 }
 
@@ -123,7 +119,6 @@ void MadeObjects::forget() {
   worker_.cancel();
   drawn_.clear();
   picks_.clear();
-  facts_ = nullptr;
   of_ = nullptr;
   not_drawn_.clear();
 }

@@ -23,10 +23,11 @@ class MadeObjects {
  public:
   // `wake` as in Worker.
   MadeObjects(std::function<void()> wake, FreeMemory free_memory, Canvas& canvas,
-              const DrawnPicture& picture)
+              const DrawnPicture& picture, FactsOnce& facts)
       : free_memory_(std::move(free_memory)),
         canvas_(canvas),
         picture_(picture),
+        facts_(facts),
         worker_(std::move(wake)) {}
 
   // Follows a change of the controls or the balls. A change of opacity alone shows at once; the
@@ -51,11 +52,9 @@ class MadeObjects {
     std::shared_ptr<ObjectData> data;
     PickLayers picks;
   };
-  using Facts = std::shared_ptr<const ObjectFacts>;
   struct Made {
     std::vector<Drawn> objects;
     std::shared_ptr<const DrawnMolecule> molecule;
-    Facts facts;  // of molecule
     std::string not_drawn;
   };
 
@@ -69,9 +68,9 @@ class MadeObjects {
   const FreeMemory free_memory_;
   Canvas& canvas_;
   const DrawnPicture& picture_;
+  FactsOnce& facts_;
   std::vector<Drawn> drawn_;                 // those that are shown
-  std::shared_ptr<const DrawnMolecule> of_;  // the molecule of facts_
-  Facts facts_;
+  std::shared_ptr<const DrawnMolecule> of_;  // the molecule of drawn_
   PickLayers picks_;
   std::string not_drawn_;
   Worker worker_;  // last member, so that its thread is joined first

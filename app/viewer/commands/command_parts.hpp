@@ -49,6 +49,9 @@ CommandSpec display_command(ViewState& s, const DisplayField& field);
 void add_display_switches(Commands& commands, ViewState& s);
 void add_look_commands(Commands& commands, ViewState& s);
 
+// Commands of the objects of atoms.
+void add_object_commands(Commands& commands, ViewState& s);
+
 // Commands of the clip.
 void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask);
 

@@ -350,6 +350,7 @@ void add_program_commands(Commands& commands, ViewState& state, const Calls& ask
   add_view_commands(commands, state, ask);
   add_look_commands(commands, state);
   add_camera_commands(commands, state, ask);
+  add_object_commands(commands, state);
   add_clip_commands(commands, state, ask);
   add_compute_commands(commands, state, ask);
   add_why_commands(commands, state);

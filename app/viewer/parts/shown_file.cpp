@@ -46,6 +46,7 @@ void ShownFile::take_file() {
   Settings fresh;  // gets the settings that do not belong to one file
   fresh.request = state.settings.request;
   fresh.display = state.settings.display;
+  fresh.objects = first_objects_ ? *first_objects_ : usual_objects(*s.molecule);
   state.settings.all = fresh;
   p_.sender.take_options();
   state.expression_error.reset();

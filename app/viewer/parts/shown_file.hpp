@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "app/session/session.hpp"
 #include "app/viewer/parts/due_frames.hpp"
@@ -40,6 +42,10 @@ class ShownFile {
   // another molecule, so that the memory of the last one is free.
   bool take_molecule(float line_scale);
   bool any() const { return file_ != nullptr; }
+  // Objects of molecules that are opened; none: usual_objects().
+  void set_first_objects(std::optional<DrawnObjects> objects) {
+    first_objects_ = std::move(objects);
+  }
 
  private:
   void take_file();
@@ -50,6 +56,7 @@ class ShownFile {
   Parts p_;
   Opening opening_;
   std::shared_ptr<const Molecule> file_;  // the molecule as deposited; null: none
+  std::optional<DrawnObjects> first_objects_;
   ColourBy automatic_colour_ = ColourBy::chain;
 };
 

@@ -2,6 +2,8 @@
 // Makes the drawings of layers, small ones at once.
 #include "app/viewer/scene/panel_layers.hpp"
 
+#include <algorithm>
+
 #include "ui/scene/mesh/drawing_memory.hpp"
 #include "ui/scene/picture/placed_label.hpp"
 
@@ -27,23 +29,29 @@ void PanelLayers::set(const Layers& layers) {
   wanted_ = keys;
   worker_.cancel();
   if (fitting.empty()) return show({}, nullptr);
-  if (layer_points(fitting).all() > kMostPointsAtOnce) return submit(fitting);
+  const bool objects = std::any_of(fitting.begin(), fitting.end(),
+                                   [](const auto& layer) { return !layer->objects.empty(); });
+  if (objects || layer_points(fitting).all() > kMostPointsAtOnce) return submit(fitting);
   auto mesh =
       std::make_shared<const LayerMesh>(build_layer_mesh(*picture_.molecule->geometry, fitting));
-  show({fitting, mesh, {}, body_layers(mesh), atom_layer(mesh)}, make_layer_data(mesh));
+  show({fitting, mesh, {}, body_layers(mesh), atom_layer(mesh), {}}, make_layer_data(mesh));
 }
 
 void PanelLayers::submit(const Layers& layers) {
-  const auto tell = [this](const std::string& why) { show({{}, nullptr, why, {}, {}}, nullptr); };
+  const auto tell = [this](const std::string& why) {
+    show({{}, nullptr, why, {}, {}, {}}, nullptr);
+  };
   worker_.submit(
-      [this, tell, layers, molecule = picture_.molecule](const RunContext&) -> Worker::Delivery {
+      [this, tell, layers,
+       molecule = picture_.molecule](const RunContext& context) -> Worker::Delivery {
         const std::string not_drawn = layers_not_drawn_text(layer_points(layers), free_memory_());
         if (!not_drawn.empty()) return [tell, not_drawn] { tell(not_drawn); };
         auto mesh =
             std::make_shared<const LayerMesh>(build_layer_mesh(*molecule->geometry, layers));
-        return [this, layers, molecule, mesh, picks = body_layers(mesh), atoms = atom_layer(mesh),
-                data = make_layer_data(mesh)] {
-          if (molecule == picture_.molecule) show({layers, mesh, {}, picks, atoms}, data);
+        Drawn drawn{layers, mesh, {}, body_layers(mesh), atom_layer(mesh), {}};
+        add_objects(drawn, *molecule, context);
+        return [this, molecule, drawn, data = make_layer_data(mesh)] {
+          if (molecule == picture_.molecule) show(drawn, data);
         };
       },
       [tell](const Worker::Failure& failure) {
@@ -53,8 +61,34 @@ void PanelLayers::submit(const Layers& layers) {
 }
 
 void PanelLayers::show(Drawn drawn, std::shared_ptr<LayerData> data) {
+  Scene& scene = canvas_.change();
+  scene.set_layers(std::move(data));
+  std::vector<SceneObject> objects;
+  for (const Drawn::Object& o : drawn.objects) objects.push_back({o.data, o.pictured.opacity});
+  scene.set_objects(ObjectGroup::layers, std::move(objects));
   drawn_ = std::move(drawn);
-  canvas_.change().set_layers(std::move(data));
+}
+
+void PanelLayers::add_objects(Drawn& drawn, const DrawnMolecule& molecule,
+                              const RunContext& context) const {
+  for (const auto& layer : drawn.layers) {
+    for (const LayerObject& o : layer->objects) {
+      auto mesh = std::make_shared<const ObjectMesh>(build_object(
+          molecule, *facts_.of(molecule, context), o.object, o.atoms, {}, context.cancel));
+      const PickLayers picks = object_layers(mesh);
+      drawn.picks.insert(drawn.picks.end(), picks.begin(), picks.end());
+      drawn.objects.push_back(
+          {{mesh, o.object.opacity}, make_object_data(mesh), layer->in_pictures});
+    }
+  }
+}
+
+PicturedObjects PanelLayers::objects_for_saved_pictures() const {
+  PicturedObjects objects;
+  for (const Drawn::Object& o : drawn_.objects) {
+    if (o.in_pictures) objects.push_back(o.pictured);
+  }
+  return objects;
 }
 
 void PanelLayers::forget() {

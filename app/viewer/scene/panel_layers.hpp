@@ -14,6 +14,7 @@
 #include "app/viewer/scene/drawn_picture.hpp"
 #include "core/run/worker.hpp"
 #include "ui/layer.hpp"
+#include "ui/scene/objects/object_mesh.hpp"
 #include "ui/scene/pick/pick.hpp"
 #include "ui/scene/picture/picture.hpp"
 
@@ -26,10 +27,11 @@ class PanelLayers {
  public:
   // `wake` as in Worker.
   PanelLayers(std::function<void()> wake, FreeMemory free_memory, Canvas& canvas,
-              const DrawnPicture& picture)
+              const DrawnPicture& picture, FactsOnce& facts)
       : free_memory_(std::move(free_memory)),
         canvas_(canvas),
         picture_(picture),
+        facts_(facts),
         worker_(std::move(wake)) {}
 
   // Layers of other balls than those of the complex on screen are left out. The last drawn layers
@@ -44,6 +46,7 @@ class PanelLayers {
   // The drawn layers.
   const Layers& layers() const { return drawn_.layers; }
   Layers for_saved_pictures() const;
+  PicturedObjects objects_for_saved_pictures() const;
   const PickLayers& picks() const { return drawn_.picks; }
   const std::optional<PickLayer>& atoms() const { return drawn_.atoms; }  // picked first
   bool fades_rest() const { return drawn_.mesh && drawn_.mesh->fades_rest; }
@@ -59,13 +62,22 @@ class PanelLayers {
     std::string not_drawn;                  // why layers are missing; empty: none
     PickLayers picks;                       // of mesh
     std::optional<PickLayer> atoms;         // of mesh
+    struct Object {
+      PicturedObject pictured;
+      std::shared_ptr<ObjectData> data;
+      bool in_pictures = true;
+    };
+    std::vector<Object> objects;
   };
+  // Makes the layers' objects and their picks.
+  void add_objects(Drawn& drawn, const DrawnMolecule& molecule, const RunContext& context) const;
   void submit(const Layers& layers);
   void show(Drawn drawn, std::shared_ptr<LayerData> data);
 
   const FreeMemory free_memory_;
   Canvas& canvas_;
   const DrawnPicture& picture_;
+  FactsOnce& facts_;
   std::vector<std::pair<std::string, std::uint64_t>> wanted_;  // ids and keys
   Drawn drawn_;
   Worker worker_;  // last member, so that its thread is joined first

@@ -34,6 +34,7 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
   frame.options = request.options;
   frame.beside_body = shown_.beside_body().mesh;
   frame.objects = shown_.objects().pictured();
+  frame.layer_objects = shown_.layers().objects_for_saved_pictures();
   frame.texts = picture_texts(drawn().header());
   frame.not_drawn = drawn().not_drawn;
   PictureToSave picture{

@@ -32,8 +32,8 @@ ShownPicture::ShownPicture(const std::function<void()>& wake, std::chrono::milli
                            const FreeMemory& free_memory, const SceneControls& controls)
     : controls_(controls),
       beside_(wake, canvas_, picture_),
-      objects_(wake, free_memory, canvas_, picture_),
-      layers_(wake, free_memory, canvas_, picture_),
+      objects_(wake, free_memory, canvas_, picture_, facts_),
+      layers_(wake, free_memory, canvas_, picture_, facts_),
       picking_(wake, canvas_, picture_),
       caps_(wake, finishes, canvas_, picture_),
       colours_(wake, canvas_, picture_) {

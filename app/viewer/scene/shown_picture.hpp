@@ -85,6 +85,7 @@ class ShownPicture {
   Pacing pacing_{canvas_, picture_};
   BesideAtoms beside_;
   SelectionMarks marks_{canvas_, picture_, beside_};
+  FactsOnce facts_;
   MadeObjects objects_;
   PanelLayers layers_;
   Picking picking_;

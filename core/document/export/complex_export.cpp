@@ -18,6 +18,7 @@
 #include "core/geometry/shortest_number.hpp"
 #include "core/measure/union_measures.hpp"
 #include "core/molecule/atom_colours.hpp"
+#include "core/molecule/chain_colours.hpp"
 #include "core/molecule/rgb8.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/run/work_threads.hpp"

@@ -15,6 +15,7 @@
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/definition.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/molecule/chain_colours.hpp"
 #include "core/molecule/residue_class.hpp"
 #include "core/molecule/rgb8.hpp"
 #include "core/run/work_threads.hpp"
@@ -60,11 +61,21 @@ BallValues by_element(const PaintedMolecule& of) {
 }
 
 BallValues by_chain(const PaintedMolecule& of) {
+  const std::size_t chains = of.molecule.names.size();
+  const ChainColours colours(of.molecule);
+  const auto class_of = [&](const Atom& atom) { return residue_class(of.molecule, atom); };
   return by_key(
-      of, of.molecule.names.size(), [](const Atom& atom) { return atom.chain; },
-      [&](const Atom& atom, std::uint32_t n) {
+      of, chains + kResidueClasses,
+      [&](const Atom& atom) {
+        return colours.by_chain(atom) ? std::size_t{atom.chain}
+                                      : chains + static_cast<std::size_t>(class_of(atom));
+      },
+      [&](const Atom& atom, std::uint32_t) {
+        if (!colours.by_chain(atom)) {
+          return PaintCategory{residue_class_name(class_of(atom)), colours.of(atom)};
+        }
         const std::string name(of.molecule.text(atom.chain));
-        return PaintCategory{name.empty() ? "without a name" : name, chain_colour(n)};
+        return PaintCategory{name.empty() ? "without a name" : name, colours.of(atom)};
       });
 }
 

@@ -17,6 +17,9 @@ struct DisplaySettings {
   float ball_scale = 0.3f;   // factor on the radius
   float ball_opacity = 1, complex_opacity = 1;
   float cavity_opacity = 0.45f;     // below 1, so that the contents of a cavity are visible
+  bool lining_sticks = true;        // residues that line a chosen cavity
+  float lining_opacity = 1;         // of these sticks
+  float content_opacity = 1;        // of ligands in a chosen cavity
   float shrink = 0;                 // of tetrahedra, 0 to 0.9
   float edge_thickness = 0.12f;     // Å; at least 1.5 pixels are drawn
   bool smooth_boundary = false;     // smooth light on the boundary

@@ -10,6 +10,7 @@
 
 #include "core/chart/colour_text.hpp"
 #include "core/files/line_reader.hpp"
+#include "core/molecule/molecule.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "core/text/choices.hpp"
 #include "core/text/text_parts.hpp"
@@ -31,6 +32,7 @@ constexpr std::array kColours{
     ObjectColourInfo{ObjectColour::secondary, "secondary", "Helices and strands"},
     ObjectColourInfo{ObjectColour::single, "single", "One colour"}};
 constexpr const char *kHidden = "hidden", *kNone = "none";
+constexpr float kFaint = 0.5F;  // opacity of the first cartoon
 constexpr const char* kExample = "\"cartoon,secondary,40%:chain A\"";
 
 // The share of "40%"; empty if it is none of 1 to 100 percent.
@@ -159,6 +161,21 @@ std::string objects_text(const DrawnObjects& objects) {
     text += (text.empty() ? "" : "; ") + object_text(object);
   }
   return text.empty() ? kNone : text;
+}
+
+DrawnObjects usual_objects(const Molecule& molecule) {
+  const auto any = [&](ResidueKind kind) {
+    return std::any_of(molecule.atoms.begin(), molecule.atoms.end(), [kind](const Atom& atom) {
+      return atom.kind == kind && atom.residue_name != 0;
+    });
+  };
+  if (!any(ResidueKind::polymer)) return {};
+  DrawnObjects objects{{.kind = ObjectKind::cartoon, .opacity = kFaint}};
+  if (any(ResidueKind::ligand)) {
+    objects.push_back(
+        {.kind = ObjectKind::sticks, .atoms = "ligand", .colour = ObjectColour::element});
+  }
+  return objects;
 }
 
 std::string object_title(const DrawnObject& object) {

@@ -15,6 +15,8 @@
 
 namespace alphascope {
 
+struct Molecule;
+
 enum class ObjectKind : std::uint8_t {
   cartoon,           // ribbons of proteins, ladders of nucleic acids
   sticks,            // bonds
@@ -75,6 +77,8 @@ struct ObjectListWords {
 };
 ObjectListWords read_objects(std::string_view text);
 std::string objects_text(const DrawnObjects& objects);
+// The objects of a molecule that is opened: a cartoon and the ligands of a protein or nucleic acid.
+DrawnObjects usual_objects(const Molecule& molecule);
 // "Cartoon", "Sticks of ligand".
 std::string object_title(const DrawnObject& object);
 std::string object_kind_ids();    // "cartoon|sticks|…"

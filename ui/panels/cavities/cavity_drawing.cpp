@@ -22,6 +22,9 @@ void make_layers(PanelContext& ctx, CavityPage& page) {
          ctx.state.settings.display.beside;
   old |= !(std::exchange(page.hidden, ctx.state.settings.appearance.hidden) ==
            ctx.state.settings.appearance.hidden);
+  const DisplaySettings& d = ctx.state.settings.display;
+  const CavityPage::Sticks sticks{d.lining_sticks, d.lining_opacity, d.content_opacity};
+  old |= !(std::exchange(page.sticks, sticks) == sticks);
   old |= std::exchange(page.theme, ctx.state.theme()) != ctx.state.theme();
   const auto balls = page.drawn ? balls_of_layers(ctx, page) : nullptr;
   old |= std::exchange(page.layers_of, balls) != balls;
@@ -30,6 +33,7 @@ void make_layers(PanelContext& ctx, CavityPage& page) {
   page.layers.clear();
   if (!page.drawn) return;
   for (const SelectedCavity& cavity : page.drawn->of) add_layers_of_cavity(ctx, page, cavity);
+  add_layer_of_lining(page);
   add_layer_of_contents(page);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of the parts of chosen cavities that are drawn, with their opacity.
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "ui/layer.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
@@ -33,11 +35,22 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
                 " opaque, whatever the section Display says, so that they do not hide the cavity. "
                 "Its contents are drawn in front of everything else.")
                    .c_str());
+  display_row(ctx, &DisplaySettings::lining_sticks);
   ImGui::Dummy({ctx.px(240), 0});  // a width, since the slider takes all there is
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Opacity");
-  ImGui::SameLine(0, ctx.px(10));
-  display_slider(ctx, display_field(&DisplaySettings::cavity_opacity), "cavities.draw.opacity");
+  muted_text(ctx, "Opacity");
+  const std::pair<const char*, DisplayField::Member> opacities[] = {
+      {"Cavities", &DisplaySettings::cavity_opacity},
+      {"Lining", &DisplaySettings::lining_opacity},
+      {"Ligands", &DisplaySettings::content_opacity}};
+  for (const auto& [label, member] : opacities) {
+    const DisplayField& field = display_field(member);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(ctx.px(90));
+    const bool usual = std::string_view(field.id) == "cavity_opacity";
+    const std::string name = std::string("cavities.draw.") + (usual ? "opacity" : field.id);
+    display_slider(ctx, field, name.c_str());
+  }
   ImGui::EndPopup();
 }
 

@@ -82,6 +82,11 @@ struct CavityPage {
   std::shared_ptr<const BallSet> layers_of;  // Layer::balls
   std::uint64_t layers_key = 0;
   bool layers_are_old = true;
+  struct Sticks {  // for which the layers were made
+    bool lining = false;
+    float lining_opacity = 1, content_opacity = 1;
+    friend bool operator==(const Sticks&, const Sticks&) = default;
+  } sticks;
   AtomsBesideBody beside;  // kinds of dropped atoms that `layers` may show; then hidden atoms
   AtomSet hidden;
   Theme theme{};  // for which their colours were chosen

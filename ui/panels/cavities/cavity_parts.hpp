@@ -92,6 +92,8 @@ void add_layers_of_cavity(PanelContext& ctx, CavityPage& page, const SelectedCav
 // Adds the contents of the cavities once more, if they are drawn beside the body. Otherwise cavity
 // and molecule would hide them. If the rest does not fade, they stay where they are.
 void add_layer_of_contents(CavityPage& page);
+// Adds the residues that line the cavities, as sticks, under the same condition.
+void add_layer_of_lining(CavityPage& page);
 
 // --- cavity_drawn_parts.cpp
 

@@ -3,10 +3,12 @@
 #include "ui/scene/objects/object_mesh.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "core/molecule/altlocs.hpp"
 #include "core/molecule/atom_colours.hpp"
+#include "core/molecule/chain_colours.hpp"
 #include "core/selection/selection_expression.hpp"
 
 namespace alphascope {
@@ -40,14 +42,16 @@ ModelRange drawn_models(const PicturedMolecule& m) {
 
 class ObjectBuilder {
  public:
+  // `atoms`: null for those of the object's expression.
   ObjectBuilder(const PicturedMolecule& m, const ObjectFacts& facts, const DrawnObject& object,
-                const Appearance& appearance, const CancelToken& cancel)
+                const std::vector<std::uint32_t>* atoms, const Appearance& appearance,
+                const CancelToken& cancel)
       : molecule_(*m.molecule),
         origin_(m.geometry->origin),
         facts_(facts),
         object_(object),
         cancel_(cancel) {
-    choose(appearance);
+    atoms == nullptr ? choose(appearance) : take(*atoms, appearance);
     cancel.throw_if_cancelled();
     colour(appearance);
     cancel.throw_if_cancelled();
@@ -74,6 +78,13 @@ class ObjectBuilder {
   }
 
  private:
+  void take(const std::vector<std::uint32_t>& atoms, const Appearance& appearance) {
+    wanted_.assign(molecule_.atoms.size(), false);
+    std::vector<bool> hidden;
+    if (!appearance.hidden.empty()) hidden = atoms_of(molecule_, appearance.hidden);
+    for (const std::uint32_t i : atoms) wanted_.at(i) = hidden.empty() || !hidden[i];
+  }
+
   void choose(const Appearance& appearance) {
     const auto& atoms = molecule_.atoms;
     wanted_.assign(atoms.size(), false);
@@ -95,15 +106,14 @@ class ObjectBuilder {
   void colour(const Appearance& appearance) {
     const auto& atoms = molecule_.atoms;
     colours_.resize(atoms.size());
-    const std::vector<Rgb8> of_chain =
-        object_.colour == ObjectColour::chain ? chain_colours(molecule_) : std::vector<Rgb8>();
+    const ChainColours of_chain(molecule_);
     for (std::size_t i = facts_.atoms.begin; i < facts_.atoms.end; ++i) {
       const Atom& atom = atoms[i];
       const bool polymer = atom.kind == ResidueKind::polymer;
       if (object_.colour == ObjectColour::single) {
         colours_[i] = object_.own;
       } else if (object_.colour == ObjectColour::chain && polymer) {
-        colours_[i] = of_chain[atom.chain];
+        colours_[i] = of_chain.of(atom);
       } else if (object_.colour == ObjectColour::secondary && polymer) {
         colours_[i] = secondary_colour(SecondaryStructure::coil);
       } else {
@@ -271,7 +281,25 @@ ObjectMesh build_object(const PicturedMolecule& molecule, const ObjectFacts& fac
                         const DrawnObject& object, const Appearance& appearance,
                         const CancelToken& cancel) {
   if (molecule.geometry->centres.empty()) return {};
-  return ObjectBuilder(molecule, facts, object, appearance, cancel).build();
+  return ObjectBuilder(molecule, facts, object, nullptr, appearance, cancel).build();
+}
+
+ObjectMesh build_object(const PicturedMolecule& molecule, const ObjectFacts& facts,
+                        const DrawnObject& object, const std::vector<std::uint32_t>& atoms,
+                        const Appearance& appearance, const CancelToken& cancel) {
+  if (molecule.geometry->centres.empty()) return {};
+  return ObjectBuilder(molecule, facts, object, &atoms, appearance, cancel).build();
+}
+
+std::shared_ptr<const ObjectFacts> FactsOnce::of(const PicturedMolecule& molecule,
+                                                 const RunContext& context) {
+  std::unique_lock lock(finding_, std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(20))) context.cancel.throw_if_cancelled();
+  if (prepared_ != molecule.prepared) {
+    facts_ = find_object_facts(molecule, context);
+    prepared_ = molecule.prepared;
+  }
+  return facts_;
 }
 
 PicturedObjects build_objects(const PicturedMolecule& molecule, const DrawnObjects& objects,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/bonds/bonds.hpp"
@@ -51,12 +52,29 @@ struct ObjectMesh {
   }
 };
 
+// The facts about one molecule, found when they are first needed. Several threads may ask at once.
+class FactsOnce {
+ public:
+  // Throws Cancelled.
+  std::shared_ptr<const ObjectFacts> of(const PicturedMolecule& molecule,
+                                        const RunContext& context = {});
+
+ private:
+  std::timed_mutex finding_;
+  std::shared_ptr<const PreparedBalls> prepared_;  // of the molecule of facts_
+  std::shared_ptr<const ObjectFacts> facts_;
+};
+
 // Hidden atoms are left out, as are alternative locations that give way to others; colours that the
 // user chose for atoms win. Without balls the result is empty. Works on the caller's threads.
 // Throws SelectionError and Cancelled.
 ObjectMesh build_object(const PicturedMolecule& molecule, const ObjectFacts& facts,
                         const DrawnObject& object, const Appearance& appearance,
                         const CancelToken& cancel = {});
+// The same for these atoms, whatever the object's expression says.
+ObjectMesh build_object(const PicturedMolecule& molecule, const ObjectFacts& facts,
+                        const DrawnObject& object, const std::vector<std::uint32_t>& atoms,
+                        const Appearance& appearance, const CancelToken& cancel = {});
 
 // The objects that are shown. Throws as build_object() does.
 PicturedObjects build_objects(const PicturedMolecule& molecule, const DrawnObjects& objects,

@@ -127,6 +127,7 @@ Picture picture_of(const PicturedMolecule& molecule, const EngineAnswer* answer,
   picture.layers = std::move(frame.layers);
   picture.beside_body = std::move(frame.beside_body);
   picture.objects = std::move(frame.objects);
+  picture.layer_objects = std::move(frame.layer_objects);
   picture.style = std::move(frame.style);
   picture.viewpoint = frame.viewpoint;
   MarkedPicture& marked = picture.picture;

@@ -93,7 +93,7 @@ struct PictureFrame {
   PictureOptions options;
   Layers layers;
   std::shared_ptr<const LayerMesh> beside_body;  // null: none
-  PicturedObjects objects;
+  PicturedObjects objects, layer_objects;
   PictureTexts texts;     // on the source of the complex
   std::string not_drawn;  // a sentence on parts missing for lack of memory; empty: none are
 };

@@ -22,7 +22,12 @@ MarkedPicture show(Scene& scene, const Picture& p) {
   std::vector<SceneObject> objects;
   for (const PicturedObject& o : p.objects)
     objects.push_back({make_object_data(o.mesh), o.opacity});
-  scene.set_objects(std::move(objects));
+  scene.set_objects(ObjectGroup::settings, std::move(objects));
+  std::vector<SceneObject> of_layers;
+  for (const PicturedObject& o : p.layer_objects) {
+    of_layers.push_back({make_object_data(o.mesh), o.opacity});
+  }
+  scene.set_objects(ObjectGroup::layers, std::move(of_layers));
   if (p.viewpoint) scene.set_viewpoint(*p.viewpoint);
   MarkedPicture marked = p.picture;
   marked.labels = layers->labels;

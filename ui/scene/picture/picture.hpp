@@ -27,7 +27,7 @@ struct Picture {
   std::shared_ptr<const DifferenceMesh> differences;  // null: none
   Layers layers;
   std::shared_ptr<const LayerMesh> beside_body;  // null: none
-  PicturedObjects objects;
+  PicturedObjects objects, layer_objects;
   SceneStyle style;
   std::optional<Viewpoint> viewpoint;  // none: the scene's present view, at first the default view
   MarkedPicture picture;

@@ -4,9 +4,11 @@
 // Balls have 0.3 of their radius, beside tetrahedra, singular triangles and edges. The view turns
 // slightly before each picture. Prints the least of several times in milliseconds.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 #include "core/engine/engine.hpp"
@@ -15,6 +17,7 @@
 #include "core/molecule/chain_colours.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "ui/scene/objects/object_mesh.hpp"
 #include "ui/scene/scene.hpp"
 #include "ui/window/egl_context.hpp"
 
@@ -39,19 +42,62 @@ void report(const char* what, Scene& scene, int times, const std::function<doubl
   std::printf("  %-28s %8.1f ms\n", what, taken.front());
 }
 
+double milliseconds_of(int times, const std::function<void()>& work) {
+  std::vector<double> taken;
+  for (int i = 0; i < times; ++i) {
+    const auto begun = std::chrono::steady_clock::now();
+    work();
+    taken.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun)
+            .count());
+  }
+  std::sort(taken.begin(), taken.end());
+  return taken[taken.size() / 2];
+}
+
+// Medians of the times until the objects can be drawn.
+void show_objects(const PicturedMolecule& pictured, const char* text, Scene& scene) {
+  constexpr int kTimes = 11;
+  const ObjectListWords list = read_objects(text);
+  if (!list.error.empty()) throw std::invalid_argument(list.error);
+  std::shared_ptr<const ObjectFacts> facts;
+  std::printf("  %-28s %8.1f ms\n", "secondary structure, bonds",
+              milliseconds_of(kTimes, [&] { facts = find_object_facts(pictured); }));
+  std::vector<SceneObject> objects;
+  for (const DrawnObject& object : list.objects) {
+    std::shared_ptr<const ObjectMesh> mesh;
+    const double build = milliseconds_of(kTimes, [&] {
+      mesh =
+          std::make_shared<const ObjectMesh>(build_object(pictured, *facts, object, Appearance()));
+    });
+    objects.push_back({nullptr, object.opacity});
+    const double arrays =
+        milliseconds_of(kTimes, [&] { objects.back().data = make_object_data(mesh); });
+    std::printf("  %-28s %8.1f ms, arrays %.1f ms; %zu triangles, %zu sticks, %zu balls\n",
+                object_title(object).c_str(), build, arrays, mesh->cartoon.triangles(),
+                mesh->sticks.rods.size(), mesh->spheres ? mesh->spheres->centres.size() : 0);
+  }
+  scene.set_objects(ObjectGroup::settings, std::move(objects));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: alphascope_picture_bench FILE [ALPHA [WIDTH HEIGHT [OPACITY]]]\n");
+    std::fprintf(
+        stderr,
+        "usage: alphascope_picture_bench FILE [ALPHA [WIDTH HEIGHT [OPACITY [OBJECTS]]]]\n");
     return 2;
   }
   const double alpha = argc > 2 ? std::atof(argv[2]) : 1;
   const int width = argc > 4 ? std::atoi(argv[3]) : 1280;
   const int height = argc > 4 ? std::atoi(argv[4]) : 800;
   const double opacity = argc > 5 ? std::atof(argv[5]) : 1;
-  const Molecule molecule = read_molecule(argv[1]);
-  const PreparedBalls prepared = prepare_balls(molecule);
+  PicturedMolecule pictured;
+  pictured.molecule = std::make_shared<const Molecule>(read_molecule(argv[1]));
+  pictured.prepared = std::make_shared<const PreparedBalls>(prepare_balls(*pictured.molecule));
+  const Molecule& molecule = *pictured.molecule;
+  const PreparedBalls& prepared = *pictured.prepared;
   const auto geometry = std::make_shared<const BallGeometry>(*prepared.balls);
   const AlphaComplex complex = make_cpu_engine(prepared.balls)->compute({alpha, false}, {});
   const auto colours = colours_by_chain(molecule, prepared.atom_of_ball);
@@ -59,6 +105,7 @@ int main(int argc, char** argv) try {
   options.translucent = opacity < 1;
   const auto mesh =
       std::make_shared<const ComplexMesh>(build_mesh(*geometry, colours, complex, options));
+  pictured.geometry = geometry;
   EglContext context;
   Scene scene;
   scene.set_balls(geometry, colours);
@@ -66,6 +113,7 @@ int main(int argc, char** argv) try {
   balls.scale = 0.3;
   scene.set_ball_radii(drawn_radii(*geometry, balls));
   scene.set_mesh(make_mesh_data(mesh));
+  if (argc > 6) show_objects(pictured, argv[6], scene);
   SceneStyle style;
   style.complex_opacity = opacity;
   style.depth_cue = 0.4f;

@@ -90,7 +90,7 @@ TEST_F(ObjectsTest, SessionsAndSavedPicturesHaveThem) {
   const std::string command = std::string(ALPHASCOPE_CLI) + " screenshot --session " + session +
                               " --size 640x480 -o " + drawn + " > /dev/null 2>&1";
   ASSERT_EQ(std::system(command.c_str()), 0);
-  EXPECT_LT(compare_pictures(pixels_of(saved), pixels_of(drawn)).share, 0.02);
+  EXPECT_LT(compare_pictures(pixels_of(fs::path(saved)), pixels_of(fs::path(drawn))).share, 0.02);
 }
 
 TEST_F(ObjectsTest, TheMouseFindsResiduesOfACartoon) {
@@ -121,7 +121,7 @@ TEST_F(ObjectsTest, AChosenCavityHasItsLigandAndItsLiningAsSticks) {
   };
   EXPECT_GT(sticks().atoms.size(), 700u);  // 131 residues line it
   const Image with = picture();
-  run("view.lining_opacity 30\nwait-idle\n");
+  run("view.lining_opacity 0.3\nwait-idle\n");
   EXPECT_FLOAT_EQ(sticks().object.opacity, 0.3F);
   run("view.lining_sticks off\nwait-idle\n");
   EXPECT_TRUE(sticks().atoms.empty());

@@ -160,6 +160,20 @@ SecondaryModel find_secondary(const Molecule& molecule, const ModelRange& model,
   return SecondaryFinder(molecule, model, context).find(choice);
 }
 
+SecondaryModel find_secondary_of_models(const Molecule& molecule, const ModelRange& models,
+                                        const RunContext& context) {
+  SecondaryModel all;
+  for (const ModelRange& model : molecule.models) {
+    if (model.begin < models.begin || model.end > models.end) continue;
+    const SecondaryModel found =
+        find_secondary(molecule, model, SecondaryChoice::automatic, context);
+    all.source = found.source;
+    all.residues.insert(all.residues.end(), found.residues.begin(), found.residues.end());
+    all.kinds.insert(all.kinds.end(), found.kinds.begin(), found.kinds.end());
+  }
+  return all;
+}
+
 std::string summary(const SecondaryModel& secondary) {
   if (secondary.source == SecondarySource::none) return {};
   const auto runs = [&](Kind kind) { return secondary.runs[static_cast<std::size_t>(kind)]; };

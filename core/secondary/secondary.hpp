@@ -42,6 +42,10 @@ SecondaryModel find_secondary(const Molecule& molecule, const ModelRange& model,
                               SecondaryChoice choice = SecondaryChoice::automatic,
                               const RunContext& context = {});
 
+// The same for all models within these atoms, one after another. The numbers of runs are not set.
+SecondaryModel find_secondary_of_models(const Molecule& molecule, const ModelRange& models,
+                                        const RunContext& context = {});
+
 // "2 helices (2 alpha), 2 strands; from the file's records". Empty without any residue.
 std::string summary(const SecondaryModel& secondary);
 

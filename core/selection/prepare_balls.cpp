@@ -340,4 +340,16 @@ PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options
   return result;
 }
 
+ModelRange models_of_balls(const Molecule& molecule, const PreparedBalls& prepared) {
+  ModelRange range = molecule.models.front();
+  const auto& atoms = prepared.atom_of_ball;
+  if (atoms.empty()) return range;
+  for (const ModelRange& model : molecule.models) {
+    const auto has = [&](std::uint32_t atom) { return model.begin <= atom && atom < model.end; };
+    if (has(atoms.front())) range = model;
+    if (has(atoms.back())) range.end = model.end;
+  }
+  return range;
+}
+
 }  // namespace alphascope

@@ -16,6 +16,7 @@
 namespace alphascope {
 
 struct BallSet;
+struct ModelRange;
 struct Molecule;
 
 // Atoms of one kind with a radius that the set did not have.
@@ -106,6 +107,10 @@ struct PreparedBalls {
 // empty.
 PreparedBalls prepare_balls(const Molecule& molecule, const BallOptions& options = {},
                             const RunContext& context = {});
+
+// The atoms of the model whose atoms are balls, or of all models from the first such one to the
+// last; of the first model if there are no balls.
+ModelRange models_of_balls(const Molecule& molecule, const PreparedBalls& prepared);
 
 // One line: "used 2,104 of 2,431 atoms; dropped 201 waters, 88 alternative locations; radii Bondi;
 // 2 guessed".

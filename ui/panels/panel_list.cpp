@@ -18,6 +18,7 @@ std::unique_ptr<Panel> engine_panel();
 std::unique_ptr<Panel> timings_panel();
 std::unique_ptr<Panel> cavities_panel();
 std::unique_ptr<Panel> channels_panel();
+std::unique_ptr<Panel> structure_panel();
 std::unique_ptr<Panel> measures_panel();
 std::unique_ptr<Panel> contacts_panel();
 std::unique_ptr<Panel> curves_panel();
@@ -44,6 +45,8 @@ constexpr PanelSpec kPanels[] = {
     {"timings", "Timings", PanelPlace::bottom, timings_panel, "time speed stages"},
     {"cavities", "Cavities", PanelPlace::bottom, cavities_panel, "cavity pocket void hole"},
     {"channels", "Channels", PanelPlace::bottom, channels_panel, "tunnel pore"},
+    {"structure", "Structure", PanelPlace::bottom, structure_panel,
+     "tree sequence chains residues ligands"},
     {"measures", "Measures", PanelPlace::bottom, measures_panel, "volume area surface"},
     {"contacts", "Contacts", PanelPlace::bottom, contacts_panel, "interface chains touch"},
     {"curves", "Curves", PanelPlace::bottom, curves_panel, "chart Betti lives"},

@@ -32,7 +32,6 @@ constexpr std::array kColours{
     ObjectColourInfo{ObjectColour::secondary, "secondary", "Helices and strands"},
     ObjectColourInfo{ObjectColour::single, "single", "One colour"}};
 constexpr const char *kHidden = "hidden", *kNone = "none";
-constexpr float kFaint = 0.5F;  // opacity of the first cartoon
 constexpr const char* kExample = "\"cartoon,secondary,40%:chain A\"";
 
 // The share of "40%"; empty if it is none of 1 to 100 percent.
@@ -170,7 +169,8 @@ DrawnObjects usual_objects(const Molecule& molecule) {
     });
   };
   if (!any(ResidueKind::polymer)) return {};
-  DrawnObjects objects{{.kind = ObjectKind::cartoon, .opacity = kFaint}};
+  // It is opaque: a translucent one takes five times as long to draw without a GPU.
+  DrawnObjects objects{{.kind = ObjectKind::cartoon}};
   if (any(ResidueKind::ligand)) {
     objects.push_back(
         {.kind = ObjectKind::sticks, .atoms = "ligand", .colour = ObjectColour::element});

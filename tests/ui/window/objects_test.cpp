@@ -115,7 +115,7 @@ TEST_F(ObjectsTest, AChosenCavityHasItsLigandAndItsLiningAsSticks) {
   run("view.page cavities\nsolvent.set 1.4\nwait-idle\ncavities.choose 1\nwait-idle\n");
   const auto sticks = [&] {
     for (const auto& layer : viewer_->state().layers) {
-      if (!layer->objects.empty()) return layer->objects.front();
+      if (layer->id == "cavities.lining") return layer->objects.front();
     }
     return LayerObject();
   };

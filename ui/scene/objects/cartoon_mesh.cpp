@@ -317,9 +317,10 @@ void append(std::vector<T>& to, const std::vector<T>& more) {
 }  // namespace
 
 CartoonDetail cartoon_detail(std::size_t residues) {
-  constexpr std::size_t kMany = 4000, kVeryMany = 20000;
+  constexpr std::size_t kSome = 200, kMany = 1000, kVeryMany = 4000;
   if (residues > kVeryMany) return {4, 8};
-  return residues > kMany ? CartoonDetail{4, 12} : CartoonDetail{};
+  if (residues > kMany) return {4, 12};
+  return residues > kSome ? CartoonDetail{8, 12} : CartoonDetail{};
 }
 
 CartoonMesh build_cartoon(const std::vector<Trace>& traces, const CartoonDetail& detail,

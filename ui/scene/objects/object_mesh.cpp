@@ -27,19 +27,6 @@ Rgb8 secondary_colour(SecondaryStructure kind) {
   return {200, 200, 200};
 }
 
-ModelRange drawn_models(const PicturedMolecule& m) {
-  const auto& models = m.molecule->models;
-  const auto& atoms = m.prepared->atom_of_ball;
-  ModelRange range = models.front();
-  if (atoms.empty()) return range;
-  for (const ModelRange& model : models) {
-    const auto has = [&](std::uint32_t atom) { return model.begin <= atom && atom < model.end; };
-    if (has(atoms.front())) range = model;
-    if (has(atoms.back())) range.end = model.end;
-  }
-  return range;
-}
-
 class ObjectBuilder {
  public:
   // `atoms`: null for those of the object's expression.
@@ -261,14 +248,10 @@ class ObjectBuilder {
 std::shared_ptr<const ObjectFacts> find_object_facts(const PicturedMolecule& molecule,
                                                      const RunContext& context) {
   auto facts = std::make_shared<ObjectFacts>();
-  facts->atoms = drawn_models(molecule);
+  facts->atoms = models_of_balls(*molecule.molecule, *molecule.prepared);
+  facts->secondary = find_secondary_of_models(*molecule.molecule, facts->atoms, context);
   for (const ModelRange& model : molecule.molecule->models) {
     if (model.begin < facts->atoms.begin || model.end > facts->atoms.end) continue;
-    SecondaryModel found =
-        find_secondary(*molecule.molecule, model, SecondaryChoice::automatic, context);
-    SecondaryModel& all = facts->secondary;
-    all.residues.insert(all.residues.end(), found.residues.begin(), found.residues.end());
-    all.kinds.insert(all.kinds.end(), found.kinds.begin(), found.kinds.end());
     const auto nucleotides = find_nucleotides(*molecule.molecule, model, context);
     facts->nucleotides.insert(facts->nucleotides.end(), nucleotides.begin(), nucleotides.end());
     const BondList bonds = find_bonds(*molecule.molecule, model, context);

@@ -62,8 +62,8 @@ Molecule sample(const char* file) {
 }
 
 TEST(DrawnObject, AProteinOpensWithACartoonAndItsLigands) {
-  EXPECT_EQ(objects_text(usual_objects(sample("4hhb.pdb.gz"))), "cartoon,50%; sticks:ligand");
-  EXPECT_EQ(objects_text(usual_objects(sample("1crn.pdb"))), "cartoon,50%");
+  EXPECT_EQ(objects_text(usual_objects(sample("4hhb.pdb.gz"))), "cartoon; sticks:ligand");
+  EXPECT_EQ(objects_text(usual_objects(sample("1crn.pdb"))), "cartoon");
   EXPECT_TRUE(usual_objects(Molecule()).empty());
 }
 

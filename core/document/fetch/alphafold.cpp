@@ -16,7 +16,8 @@ std::string text_at(const json& model, const char* key) {
   return found != model.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-// "AF-P69905-F1-model_v4.cif" for this accession, with any version.
+}  // namespace
+
 bool is_name_of_model(std::string_view name, const std::string& accession) {
   const std::string begin = "AF-" + accession + "-F1-model_v";
   if (!name.starts_with(begin) || !name.ends_with(".cif")) return false;
@@ -25,8 +26,6 @@ bool is_name_of_model(std::string_view name, const std::string& accession) {
   return !name.empty() && name.size() <= 4 &&
          name.find_first_not_of("0123456789") == std::string_view::npos;
 }
-
-}  // namespace
 
 // The answer may also list models of isoforms and of complexes, which have other names.
 std::string address_of_model(const std::string& answer, const std::string& accession,

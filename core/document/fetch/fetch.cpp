@@ -23,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPdbServer = "https://files.rcsb.org";
+constexpr const char *kPdbFolder = "/download/", *kPdbEnding = ".cif.gz";
 constexpr const char* kAlphaFoldServer = "https://alphafold.ebi.ac.uk";
 // The largest entries of the PDB have some 100 MB, packed.
 constexpr std::uint64_t kLargestFile = std::uint64_t{512} << 20, kLargestAnswer = 4 << 20;  // bytes
@@ -212,16 +213,15 @@ std::string text_of(const fs::path& file) {
 }
 
 fs::path fetch_pdb(const MoleculeId& id, const FetchOptions& options, const RunContext& context) {
-  const std::string server = options.base.empty() ? kPdbServer : options.base;
   return Fetching(id, options, context)
-      .file(server + "/download/" + id.id + ".cif.gz", kLargestFile,
+      .file(server_for(id, options) + kPdbFolder + id.id + kPdbEnding, kLargestFile,
             [&](const std::string& body) { require_packed_mmcif(body, context); });
 }
 
 // AlphaFold DB gives models new versions. Its answer about an accession names the present one.
 fs::path fetch_alphafold(const MoleculeId& id, const FetchOptions& options,
                          const RunContext& context) {
-  const std::string server = options.base.empty() ? kAlphaFoldServer : options.base;
+  const std::string server = server_for(id, options);
   Fetching fetching(id, options, context);
   const auto model = [&](const std::string& answer) {
     return address_of_model(answer, id.id, server);
@@ -234,6 +234,14 @@ fs::path fetch_alphafold(const MoleculeId& id, const FetchOptions& options,
     fetching.fail("the file " + about.string() + " is " + error.what(), "Remove it");
   }
   return fetching.file(address, kLargestFile, require_mmcif);
+}
+
+std::optional<MoleculeId> valid_id(const std::string& text) {
+  try {
+    return molecule_id(text);
+  } catch (const InvalidId&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -262,6 +270,39 @@ FetchedMolecule fetch_molecule(const MoleculeId& id, const FetchOptions& options
                                             : fetch_alphafold(id, options, context);
   if (const auto from = fetched_from(fetched.file, options.folder)) fetched.from = *from;
   return fetched;
+}
+
+std::string server_for(const MoleculeId& id, const FetchOptions& options) {
+  if (!options.base.empty()) return options.base;
+  return id.archive == Archive::pdb ? kPdbServer : kAlphaFoldServer;
+}
+
+std::optional<FetchedMolecule> fetched_before(const MoleculeId& id, const FetchOptions& options) {
+  FetchOptions kept = options;
+  kept.offline = true;
+  kept.again = false;
+  try {
+    return fetch_molecule(id, kept, {});
+  } catch (const ReadError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<MoleculeId> id_of_fetched(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const fs::path folder = file.parent_path(), host = folder.parent_path();
+  const std::string server =
+      host.parent_path().filename().string() + "://" + host.filename().string();
+  const bool packed = name.ends_with(kPdbEnding);
+  if (server != (packed ? kPdbServer : kAlphaFoldServer) && !is_loopback(server)) return {};
+  if (packed && folder.filename() == "download") {
+    auto id = valid_id("pdb:" + name.substr(0, name.find('.')));
+    if (id && id->id + kPdbEnding == name) return id;
+  } else if (!packed && folder.filename() == "files" && name.starts_with("AF-")) {
+    auto id = valid_id("af:" + name.substr(3, std::min(name.find('-', 3), name.size()) - 3));
+    if (id && is_name_of_model(name, id->id)) return id;
+  }
+  return {};
 }
 
 bool is_loopback(const std::string& address) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/document/fetch/molecule_id.hpp"
 #include "core/document/fetch/transfer.hpp"
@@ -40,8 +42,22 @@ struct FetchedMolecule {
 FetchedMolecule fetch_molecule(const MoleculeId& id, const FetchOptions& options,
                                const RunContext& context);
 
+// The server that is asked for an id, with its scheme: "https://files.rcsb.org".
+std::string server_for(const MoleculeId& id, const FetchOptions& options);
+
+// The file of an id, if it was fetched before. Asks no server.
+std::optional<FetchedMolecule> fetched_before(const MoleculeId& id, const FetchOptions& options);
+
+// The id whose file has this path, by the address at the end of the path. The file need not exist,
+// and its folder may be that of another user. Empty for all other paths.
+std::optional<MoleculeId> id_of_fetched(const std::filesystem::path& file);
+
 // Whether the address is of this computer: the host is localhost, 127.0.0.1 or [::1].
 bool is_loopback(const std::string& address);
+
+// Whether AlphaFold DB has the model of this accession under this name, in any version:
+// "AF-P69905-F1-model_v6.cif".
+bool is_name_of_model(std::string_view name, const std::string& accession);
 
 // The address of the model in the answer of AlphaFold DB about an accession. `server` begins every
 // address that is accepted: "https://alphafold.ebi.ac.uk". Throws std::invalid_argument that says

@@ -2,9 +2,9 @@
 // Checks ids character by character, because they become parts of addresses.
 #include "core/document/fetch/molecule_id.hpp"
 
-#include <stdexcept>
 #include <system_error>
 
+#include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
 
 namespace alphascope {
@@ -78,10 +78,13 @@ std::string accession(std::string_view text) {
   return valid ? upper : std::string();
 }
 
-[[noreturn]] void refuse(std::string_view typed, const char* rule) {
+// `examples` go on with the fault for people, and `more` for the command line.
+[[noreturn]] void refuse(std::string_view typed, const std::string& fault, const char* examples,
+                         const char* more) {
   std::string shown(typed.substr(0, kShownCharacters));
   if (typed.size() > kShownCharacters) shown += "…";
-  throw std::invalid_argument("\"" + printable(shown) + "\": there is no such file, and " + rule);
+  throw InvalidId("\"" + printable(shown) + "\": there is no such file, and " + fault + more,
+                  as_sentence(fault + examples));
 }
 
 }  // namespace
@@ -96,10 +99,10 @@ std::optional<MoleculeId> molecule_id(std::string_view typed) {
   if (lower == kPdb) {
     found.id = pdb_id(typed.substr(kPdb.size()));
     if (found.id.empty()) {
-      refuse(typed,
-             "the part after pdb: is not a valid id of the PDB. An id has four letters or digits, "
-             "such as pdb:1CRN, or twelve characters, such as pdb:pdb_00001crn. For an assembly, "
-             "add --assembly ID");
+      refuse(typed, "the part after pdb: is not a valid id of the PDB",
+             ", such as 1CRN or pdb_00001crn",
+             ". An id has four letters or digits, such as pdb:1CRN, or twelve characters, such as "
+             "pdb:pdb_00001crn. For an assembly, add --assembly ID");
     }
     return found;
   }
@@ -107,9 +110,8 @@ std::optional<MoleculeId> molecule_id(std::string_view typed) {
     found.archive = Archive::alphafold;
     found.id = accession(typed.substr(kAlphaFold.size()));
     if (found.id.empty()) {
-      refuse(typed,
-             "the part after af: is not a valid accession of UniProt. An accession has six or ten "
-             "letters and digits, such as af:P69905");
+      refuse(typed, "the part after af: is not a valid accession of UniProt", ", such as P69905",
+             ". An accession has six or ten letters and digits, such as af:P69905");
     }
     return found;
   }

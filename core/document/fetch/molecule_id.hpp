@@ -4,8 +4,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace alphascope {
 
@@ -23,10 +25,17 @@ struct MoleculeId {
   std::string text() const;
 };
 
+// A text that names an archive, but no id of it. what() is a sentence for the command line.
+struct InvalidId : std::invalid_argument {
+  InvalidId(const std::string& text, std::string broken_rule)
+      : std::invalid_argument(text), rule(std::move(broken_rule)) {}
+  std::string rule;  // sentences that say which ids are valid
+};
+
 // Reads "pdb:1CRN", "pdb:pdb_00001crn" and "af:P69905", in any case of letters. Without the name of
 // the archive, only ids of the PDB are read: "1crn", "pdb_00001crn". Empty for any other text,
-// which is the name of a file. Throws std::invalid_argument with a sentence if an archive is named,
-// but the rest is not a valid id.
+// which is the name of a file. Throws InvalidId if an archive is named, but the rest is not a valid
+// id.
 std::optional<MoleculeId> molecule_id(std::string_view typed);
 
 // The same, but empty if there is a file, a folder or a link of this name.

@@ -105,5 +105,60 @@ TEST(FetchedFile, TellsItsAddress) {
   fs::remove_all(folder);
 }
 
+TEST(FetchedFile, TellsItsId) {
+  const auto id = [](const std::string& path) {
+    const auto found = id_of_fetched(path);
+    return found ? found->text() : std::string();
+  };
+  const std::string folder = "/home/somebody/.cache/alphascope/";
+  EXPECT_EQ(id(folder + "https/files.rcsb.org/download/1CRN.cif.gz"), "pdb:1CRN");
+  EXPECT_EQ(id(folder + "https/files.rcsb.org/download/pdb_10001crn.cif.gz"), "pdb:pdb_10001crn");
+  EXPECT_EQ(id(folder + "https/alphafold.ebi.ac.uk/files/AF-P69905-F1-model_v6.cif"), "af:P69905");
+  EXPECT_EQ(id(folder + "http/127.0.0.1:80/download/1CRN.cif.gz"), "pdb:1CRN");
+  for (const char* other :
+       {"https/files.rcsb.org/download/1crn.cif.gz", "https/files.rcsb.org/download/1CRN.cif",
+        "https/files.rcsb.org/download/crambin.cif.gz", "https/files.rcsb.org/other/1CRN.cif.gz",
+        "https/files.example.org/download/1CRN.cif.gz", "http/files.rcsb.org/download/1CRN.cif.gz",
+        "https/alphafold.ebi.ac.uk/files/AF-P69905-F2-model_v6.cif",
+        "https/alphafold.ebi.ac.uk/files/AF-", "https/alphafold.ebi.ac.uk/files/AF-P69905",
+        "https/alphafold.ebi.ac.uk/api/prediction/P69905", "1CRN.cif.gz", ""}) {
+    EXPECT_EQ(id(folder + other), "") << other;
+  }
+  EXPECT_EQ(id("1CRN.cif.gz"), "");
+  EXPECT_EQ(id("/"), "");
+}
+
+TEST(FetchedFile, IsFoundAgainWithoutAServer) {
+  FetchOptions options;
+  options.folder = fs::path(::testing::TempDir()) / "alphascope_fetched_before";
+  options.again = true;  // which is for the next transfer only
+  options.get = [](const TransferRequest&, const RunContext&) -> TransferAnswer {
+    throw std::logic_error("a server is asked");
+  };
+  fs::remove_all(options.folder);
+  const MoleculeId pdb = *molecule_id("1crn"), alphafold = *molecule_id("af:P69905");
+  EXPECT_FALSE(fetched_before(pdb, options).has_value());
+  EXPECT_FALSE(fetched_before(alphafold, options).has_value());
+  const auto keep = [&](const std::string& address, const std::string& text) {
+    const fs::path file = fetched_file_path(options.folder, address);
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+    return file;
+  };
+  const fs::path entry = keep("https://files.rcsb.org/download/1CRN.cif.gz", "any");
+  const std::string address = server_for(alphafold, options) + "/files/AF-P69905-F1-model_v6.cif";
+  keep(server_for(alphafold, options) + "/api/prediction/P69905",
+       "[{\"cifUrl\": \"" + address + "\"}]");
+  EXPECT_FALSE(fetched_before(alphafold, options).has_value())
+      << "only the list of models is there";
+  const fs::path model = keep(address, "any");
+  ASSERT_TRUE(fetched_before(pdb, options).has_value());
+  EXPECT_EQ(fetched_before(pdb, options)->file, entry);
+  EXPECT_EQ(fetched_before(pdb, options)->from.time.size(), 20u);
+  ASSERT_TRUE(fetched_before(alphafold, options).has_value());
+  EXPECT_EQ(fetched_before(alphafold, options)->file, model);
+  fs::remove_all(options.folder);
+}
+
 }  // namespace
 }  // namespace alphascope

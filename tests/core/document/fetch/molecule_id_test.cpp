@@ -72,8 +72,10 @@ TEST(MoleculeId, NothingElseIsTakenAfterAnArchive) {
     try {
       molecule_id(typed);
       ADD_FAILURE() << typed;
-    } catch (const std::invalid_argument& error) {
+    } catch (const InvalidId& error) {
       const std::string said = error.what();
+      EXPECT_TRUE(error.rule.starts_with("The part after ")) << error.rule;
+      EXPECT_EQ(error.rule.find("--"), error.rule.npos) << "options are for the command line";
       EXPECT_NE(said.find("is not a valid "), said.npos) << said;
       EXPECT_EQ(said.find('\n'), said.npos) << said;
       EXPECT_LT(said.size(), 400u);

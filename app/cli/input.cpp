@@ -12,6 +12,7 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "app/options/did_you_mean.hpp"
+#include "app/options/fetch_flags.hpp"
 #include "app/session/net_library.hpp"
 #include "core/document/fetch/fetch.hpp"
 #include "core/document/fetch/molecule_id.hpp"
@@ -161,7 +162,7 @@ const std::vector<std::string>& checked_treatments(const std::vector<std::string
 std::filesystem::path fetched_file(const MoleculeId& id, const InputOptions& options,
                                    const RunContext& context) {
   if (options.offline && options.fetch_again) {
-    throw UsageError("--offline and --fetch-again exclude each other.");
+    throw UsageError(kOfflineAndAgain);
   }
   FetchOptions fetch = fetch_options_of_program();
   fetch.offline = fetch.offline || options.offline;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/options/fetch_flags.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/read/file_format.hpp"
@@ -63,19 +64,9 @@ Options input_but_ligands(InputOptions& input) {
                   "Keep dummy atoms, such as OPM's membrane planes (dropped by default)",
                   input.dummies),
       off("--no-polymers", "Drop proteins and nucleic acids (kept by default)", input.no_polymers),
-      offline_option(input),
-      fetch_again_option(input),
+      offline_option(input.offline),
+      fetch_again_option(input.fetch_again),
   };
-}
-
-Option offline_option(InputOptions& input) {
-  return flag_option("--offline", "Fetch nothing: an id names a file that was fetched before",
-                     input.offline);
-}
-
-Option fetch_again_option(InputOptions& input) {
-  return flag_option("--fetch-again", "Fetch an id even if its file was fetched before",
-                     input.fetch_again);
 }
 
 std::string file_text() {

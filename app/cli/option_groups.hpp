@@ -26,10 +26,6 @@ Options input_but_ligands(InputOptions& input);
 Options input(InputOptions& input);
 std::string radii_choices();
 
-// The options of ids in place of files.
-Option offline_option(InputOptions& input);
-Option fetch_again_option(InputOptions& input);
-
 // The help of an argument that names a molecule.
 std::string file_text();
 

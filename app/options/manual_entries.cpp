@@ -22,8 +22,7 @@ std::vector<Entry> all_files() {
             "The GPU engines, below the folder of the installation, such as /usr. Without this "
             "file the CPU engine computes the same results"}},
           {{ALPHASCOPE_LIBRARY_FOLDER "/alphascope-net.so",
-            "Fetches molecules by their id, below the same folder"},
-           Read::by_command_line},
+            "Fetches molecules by their id, below the same folder"}},
           {{"~/.cache/alphascope",
             "Fetched files, each below its address. XDG_CACHE_HOME replaces ~/.cache"}},
           {{ALPHASCOPE_RESOURCES_FOLDER,
@@ -34,30 +33,27 @@ std::vector<Entry> all_files() {
 }
 
 std::vector<Entry> all_variables() {
-  return {
-      {{"ALPHASCOPE_FETCH_BASE",
-        "Address of a server on this computer that takes the place of the public ones, such as "
-        "http://127.0.0.1:8080, for tests"},
-       Read::by_command_line},
-      {{"ALPHASCOPE_GPU_LIBRARY",
-        "Absolute path of the file with the GPU engines, in place of the installed one. Empty: "
-        "no GPU is used"}},
-      {{"ALPHASCOPE_NET_LIBRARY",
-        "Absolute path of the file that fetches molecules, in place of the installed one"},
-       Read::by_command_line},
-      {{"ALPHASCOPE_OFFLINE", "1: nothing is fetched, as with --offline"}, Read::by_command_line},
-      {{"DISPLAY, WAYLAND_DISPLAY",
-        "The display for the window; not needed with --shot, "
-        "--script and --record"},
-       Read::by_window},
-      {{"HOME", "The user's folder: ~ in typed paths, and the place of .config and .cache"}},
-      {{"http_proxy, https_proxy, no_proxy", "Proxies for fetching"}, Read::by_command_line},
-      {{"LIBGL_ALWAYS_SOFTWARE", "1: Mesa's OpenGL draws on the CPU"}},
-      {{"PATH", "Where ffmpeg is looked for, which writes movies"}},
-      {{"TERM", "A line of progress is shown on terminals, but not on one that is \"dumb\""},
-       Read::by_command_line},
-      {{"XDG_CACHE_HOME", "Folder of fetched files, in place of ~/.cache"}},
-      {{"XDG_CONFIG_HOME", "Folder of preferences, in place of ~/.config"}, Read::by_window}};
+  return {{{"ALPHASCOPE_FETCH_BASE",
+            "Address of a server on this computer that takes the place of the public ones, such as "
+            "http://127.0.0.1:8080, for tests"}},
+          {{"ALPHASCOPE_GPU_LIBRARY",
+            "Absolute path of the file with the GPU engines, in place of the installed one. Empty: "
+            "no GPU is used"}},
+          {{"ALPHASCOPE_NET_LIBRARY",
+            "Absolute path of the file that fetches molecules, in place of the installed one"}},
+          {{"ALPHASCOPE_OFFLINE", "1: nothing is fetched, as with --offline"}},
+          {{"DISPLAY, WAYLAND_DISPLAY",
+            "The display for the window; not needed with --shot, "
+            "--script and --record"},
+           Read::by_window},
+          {{"HOME", "The user's folder: ~ in typed paths, and the place of .config and .cache"}},
+          {{"http_proxy, https_proxy, no_proxy", "Proxies for fetching"}},
+          {{"LIBGL_ALWAYS_SOFTWARE", "1: Mesa's OpenGL draws on the CPU"}},
+          {{"PATH", "Where ffmpeg is looked for, which writes movies"}},
+          {{"TERM", "A line of progress is shown on terminals, but not on one that is \"dumb\""},
+           Read::by_command_line},
+          {{"XDG_CACHE_HOME", "Folder of fetched files, in place of ~/.cache"}},
+          {{"XDG_CONFIG_HOME", "Folder of preferences, in place of ~/.config"}, Read::by_window}};
 }
 
 std::vector<ManualEntry> read_by(Read program, const std::vector<Entry>& all) {

@@ -16,6 +16,7 @@
 #include "app/cli/option_groups.hpp"
 #include "app/cli/outputs.hpp"
 #include "app/cli/text/terminal.hpp"
+#include "app/options/fetch_flags.hpp"
 #include "core/document/fetch/molecule_id.hpp"
 #include "core/files/fetched_file.hpp"
 #include "core/files/read_error.hpp"
@@ -107,7 +108,7 @@ OptionCommand table_of_fetch(FetchCommandOptions& options) {
                         "Copy the file: unpacked to OUT.cif, packed to OUT.cif.gz; - for standard "
                         "output. An existing file is never replaced"},
                        options.out),
-           offline_option(options.input), fetch_again_option(options.input)}};
+           offline_option(options.input.offline), fetch_again_option(options.input.fetch_again)}};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace alphascope {
 
 class RefSet;
 struct ExportRequest;
+struct MoleculeId;
 struct RealPoint;
 struct RecordRequest;
 struct SaveTableRequest;
@@ -27,11 +28,15 @@ class FileCalls {
   virtual void open(
       const std::filesystem::path& file) = 0;  // a molecule, or a session if its name ends so
   virtual void open_session(const std::filesystem::path& file) = 0;
+  // Fetches the molecule, unless it was fetched before, and opens it. `again`: fetches it anyway.
+  virtual void fetch(const MoleculeId& id, bool again) = 0;
   virtual void save_session(const std::filesystem::path& file) = 0;
   // Opens the session that waits for an answer (ViewState::session_problem). `molecule` replaces
   // the molecule that the session names. An empty path opens the session with its files as they are
   // now.
   virtual void continue_session(const std::filesystem::path& molecule) = 0;
+  // Fetches the molecule of that session anew, then opens it.
+  virtual void fetch_for_session() = 0;
   virtual void abandon_session() = 0;
   virtual void forget_recent() = 0;
   virtual void undo() = 0;
@@ -75,6 +80,7 @@ class JobCalls {
   // Cancels the job of this kind, if one runs. Opening and computing are cancelled together,
   // because the picture waits for both.
   virtual void cancel(JobId job) = 0;
+  virtual void cancel_result(const std::string& id) = 0;  // a derived result that is being made
 };
 
 class LessonCalls {

@@ -9,8 +9,10 @@ namespace alphascope {
 struct NoFileCalls : FileCalls {
   void open(const std::filesystem::path&) override {}
   void open_session(const std::filesystem::path&) override {}
+  void fetch(const MoleculeId&, bool) override {}
   void save_session(const std::filesystem::path&) override {}
   void continue_session(const std::filesystem::path&) override {}
+  void fetch_for_session() override {}
   void abandon_session() override {}
   void forget_recent() override {}
   void undo() override {}
@@ -42,6 +44,7 @@ struct NoJobCalls : JobCalls {
   void run_benchmark() override {}
   void export_benchmark() override {}
   void cancel(JobId) override {}
+  void cancel_result(const std::string&) override {}
 };
 
 struct NoLessonCalls : LessonCalls {

@@ -10,6 +10,7 @@
 namespace alphascope {
 
 enum class JobId : std::uint8_t {
+  fetching,   // a molecule is fetched from a server
   opening,    // a molecule or a session is read
   computing,  // a complex
   comparing,  // with CGAL
@@ -20,15 +21,19 @@ enum class JobId : std::uint8_t {
   table,
   complex,          // a complex is exported
   benchmark_files,  // table and figures of a benchmark are written
-  benchmark
+  benchmark,
+  deriving  // a result is made that follows from the molecule, such as a table
 };
 
 struct RunningJob {
   JobId id = JobId::computing;
-  std::string title;      // "Opening 1aon.pdb.gz", "Saving figure.png"
-  std::string step = {};  // "sample 3 of 16, 5 s left"; empty: unknown
-  double share = -1;      // share done, 0 to 1; negative: unknown
-  double seconds = 0;     // since its start
+  std::string title;         // "Opening 1aon.pdb.gz", "Saving figure.png"
+  std::string step = {};     // "sample 3 of 16, 5 s left"; empty: unknown
+  double share = -1;         // share done, 0 to 1; negative: unknown
+  double seconds = 0;        // since its start
+  double seconds_left = -1;  // of this step, or of all if there is no step; negative: unknown
+  bool waits = false;        // for its turn
+  std::string result = {};   // id of a derived result
 };
 
 using RunningJobs = std::vector<RunningJob>;  // in the order of JobId
@@ -46,10 +51,11 @@ inline const RunningJob* awaited_job(const RunningJobs& jobs) {
   return at == jobs.end() ? nullptr : &*at;
 }
 
-// The first job that writes a file; null: none.
-inline const RunningJob* writing_job(const RunningJobs& jobs) {
+// The first job that fetches or writes a file; null: none.
+inline const RunningJob* file_job(const RunningJobs& jobs) {
   const auto at = std::find_if(jobs.begin(), jobs.end(), [](const RunningJob& job) {
-    return job.id >= JobId::session && job.id <= JobId::benchmark_files;
+    return job.id == JobId::fetching ||
+           (job.id >= JobId::session && job.id <= JobId::benchmark_files);
   });
   return at == jobs.end() ? nullptr : &*at;
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "app/options/exit_code.hpp"
+#include "app/options/fetch_flags.hpp"
 #include "app/options/manual_entries.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/parse_arguments.hpp"
@@ -50,6 +51,19 @@ Option path_or_none(OptionText text, Target& target) {
       .names = std::move(text.names), .value = std::move(text.value), .text = std::move(text.text)};
   option.set = [&target](const std::string& path) { target = path; };
   return option;
+}
+
+Option file_option(ViewerOptions& options) {
+  Option file{.names = "FILE",
+              .value = "FILE",
+              .text = "Molecule: " + format_names() +
+                      "; also as .gz; a session (.json); or an id that is fetched: pdb:1CRN, "
+                      "af:P69905"};
+  file.set = [&options](const std::string& typed) {
+    options.id = molecule_id_unless_file(typed);
+    if (!options.id) options.file = typed;
+  };
+  return file;
 }
 
 Option size_option(ViewerOptions& options) {
@@ -195,9 +209,7 @@ OptionProgram table(ViewerOptions& o) {
   program.version = ALPHASCOPE_VERSION;
   program.usage_exit_code = static_cast<int>(ExitCode::usage);
   program.options = {
-      path_or_none(
-          {"FILE", "FILE", "Molecule: " + format_names() + "; also as .gz; or a session (.json)"},
-          o.file),
+      file_option(o),
       path_or_none({"--session", "S.json", "Open a session, whatever the file's name"}, o.session),
       alpha_option(o.alpha),
       typed_number_option({"--solvent", "S", "Solvent radius in Å, 1.4 for water"}, o.solvent,
@@ -213,6 +225,8 @@ OptionProgram table(ViewerOptions& o) {
       objects_option(o),
       flag_option("--tetrahedra-only", "Compute only tetrahedra", o.tetrahedra_only),
       flag_option("--no-compare", "Do not compare with CGAL after each change", o.compare, false),
+      offline_option(o.offline),
+      fetch_again_option(o.fetch_again),
       preferences_option(o),
       drawing_memory_option(o),
       lesson_option(o),
@@ -228,7 +242,7 @@ OptionProgram table(ViewerOptions& o) {
       shot_option(o)};
   program.notes = {
       {"Examples",
-       {"alphascope 4hhb.pdb.gz --alpha 1.4",
+       {"alphascope 4hhb.pdb.gz --alpha 1.4", "alphascope pdb:4HHB",
         "alphascope 4hhb.pdb.gz --solvent 1.4 --shot picture.png   (needs no display)",
         "alphascope --lesson union_of_balls --record union_of_balls.mp4   (needs no display)"}},
       {"Exit codes", exit_code_lines()}};
@@ -237,15 +251,24 @@ OptionProgram table(ViewerOptions& o) {
   return program;
 }
 
+// A sentence if options do not fit together; else empty.
+std::string contradiction(const ViewerOptions& options) {
+  if (options.record && options.lesson.empty()) {
+    return "--record records a lesson; name it with --lesson.";
+  }
+  return options.offline && options.fetch_again ? kOfflineAndAgain : "";
+}
+
 }  // namespace
 
 ParsedOptions parse_options(int argc, const char* const* argv) {
   ParsedOptions parsed;
   ViewerOptions options;
   const ParsedArguments arguments = parse_arguments(table(options), argc, argv);
-  if (!arguments.ended && options.record && options.lesson.empty()) {
+  const std::string fault = arguments.ended ? "" : contradiction(options);
+  if (!fault.empty()) {
     parsed.exit_code = static_cast<int>(ExitCode::usage);
-    parsed.text = "alphascope: --record records a lesson; name it with --lesson.\n";
+    parsed.text = "alphascope: " + fault + "\n";
     return parsed;
   }
   parsed.options = options;

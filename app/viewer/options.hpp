@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/document/fetch/molecule_id.hpp"
 #include "core/document/settings/drawn_object.hpp"
 #include "core/geometry/alpha.hpp"
 
@@ -14,10 +15,12 @@ namespace alphascope {
 
 struct ViewerOptions {
   std::optional<std::filesystem::path> file, session;
-  Alpha alpha;                // Å²
-  double solvent = 0;         // Å
-  double scale = 0;           // 0: the scale of the display
-  int width = 0, height = 0;  // pixels at scale 1; 0: the last size
+  std::optional<MoleculeId> id;               // in place of `file`
+  bool offline = false, fetch_again = false;  // for ids; again: for `id` only
+  Alpha alpha;                                // Å²
+  double solvent = 0;                         // Å
+  double scale = 0;                           // 0: the scale of the display
+  int width = 0, height = 0;                  // pixels at scale 1; 0: the last size
   bool light = false;
   std::string preset;                   // id of a DisplayPreset, or none
   std::optional<DrawnObjects> objects;  // of an opened molecule; none: usual_objects()

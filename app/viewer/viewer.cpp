@@ -3,13 +3,17 @@
 // settings to session and scene.
 #include "app/viewer/viewer.hpp"
 
+#include <stdexcept>
 #include <utility>
 
+#include "app/session/net_library.hpp"
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/commands/commands.hpp"
 #include "app/viewer/resources.hpp"
 #include "core/document/settings/display_preset.hpp"
+#include "core/text/as_sentence.hpp"
+#include "ui/panels/dialogs/fetch_state.hpp"
 
 namespace alphascope {
 namespace {
@@ -44,6 +48,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
           jobs_.list()) {
   jobs_.list_own();
   jobs_.list().add(file_.opening().writer());
+  jobs_.list().add(file_.opening().fetcher());
   begin_with(options);
 }
 
@@ -69,9 +74,21 @@ void Viewer::begin_with(const ViewerOptions& options) {
   if (options.samples) state_.settings.display.samples = *options.samples;
   sender_.send_look(line_scale());
   history_.restart();
+  begin_fetching(options);
   if (options.file) open(*options.file);
   if (options.session) open_session(*options.session);
   if (!options.lesson.empty()) lessons_.open(options.lesson);
+}
+
+void Viewer::begin_fetching(const ViewerOptions& options) {
+  FetchState& fetch = state_.fetch;
+  try {
+    fetch.options = fetch_options_of_program();
+  } catch (const std::invalid_argument& error) {
+    fetch.problem = as_sentence(error.what());
+  }
+  fetch.options.offline |= options.offline;
+  if (options.id) file_.opening().fetch(*options.id, options.fetch_again);
 }
 
 bool Viewer::busy() const {

@@ -89,6 +89,7 @@ class Viewer {
   class Queued;  // the queued calls
   std::shared_ptr<Queued> make_queued();
   void begin_with(const ViewerOptions& options);
+  void begin_fetching(const ViewerOptions& options);
   // Runs `what` on the main thread. An exception is shown to the user, and the program goes on.
   void guarded(const std::function<void()>& what);
   float line_scale() const { return preferences_.line_scale(frame_.scale()); }

@@ -40,6 +40,12 @@ class Viewer::Queued {
         v.file_.opening().save(file);
       });
     }
+    void fetch(const MoleculeId& id, bool again) override {
+      queue.put("fetch", [this, id, again] { v.file_.opening().fetch(id, again); });
+    }
+    void fetch_for_session() override {
+      queue.put("fetch_for_session", [this] { v.file_.opening().fetch_for_session(); });
+    }
     void continue_session(const std::filesystem::path& molecule) override {
       queue.put("continue_session", [this, molecule] { v.file_.opening().go_on(molecule); });
     }
@@ -146,14 +152,18 @@ class Viewer::Queued {
       queue.put(kCancel[static_cast<std::size_t>(job)],
                 [this, job] { v.jobs_.list().cancel(job); });
     }
+    void cancel_result(const std::string& id) override {
+      queue.put("cancel_result", [this, id] { v.store_.cancel(id); });
+    }
 
    private:
     // Names of the calls, so that cancelling one job does not replace cancelling another.
-    static constexpr std::array kCancel = {"cancel_opening", "cancel_computing", "cancel_comparing",
-                                           "cancel_listing", "cancel_lessons",   "cancel_session",
-                                           "cancel_picture", "cancel_table",     "cancel_export",
-                                           "cancel_figures", "cancel_benchmark"};
-    static_assert(kCancel.size() == static_cast<std::size_t>(JobId::benchmark) + 1);
+    static constexpr std::array kCancel = {"cancel_fetching",  "cancel_opening", "cancel_computing",
+                                           "cancel_comparing", "cancel_listing", "cancel_lessons",
+                                           "cancel_session",   "cancel_picture", "cancel_table",
+                                           "cancel_export",    "cancel_figures", "cancel_benchmark",
+                                           "cancel_deriving"};
+    static_assert(kCancel.size() == static_cast<std::size_t>(JobId::deriving) + 1);
 
     void of_the_view(std::string_view name, std::function<void()> job) {
       queue.put(name, [this, job = std::move(job)] {

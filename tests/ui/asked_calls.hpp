@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/document/export/complex_export.hpp"
+#include "core/document/fetch/molecule_id.hpp"
 #include "ui/no_calls.hpp"
 #include "ui/panels/dialogs/picture_requests.hpp"
 
@@ -12,6 +13,8 @@ namespace alphascope::testing {
 
 struct Asked {
   std::optional<std::filesystem::path> open, save_session;
+  std::optional<MoleculeId> fetch;
+  std::string copied, cancelled_result;
   std::optional<ScreenshotRequest> screenshot;
   std::optional<ExportRequest> export_complex;
   bool reset_view = false, cancel = false, compute_anew = false;
@@ -29,6 +32,8 @@ class AskedCalls {
     explicit Files(Asked& asked) : asked(asked) {}
     void open(const std::filesystem::path& file) override { asked.open = file; }
     void save_session(const std::filesystem::path& file) override { asked.save_session = file; }
+    void fetch(const MoleculeId& id, bool) override { asked.fetch = id; }
+    void copy(const std::string& text) override { asked.copied = text; }
     Asked& asked;
   } files_;
   struct View : NoViewCalls {
@@ -46,6 +51,7 @@ class AskedCalls {
     void cancel(JobId job) override {
       (job == JobId::benchmark ? asked.cancel_benchmark : asked.cancel) = true;
     }
+    void cancel_result(const std::string& id) override { asked.cancelled_result = id; }
     Asked& asked;
   } jobs_;
   NoLessonCalls lessons_;

@@ -51,6 +51,9 @@ ViewState::ViewState(const ViewValues& values, ViewParts& parts)
       context(parts.context),
       dialogs(parts.dialogs),
       browser(parts.browser),
+      fetch(parts.fetch),
+      start(parts.start),
+      tasks(parts.tasks),
       saving(parts.saving),
       record(parts.record),
       save_table(parts.save_table),
@@ -107,6 +110,13 @@ void ViewState::go_to_alpha(double angstrom2) {
 
 void ViewState::show_page(const std::string& id) {
   window.page = id;
+}
+
+std::string ViewState::page() const {
+  if (!window.page.empty()) return window.page;
+  const bool polymer =
+      molecule.loaded && of_kind(molecule.contents.kinds, ResidueKind::polymer) > 0;
+  return polymer ? "cavities" : "";
 }
 
 void ViewState::show_error(const std::string& title, const std::string& text) {

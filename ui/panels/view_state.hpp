@@ -38,6 +38,7 @@ struct ContextState;
 struct DialogState;
 struct DisplaySettings;
 struct ExpressionState;
+struct FetchState;
 struct FolderListing;
 struct GpuDevice;
 struct GuideState;
@@ -62,8 +63,10 @@ struct SaveState;
 struct ScrollState;
 struct SessionProblem;
 struct Settings;
+struct StartState;
 struct StepsState;
 struct TableState;
+struct TaskState;
 struct ViewParts;
 struct ViewportInfo;
 struct WindowSettings;
@@ -161,6 +164,9 @@ struct ViewState : ViewValues {
   ContextState& context;
   DialogState& dialogs;
   BrowserState& browser;
+  FetchState& fetch;
+  StartState& start;
+  TaskState& tasks;
   SaveState& saving;
   RecordState& record;
   TableState& save_table;
@@ -194,6 +200,9 @@ struct ViewState : ViewValues {
   void go_to_alpha(double angstrom2);
   // Shows this page below the view.
   void show_page(const std::string& id);
+  // The page below the view. If none was shown or chosen, it is Cavities for a molecule with a
+  // polymer, else the first.
+  std::string page() const;
   // Shows an error in a dialog, after earlier ones that are not dismissed yet. To be used for
   // single requests of the user, since a slider must not open a dialog at each step.
   void show_error(const std::string& title, const std::string& text);

@@ -13,6 +13,7 @@
 #include "ui/panels/dialogs/benchmark_info.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
+#include "ui/panels/dialogs/fetch_state.hpp"
 #include "ui/panels/dialogs/picture_requests.hpp"
 #include "ui/panels/dialogs/save_state.hpp"
 #include "ui/panels/dialogs/session_problem.hpp"
@@ -22,6 +23,8 @@
 #include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/frame/scroll_state.hpp"
+#include "ui/panels/frame/start_state.hpp"
+#include "ui/panels/frame/task_state.hpp"
 #include "ui/panels/guide/guide_state.hpp"
 #include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/molecule/expression_state.hpp"
@@ -67,6 +70,9 @@ struct ViewParts {
   ContextState context;
   DialogState dialogs;
   BrowserState browser;
+  FetchState fetch;
+  StartState start;
+  TaskState tasks;
   SaveState saving;
   RecordState record;
   TableState save_table;

@@ -18,8 +18,9 @@ struct WindowSettings {
   bool presenter_size = false;  // enlarges fonts and controls further, for a projector
   bool auto_compare = false;    // compare with CGAL after each change
 
-  std::string page;                               // id of the page below the view; empty: the first
-  float page_height = 0;                          // pixels at scale 1; 0: default
+  std::string page;         // id of the page below the view; empty: as ViewState::page() says
+  std::string chosen_page;  // the page that the user chose last by its name; empty: none
+  float page_height = 0;    // pixels at scale 1; 0: default
   std::set<std::string> closed_sections{"look"};  // ids of closed sections at the left
   AlphaSlider alpha_slider;
   bool clip_handle = true;  // shows the handle in the picture while there is a clip

@@ -33,6 +33,7 @@ void add_compute_commands(Commands& commands, ViewState& s, const Calls& ask);
 
 // Commands of recordings, sessions, recent files, the scale and pages. The caller adds each of
 // them, since the order decides places in menus.
+CommandSpec fetch_command(ViewState& s, const Calls& ask);
 CommandSpec open_session_command(ViewState& s, const Calls& ask);
 CommandSpec record_command(ViewState& s, const Calls& ask);
 CommandSpec save_session_command(ViewState& s, const Calls& ask);

@@ -160,6 +160,7 @@ void add_file_commands(Commands& commands, ViewState& s, const Calls& ask) {
                        .help = "The file; if left out, a dialog opens",
                        .optional = true}},
        .run = [&s, ask](const Arguments& arguments) { return open_file(arguments, s, ask); }});
+  commands.add(fetch_command(s, ask));
   commands.add(open_session_command(s, ask));
   commands.add(recent_files_command(s, ask));
   commands.add(

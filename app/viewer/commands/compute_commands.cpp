@@ -238,7 +238,7 @@ Outcome stop(ViewState& s, const Calls& ask) {
   s.playback.alpha = s.playback.models = s.steps.playing = false;
   if (playing) return {};
   const RunningJob* job = awaited_job(s.jobs);
-  if (job == nullptr) job = writing_job(s.jobs);
+  if (job == nullptr) job = file_job(s.jobs);
   if (job != nullptr) {
     ask.jobs.cancel(job->id);
   } else {
@@ -249,11 +249,12 @@ Outcome stop(ViewState& s, const Calls& ask) {
 
 std::string nothing_to_stop(const ViewState& s) {
   const bool something = s.playback.alpha || s.playback.models || s.steps.playing ||
-                         awaited_job(s.jobs) != nullptr || writing_job(s.jobs) != nullptr ||
+                         awaited_job(s.jobs) != nullptr || file_job(s.jobs) != nullptr ||
                          !s.settings.selection.empty();
-  return something ? ""
-                   : "There is nothing to stop: nothing is playing, being read, computed, saved or "
-                     "selected.";
+  return something
+             ? ""
+             : "There is nothing to stop: nothing is playing, being fetched, read, computed, saved "
+               "or selected.";
 }
 
 void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
@@ -300,8 +301,8 @@ void add_engine_commands(Commands& commands, ViewState& s, const Calls& ask) {
                 }});
   commands.add({.id = "compute.stop",
                 .title = "Stop or cancel",
-                .help = "Stops playing, else cancels reading, computing or saving, else clears "
-                        "the selection",
+                .help = "Stops playing, else cancels reading, computing, fetching or saving, else "
+                        "clears the selection",
                 .shortcuts = {{"Esc"}},
                 .menu = "Tools",
                 .why_not = [&s] { return nothing_to_stop(s); },

@@ -4,12 +4,15 @@
 #include <filesystem>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/fetch/fetch.hpp"
 #include "core/files/output_ending.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
+#include "ui/panels/dialogs/fetch_state.hpp"
+#include "ui/panels/dialogs/typed_id.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -49,9 +52,26 @@ Outcome save_session(const Arguments& arguments, ViewState& s, const Calls& ask)
   return {};
 }
 
+Outcome fetch(const Arguments& arguments, ViewState& s, const Calls& ask) {
+  if (!arguments.has("id")) {
+    s.fetch.show = true;
+    return {};
+  }
+  const TypedId typed = read_typed_id(arguments.text("id"), s.fetch.options);
+  if (!typed.id) {
+    return Outcome::refused(typed.fault.empty() ? "An id is needed." : typed.fault);
+  }
+  ask.files.fetch(*typed.id, arguments.has("again"));
+  return {};
+}
+
 std::vector<Choice> recent(const ViewState& s) {
   std::vector<Choice> choices;
   for (const fs::path& file : s.recent) {
+    if (const auto id = id_of_fetched(file)) {
+      choices.push_back({file.string(), id->text(), "fetched"});
+      continue;
+    }
     choices.push_back({file.string(), printable(file.filename().string()),
                        printable(file.parent_path().string())});
   }
@@ -67,6 +87,10 @@ Outcome open_recent(const Arguments& arguments, const Calls& ask) {
   }
   std::error_code ignored;
   if (!fs::exists(chosen, ignored)) {
+    if (const auto id = id_of_fetched(chosen)) {
+      ask.files.fetch(*id, false);
+      return {};
+    }
     return Outcome::failed("There is no file " + printable(chosen) +
                            ". Find it with “Open molecule…”.");
   }
@@ -97,6 +121,24 @@ CommandSpec open_session_command(ViewState& s, const Calls& ask) {
                           .help = "The session; if left out, a dialog opens",
                           .optional = true}},
           .run = [&s, ask](const Arguments& arguments) { return open_session(arguments, s, ask); }};
+}
+
+CommandSpec fetch_command(ViewState& s, const Calls& ask) {
+  return {.id = "file.fetch",
+          .title = "Fetch by id…",
+          .help = "Fetches an entry of the PDB or a model of AlphaFold DB, and opens it",
+          .synonyms = {{"download RCSB UniProt"}},
+          .shortcuts = {{"Ctrl+Shift+F"}},
+          .menu = "File",
+          .parameters = {{.name = "id",
+                          .kind = Kind::text,
+                          .help = "The id; if left out, a dialog opens",
+                          .example = "pdb:1CRN",
+                          .optional = true},
+                         {.name = "again",
+                          .kind = Kind::flag,
+                          .help = "Even if its file was fetched before"}},
+          .run = [&s, ask](const Arguments& arguments) { return fetch(arguments, s, ask); }};
 }
 
 CommandSpec save_session_command(ViewState& s, const Calls& ask) {

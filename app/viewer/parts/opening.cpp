@@ -8,9 +8,11 @@
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/session_text.hpp"
+#include "core/document/fetch/fetch.hpp"
 #include "core/engine/gpu_device.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/dialogs/fetch_state.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
 #include "ui/panels/dialogs/session_problem.hpp"
 #include "ui/panels/playback.hpp"
@@ -32,8 +34,9 @@ bool Opening::may_open(const std::filesystem::path& path) {
   state_.drop_note.clear();
   drop_note_.clear();
   std::error_code ignored;
-  // An open file dialog stays in its folder.
-  if (!state_.browser.show && std::filesystem::is_directory(path.parent_path(), ignored)) {
+  // An open file dialog stays in its folder, and no dialog goes to the folder of fetched files.
+  if (!state_.browser.show && !id_of_fetched(path) &&
+      std::filesystem::is_directory(path.parent_path(), ignored)) {
     state_.browser.folder = path.parent_path();
   }
   return true;
@@ -44,6 +47,26 @@ void Opening::open(const std::filesystem::path& path) {
   if (!may_open(path)) return;
   forget_waiting_session();
   session_.open(path);
+}
+
+void Opening::fetch(const MoleculeId& id, bool again) {
+  if (!state_.fetch.problem.empty()) {
+    return state_.show_error(id.text() + " cannot be fetched", state_.fetch.problem);
+  }
+  if (!may_open(id.text())) return;
+  forget_waiting_session();
+  FetchOptions options = state_.fetch.options;
+  options.again = again;
+  fetcher_.start(id, options, [this](const std::filesystem::path& file) { open(file); });
+}
+
+void Opening::fetch_for_session() {
+  if (!waiting_) return;
+  const auto id = id_of_fetched(waiting_->read.session.molecule.absolute);
+  if (!id || !state_.fetch.problem.empty()) return;
+  fetcher_.start(*id, state_.fetch.options, [this](const std::filesystem::path& file) {
+    if (waiting_) files_.open_with(waiting_, file);
+  });
 }
 
 void Opening::open_dropped(const std::vector<std::filesystem::path>& files) {
@@ -73,6 +96,7 @@ void Opening::open_session(const std::filesystem::path& path) {
 
 void Opening::forget_waiting_session() {
   files_.cancel();
+  fetcher_.forget();
   waiting_ = starting_ = nullptr;
   awaits_gpu_ = false;
   history_.set_to_restore(std::nullopt);
@@ -85,15 +109,24 @@ void Opening::poll() {
   if (awaits_gpu_ && state_.gpu && waiting_) start_session();
   if (outcome.read) {
     waiting_ = outcome.read;
+    state_.session_problem.reset();  // a fetched molecule answers the question
     if (waiting_->complete()) {
       start_session();
     } else {
       state_.session_problem = {waiting_->file.string(), waiting_->problem(),
                                 waiting_->molecule.state != FoundFile::State::same,
-                                waiting_->can_open()};
+                                waiting_->can_open(), fetchable_id()};
     }
   }
   if (outcome.read || !outcome.error.empty()) due_.ask();
+}
+
+// The id by which the missing molecule of the waiting session can be fetched; empty: none.
+std::string Opening::fetchable_id() const {
+  const FileReference& molecule = waiting_->read.session.molecule;
+  if (waiting_->molecule.state != FoundFile::State::missing) return {};
+  const auto id = id_of_fetched(molecule.absolute);
+  return id && state_.fetch.problem.empty() ? id->text() : std::string();
 }
 
 // Replaces an engine that this machine lacks. All engines give the same complex.

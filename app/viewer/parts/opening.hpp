@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/session/session.hpp"
+#include "app/viewer/jobs/fetcher.hpp"
 #include "app/viewer/jobs/session_files.hpp"
 #include "app/viewer/parts/due_frames.hpp"
 #include "app/viewer/parts/history.hpp"
@@ -34,10 +35,13 @@ class Opening {
         preferences_(preferences),
         due_(due),
         benchmark_busy_(std::move(benchmark_busy)),
-        files_([&host] { host.wake(); }) {}
+        files_([&host] { host.wake(); }),
+        fetcher_([&host] { host.wake(); }) {}
 
   void open(const std::filesystem::path& path);  // a molecule or, by the name's ending, a session
   void open_session(const std::filesystem::path& path);
+  void fetch(const MoleculeId& id, bool again);  // then opens the file
+  void fetch_for_session();                      // the molecule of the waiting session
   // Opens one of the files and notes why the others are not opened.
   void open_dropped(const std::vector<std::filesystem::path>& files);
   // Opens the waiting session with this molecule. An empty path means its own files as they are
@@ -63,12 +67,15 @@ class Opening {
   SessionView window_of_session() const;  // all but the camera
   Worker::Activity reading() const { return files_.reading(); }
   ViewerJob& writer() { return files_.writer(); }  // the job that writes a session
-  bool busy() const { return files_.busy(); }      // a session is read or written
+  ViewerJob& fetcher() { return fetcher_; }
+  // A session is read or written, or a molecule is fetched.
+  bool busy() const { return files_.busy() || fetcher_.busy(); }
   bool opens_session() const { return files_.reading().busy || waiting_ || starting_; }
 
  private:
   // Returns whether a file may be opened; if not, shows why. Clears notes about the last file.
   bool may_open(const std::filesystem::path& path);
+  std::string fetchable_id() const;
   void start_session();  // starts waiting_
 
   ViewState& state_;
@@ -84,6 +91,7 @@ class Opening {
   std::shared_ptr<const FoundSession> waiting_, starting_;
   bool awaits_gpu_ = false;
   std::string drop_note_;  // of the file that is being read
+  Fetcher fetcher_;        // last, so that its thread is joined first
 };
 
 }  // namespace alphascope

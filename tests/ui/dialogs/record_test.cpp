@@ -114,7 +114,7 @@ TEST_F(RecordTest, TheDialogSaysThatMoviesNeedFfmpeg) {
 TEST_F(RecordTest, ACancelledMovieIsNotThereAndFinishedFramesAre) {
   const FakeFfmpeg counting(folder_, "wc -c > \"$file\"");
   run("file.record \"" + (folder_ / "m.mp4").string() + "\" alpha=0:2:2000 64 64\nframes 5\n");
-  EXPECT_NE(writing_job(viewer_->state().jobs), nullptr);
+  EXPECT_NE(file_job(viewer_->state().jobs), nullptr);
   viewer_->calls().jobs.cancel(JobId::picture);
   run("wait-idle\n");
   EXPECT_NE(viewer_->state().notice.find("m.mp4 was not written"), std::string::npos)
@@ -130,7 +130,7 @@ TEST_F(RecordTest, WhatCannotBeIsRefused) {
   EXPECT_NE(why("f-%d.png alpha=2:1:2").find("from 1 to 2 Å² instead"), std::string::npos);
   EXPECT_NE(why("f-%d.png 360").find("such as 360:120"), std::string::npos);
   viewer_->step(nullptr);
-  EXPECT_EQ(writing_job(viewer_->state().jobs), nullptr);
+  EXPECT_EQ(file_job(viewer_->state().jobs), nullptr);
 }
 
 TEST(TurnedView, KeepsItsDistanceAndTurnsAboutTheAxis) {

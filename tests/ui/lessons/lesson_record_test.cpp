@@ -121,7 +121,7 @@ TEST_F(LessonRecordTest, ACancelledOneLeavesNoHalfMovie) {
   const FakeFfmpeg counting(folder_, "wc -c > \"$file\"");
   open_lesson();
   run("file.record \"" + (folder_ / "m.mp4").string() + "\" lesson:600 64 48\nframes 8\n");
-  EXPECT_TRUE(writing_job(viewer_->state().jobs) != nullptr);
+  EXPECT_TRUE(file_job(viewer_->state().jobs) != nullptr);
   viewer_->calls().jobs.cancel(JobId::picture);
   run("wait-idle\n");
   EXPECT_NE(viewer_->state().notice.find("m.mp4 was not written"), std::string::npos);

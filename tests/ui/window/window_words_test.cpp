@@ -143,7 +143,7 @@ TEST_F(WindowWords, ASavedPictureSaysItsSamples) {
   std::string said;
   while (viewer_->busy()) {
     viewer_->step(&none);
-    if (const RunningJob* job = writing_job(state().jobs)) said += job->step + "\n";
+    if (const RunningJob* job = file_job(state().jobs)) said += job->step + "\n";
   }
   EXPECT_NE(said.find(" of 4, "), std::string::npos) << said;
   EXPECT_NE(said.find(" s left"), std::string::npos) << said;

@@ -11,6 +11,7 @@
 #include "core/run/cancel_token.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
+#include "ui/panels/dialogs/fetch_state.hpp"
 #include "ui/panels/dialogs/picture_requests.hpp"
 #include "ui/panels/dialogs/session_problem.hpp"
 #include "ui/panels/dialogs/table_state.hpp"
@@ -34,6 +35,7 @@ struct Entry {
 constexpr std::array kDialogs{
     Entry{[](const ViewState& s) { return s.dialogs.show_benchmark; }, draw_benchmark_dialog},
     Entry{[](const ViewState& s) { return s.browser.show; }, draw_file_browser},
+    Entry{[](const ViewState& s) { return s.fetch.show; }, draw_fetch},
     Entry{[](const ViewState& s) { return s.dialogs.show_save; }, draw_save_picture},
     Entry{[](const ViewState& s) { return s.record.show; }, draw_record},
     Entry{[](const ViewState& s) { return s.save_table.table != nullptr; }, draw_save_table},

@@ -47,6 +47,7 @@ void draw_dialogs(PanelContext& ctx);
 
 // The dialogs, each in a source of its own or in dialogs.cpp and session_dialogs.cpp.
 void draw_benchmark_dialog(PanelContext& ctx);
+void draw_fetch(PanelContext& ctx);
 void draw_file_browser(PanelContext& ctx);
 void draw_save_picture(PanelContext& ctx);
 void draw_record(PanelContext& ctx);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/fetch/fetch.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/text/as_sentence.hpp"
@@ -24,7 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr float kTextWidth = 340;  // pixels at scale 1
 
-// Returns the folder to propose. A sample's folder belongs to the program, so it is not proposed.
+// Returns the folder to propose. Folders of samples and of fetched files belong to the program, so
+// they are not proposed.
 fs::path folder_to_offer(const ViewState& s) {
   std::error_code ignored;
   if (fs::is_directory(s.saving.folder, ignored)) return s.saving.folder;
@@ -32,7 +34,9 @@ fs::path folder_to_offer(const ViewState& s) {
   const bool sample = std::any_of(s.samples.begin(), s.samples.end(), [&](const auto& one) {
     return fs::equivalent(one.path.parent_path(), beside, ignored);
   });
-  if (!sample && fs::is_directory(beside, ignored) && access(beside.c_str(), W_OK) == 0) {
+  const bool fetched = id_of_fetched(beside / s.molecule.name).has_value();
+  if (!sample && !fetched && fs::is_directory(beside, ignored) &&
+      access(beside.c_str(), W_OK) == 0) {
     return beside;
   }
   return fs::current_path(ignored);

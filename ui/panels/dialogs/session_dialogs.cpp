@@ -3,6 +3,9 @@
 // have changed.
 #include <imgui.h>
 
+#include <algorithm>
+#include <string>
+
 #include "core/files/output_ending.hpp"
 #include "core/run/cancel_token.hpp"
 #include "ui/calls.hpp"
@@ -13,6 +16,7 @@
 #include "ui/panels/dialogs/session_problem.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/running_job.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {
@@ -51,6 +55,26 @@ void draw_save_session(PanelContext& ctx) {
   end_dialog(ctx);
 }
 
+namespace {
+
+// Offers to fetch the molecule anew. The dialog stays until its file is there.
+void fetch_row(PanelContext& ctx, const std::string& id) {
+  const auto& jobs = ctx.state.jobs;
+  const auto at = std::find_if(jobs.begin(), jobs.end(),
+                               [](const RunningJob& job) { return job.id == JobId::fetching; });
+  if (at != jobs.end()) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted((at->title + "…").c_str());
+    record(ctx, "session.fetching");
+    return;
+  }
+  const bool clicked =
+      button(ctx, "session.fetch", ("Fetch " + id).c_str(), {ctx.px(150), 0}, ButtonKind::primary);
+  if (clicked || enter_pressed(ctx)) ctx.calls.files.fetch_for_session();
+}
+
+}  // namespace
+
 void draw_session_problem(PanelContext& ctx) {
   ViewState& s = ctx.state;
   if (!begin_dialog(ctx, "A file of the session is missing or has changed###session_problem"))
@@ -79,12 +103,14 @@ void draw_session_problem(PanelContext& ctx) {
                                 : "The files of the session do not exist.");
   ImGui::SameLine();
   ImGui::BeginDisabled(!problem.molecule);
-  const bool choose =
-      button(ctx, "session.choose", "Choose the file…", {ctx.px(150), 0}, ButtonKind::primary);
-  if (choose || (problem.molecule && enter_pressed(ctx))) {
+  const bool by_id = !problem.id.empty();
+  const bool choose = button(ctx, "session.choose", "Choose the file…", {ctx.px(150), 0},
+                             by_id ? ButtonKind::normal : ButtonKind::primary);
+  if (choose || (problem.molecule && !by_id && enter_pressed(ctx))) {
     open_browser(s, BrowserPurpose::session_molecule);
   }
   ImGui::EndDisabled();
+  if (by_id) fetch_row(ctx, problem.id);
   end_dialog(ctx);
 }
 

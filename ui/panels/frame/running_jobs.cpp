@@ -45,6 +45,7 @@ double listed_after(JobId id) {
 
 const char* cancel_button(JobId id) {
   if (delays_picture(id)) return "view.cancel";
+  if (id == JobId::fetching) return "view.cancel_fetch";
   if (id == JobId::comparing) return "view.cancel_comparison";
   if (id == JobId::benchmark) return "view.cancel_benchmark";
   return id == JobId::listing ? "view.cancel_listing" : "view.cancel_save";
@@ -76,12 +77,14 @@ void busy_bar(PanelContext& ctx, float width, double seconds) {
 // Draws a line of a fixed width, so the list does not jump with each step.
 void line(PanelContext& ctx, const RunningJob& job) {
   const float width = ctx.px(220), left = ImGui::GetCursorPosX();
-  const bool saves = !delays_picture(job.id) && job.id != JobId::comparing;
+  const bool fetches = job.id == JobId::fetching;
+  const bool saves = !delays_picture(job.id) && job.id != JobId::comparing && !fetches;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(fitted_text(job.title, width).c_str());
   if (saves) record(ctx, "view.saving");
   ImGui::SameLine(left + width + ctx.px(8));
   if (button(ctx, cancel_button(job.id), "Cancel")) ctx.calls.jobs.cancel(job.id);
+  if (fetches) tooltip(ctx, "No incomplete file is left. The open molecule stays.");
   if (saves) tooltip(ctx, "No incomplete file is left. An existing file does not change.");
   std::string step = job.step;
   if (step.empty()) step = number_text(job.seconds, 1) + " s";
@@ -98,13 +101,14 @@ void line(PanelContext& ctx, const RunningJob& job) {
 
 }  // namespace
 
-// Draws the list. Jobs that the picture waits for come last, because they come and go with each
-// move of alpha.
+// Draws the list. Derived results are in the window Tasks only. Jobs that the picture waits for
+// come last, because they come and go with each move of alpha.
 void draw_running_jobs(PanelContext& ctx, ImVec2 corner) {
   std::vector<const RunningJob*> listed;
   for (const bool awaited : {false, true}) {
     for (const RunningJob& job : ctx.state.jobs) {
-      const bool wanted = delays_picture(job.id) == awaited && job.seconds >= listed_after(job.id);
+      const bool wanted = delays_picture(job.id) == awaited && job.id != JobId::deriving &&
+                          job.seconds >= listed_after(job.id);
       if (wanted) listed.push_back(&job);
     }
   }

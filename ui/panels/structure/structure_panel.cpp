@@ -199,7 +199,7 @@ void cavity_line(Page& page, std::size_t row) {
   const bool chosen =
       std::binary_search(cavities.selected_rows.begin(), cavities.selected_rows.end(), row);
   const std::string text = std::to_string(row + 1) + (line.is_void ? "  void  " : "  pocket  ") +
-                           grouped_number(line.volume_sa_angstrom3, 2) + " Å³";
+                           measure_text(line.volume_sa_angstrom3) + " Å³";
   ImGui::Indent(page.ctx.px(22));
   if (ImGui::Selectable((text + "##cavity" + std::to_string(row)).c_str(), chosen)) {
     const ImGuiIO& io = ImGui::GetIO();

@@ -17,6 +17,7 @@
 #include "app/viewer/parts/frame_picture.hpp"
 #include "app/viewer/parts/history.hpp"
 #include "app/viewer/parts/memory_watch.hpp"
+#include "app/viewer/parts/message_notes.hpp"
 #include "app/viewer/parts/picture_inputs.hpp"
 #include "app/viewer/parts/playing.hpp"
 #include "app/viewer/parts/settings_sender.hpp"
@@ -129,6 +130,7 @@ class Viewer {
   History history_{state_, session_, scene_};
   ShownFile file_{{host_, state_, session_, scene_, preferences_, history_, sender_, pace_.due()},
                   [this] { return jobs_.benchmark().busy(); }};
+  MessageNotes messages_{state_};
   WorkStatus status_{state_, session_, scene_, store_, file_.opening(), jobs_.list()};
   WindowLessons lessons_;
   SaveJobs saving_;

@@ -29,6 +29,7 @@ void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& bef
   pace_.begin_frame();
   jobs_.list().describe();
   status_.update_background();
+  messages_.follow();
   if (preferences_.follow_scale()) pace_.due().ask();
   guarded([this] { pointing_.describe_under_mouse(); });
   if (!frame_.begin(state_.window.theme, input)) return inputs_.want_results_for_all_alphas();

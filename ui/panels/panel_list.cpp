@@ -29,6 +29,7 @@ std::unique_ptr<Panel> sandbox_panel();
 std::unique_ptr<Panel> details_panel();
 std::unique_ptr<Panel> lessons_panel();
 std::unique_ptr<Panel> guide_panel();
+std::unique_ptr<Panel> tasks_panel();
 
 namespace {
 
@@ -57,6 +58,7 @@ constexpr PanelSpec kPanels[] = {
     {"details", "Details", PanelPlace::bottom, details_panel, "label distance angle"},
     {"lessons", "Lessons", PanelPlace::right, lessons_panel},
     {"guide", "User guide", PanelPlace::over, guide_panel},
+    {"tasks", "Tasks", PanelPlace::over, tasks_panel},
 };
 
 }  // namespace

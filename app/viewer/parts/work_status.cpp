@@ -68,10 +68,14 @@ WorkStatus::WorkStatus(ViewState& state, Session& session, const SceneController
       comparing_(JobId::comparing, {[this] { return session_.activity().comparing; },
                                     [] { return std::string("Comparing with CGAL"); },
                                     [this] { session_.cancel_comparison(); }}),
+      timing_(JobId::comparing, {[this] { return session_.activity().timing; },
+                                 [] { return std::string("Timing CGAL with all threads"); },
+                                 [this] { session_.cancel_comparison(); }}),
       reading_(JobId::opening,
                {[this] { return files_.reading(); },
                 [] { return std::string("Opening the session"); }, [this] { cancel(); }}) {
-  for (ActivityJob* const job : {&opening_, &computing_, &comparing_, &reading_}) jobs.add(*job);
+  for (ActivityJob* const job : {&opening_, &computing_, &comparing_, &timing_, &reading_})
+    jobs.add(*job);
 }
 
 void WorkStatus::cancel() {
@@ -103,7 +107,19 @@ void WorkStatus::update_badge() {
 }
 
 void WorkStatus::update_background() {
-  state_.background = background_text(store_.jobs());
+  const std::vector<JobInfo> derived = store_.jobs();
+  state_.background = background_text(derived);
+  for (const JobInfo& job : derived) {
+    const bool waits = job.state == DerivedState::waiting;
+    if (!waits && job.state != DerivedState::running) continue;
+    state_.jobs.push_back({.id = JobId::deriving,
+                           .title = job.title,
+                           .step = job.stage,
+                           .share = job.share > 0 ? job.share : -1,
+                           .waits = waits,
+                           .result = job.id});
+  }
+  time_left_.follow(state_.jobs);
 }
 
 bool WorkStatus::compares_by_itself() const {

@@ -6,6 +6,7 @@
 
 #include "app/session/session.hpp"
 #include "app/viewer/jobs/activity_job.hpp"
+#include "app/viewer/jobs/time_left.hpp"
 #include "app/viewer/parts/opening.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/store/store.hpp"
@@ -19,7 +20,9 @@ class WorkStatus {
   WorkStatus(ViewState& state, Session& session, const SceneController& scene, const Store& store,
              Opening& opening, JobList& jobs);
 
-  void update_background();  // the line on work that nothing waits for
+  // The line on work that nothing waits for. Adds that work to the list of jobs, and the time left
+  // of all. Call after JobList::describe().
+  void update_background();
   void update_badge();
   // Appends the picture's stages to the timings of the run that made its complex.
   void add_picture_stages();
@@ -36,7 +39,8 @@ class WorkStatus {
   const SceneController& scene_;
   const Store& store_;
   Opening& files_;  // on their way in
-  ActivityJob opening_, computing_, comparing_, reading_;
+  ActivityJob opening_, computing_, comparing_, timing_, reading_;
+  TimeLeft time_left_;
   std::shared_ptr<const Answer> compared_;  // the last answer whose comparison was requested
 };
 

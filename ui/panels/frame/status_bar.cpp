@@ -3,13 +3,19 @@
 // one line.
 #include <algorithm>
 
+#include <string>
+
 #include "core/complex/alpha_complex.hpp"
+#include "core/document/commands/commands.hpp"
 #include "core/document/store/answer.hpp"
+#include "ui/number_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/panels/work_info.hpp"
+#include "ui/running_job.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -72,6 +78,29 @@ bool under_mouse(PanelContext& ctx) {
   return true;
 }
 
+// Makes the last text a button that shows or hides the window Tasks.
+void tasks_button(PanelContext& ctx, const char* name) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImGui::SetCursorScreenPos(low);
+  const std::string id = std::string("##") + name;
+  if (ImGui::InvisibleButton(id.c_str(), {high.x - low.x, high.y - low.y})) {
+    ctx.commands.run("tasks.show");
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  record(ctx, name);
+  key_stop(ctx, name);
+}
+
+// A job that has run for a while, as "Fetching pdb:1CRN 45 %"; empty: none.
+std::string job_text(const ViewState& s) {
+  constexpr double kWhile = 1;  // seconds
+  for (const RunningJob& job : s.jobs) {
+    if (job.seconds < kWhile) continue;
+    return job.title + (job.share >= 0 ? " " + number_text(job.share * 100, 0) + " %" : "…");
+  }
+  return {};
+}
+
 }  // namespace
 
 void draw_status_bar(PanelContext& ctx) {
@@ -94,7 +123,9 @@ void draw_status_bar(PanelContext& ctx) {
   }
   const std::string memory = bytes_text(s.memory_bytes) + " memory";
   std::string right = s.device_text.empty() ? memory : s.device_text + "  ·  " + memory;
-  if (!s.background.text.empty()) right = s.background.text + "  ·  " + right;
+  const std::string running = job_text(s);
+  const std::string& work = running.empty() ? s.background.text : running;
+  if (!work.empty()) right = work + "  ·  " + right;
   const float end = ImGui::GetWindowWidth() - ctx.px(12);
   const float room = end - ImGui::GetCursorPosX();
   for (const std::string& shorter : {memory, bytes_text(s.memory_bytes)}) {
@@ -103,15 +134,17 @@ void draw_status_bar(PanelContext& ctx) {
   const float width = ImGui::CalcTextSize(right.c_str()).x;
   if (!s.notice.empty() && room > width + ctx.px(80)) {
     ImGui::TextUnformatted(fitted_text(s.notice, room - width - ctx.px(24)).c_str());
-    record(ctx, "status.notice");
-    tooltip(ctx, s.notice.c_str());
+    tasks_button(ctx, "status.notice");
+    tooltip(ctx, (s.notice + "\nClick: tasks and messages.").c_str());
     ImGui::SameLine();
   }
   if (width <= room) {
     ImGui::SetCursorPosX(end - width);
     muted_text(ctx, right);
-    record(ctx, "status.device");
-    if (!s.background.detail.empty()) tooltip(ctx, s.background.detail.c_str());
+    tasks_button(ctx, "status.device");
+    tooltip(ctx, (s.background.detail + (s.background.detail.empty() ? "" : "\n") +
+                  "Click: tasks and messages.")
+                     .c_str());
   }
   ImGui::PopFont();
 }

@@ -60,6 +60,7 @@ void ShownFile::take_file() {
   }
   if (of_session) opening_.show_session();
   start_preset();
+  open_picture_dialog();
   p_.history.restart();
   if (of_session) p_.history.restore();
 }
@@ -92,6 +93,12 @@ void ShownFile::colour_by_what_differs(const Molecule& molecule) {
                   [&](const Atom& a) { return a.chain == molecule.atoms.front().chain; });
   automatic_colour_ = one_chain ? ColourBy::element : ColourBy::chain;
   d.ball_paint = d.complex_paint = {automatic_colour_, {}, {}, {}};
+}
+
+// Opens the dialog that saves a picture, if the start page opened the molecule for it.
+void ShownFile::open_picture_dialog() {
+  const auto wanted = std::exchange(p_.state.start.picture_of, std::nullopt);
+  if (wanted && (wanted->empty() || *wanted == file_->source)) p_.state.dialogs.show_save = true;
 }
 
 // Starts editing the preset of the sandbox that was opened for it.

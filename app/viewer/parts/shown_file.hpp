@@ -51,6 +51,7 @@ class ShownFile {
   void take_file();
   void close_dialogs();
   void start_preset();
+  void open_picture_dialog();
   void colour_by_what_differs(const Molecule& molecule);
 
   Parts p_;

@@ -26,7 +26,7 @@ TEST(PanelsTest, EmptyWindowOffersToOpenSomething) {
   Panels p({1280, 800, 1});
   p.state.samples = {{"crambin", "1CRN", "1crn.pdb"}};
   p.frame(3);
-  p.click("empty.sample.0");
+  p.click("start.sample.0");
   // The request of an earlier frame stays until the program takes it.
   ASSERT_TRUE(p.asked.open);
   EXPECT_EQ(*p.asked.open, "1crn.pdb");

@@ -10,6 +10,7 @@
 #include "ui/panels/frame/view_marks.hpp"
 #include "ui/panels/frame/view_parts.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/running_job.hpp"
@@ -121,6 +122,17 @@ void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends
   ImGui::PopTextWrapPos();
   record(ctx, "view.not_drawn");
   end_overlay();
+}
+
+bool no_atoms_note(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
+  const MoleculeInfo& m = ctx.state.molecule;
+  if (!m.loaded || m.balls > 0 || awaited_job(ctx.state.jobs) != nullptr) return false;
+  begin_overlay(ctx, "##nothing", {corner.x + size.x / 2, corner.y + size.y / 2}, {0.5f, 0.5f});
+  ImGui::TextUnformatted("The selection has no atoms, so there is nothing to show.");
+  muted_text(ctx, "Keep more kinds of atoms or chains at the left, or clear the expression.");
+  record(ctx, "view.nothing");
+  end_overlay();
+  return true;
 }
 
 std::string hidden_text(std::size_t atoms) {

@@ -38,11 +38,12 @@ float compute_error_note(PanelContext& ctx, ImVec2 corner, ImVec2 size);
 // Says which parts are missing from the picture for lack of memory.
 void not_drawn_note(PanelContext& ctx, ImVec2 corner, ImVec2 size, float legends_height);
 
-// --- empty_view.cpp
-
-// Offers to open a molecule while there is none.
-void draw_empty_view(PanelContext& ctx, ImVec2 corner, ImVec2 size);
 // Says that the selection left no atom. Returns whether it does.
 bool no_atoms_note(PanelContext& ctx, ImVec2 corner, ImVec2 size);
+
+// --- start_page.cpp
+
+// Offers ways to begin while no molecule is open.
+void draw_start_page(PanelContext& ctx, ImVec2 corner, ImVec2 size);
 
 }  // namespace alphascope

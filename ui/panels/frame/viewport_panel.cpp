@@ -62,7 +62,7 @@ void draw_viewport(PanelContext& ctx) {
   draw_running_jobs(ctx, {corner.x + size.x - ctx.px(14), corner.y + ctx.px(12)});
   if (!flat) view_problem_note(ctx, corner, size, top);
   drop_note(ctx, corner, size, legends_height);
-  draw_empty_view(ctx, corner, size);
+  draw_start_page(ctx, corner, size);
   // Without atoms, a note about things not drawn would say nothing.
   if (!no_atoms_note(ctx, corner, size)) not_drawn_note(ctx, corner, size, legends_height);
   draw_context_menu(ctx);

@@ -34,9 +34,9 @@ std::unique_ptr<Panel> tasks_panel();
 namespace {
 
 constexpr PanelSpec kPanels[] = {
+    {kPinnedSection, "Alpha", PanelPlace::left, alpha_panel},
     {"molecule", "Molecule", PanelPlace::left, molecule_panel,
      "radii set radius hydrogens altloc chains only expression filter assembly biological units"},
-    {"alpha", "Alpha", PanelPlace::left, alpha_panel},
     {"objects", "Objects", PanelPlace::left, objects_panel,
      "cartoon ribbon sticks ball-and-stick points representation ligand eye opacity"},
     {"display", "Display", PanelPlace::left, display_panel, "colours opacity size"},

@@ -26,6 +26,9 @@ struct PanelSpec {
   const char* also = "";  // other words by which people find it
 };
 
+// The section at the left that does not scroll, so that it is never out of sight.
+inline constexpr const char* kPinnedSection = "alpha";
+
 std::span<const PanelSpec> panels();  // in the order shown
 
 // One object of each panel, with what it remembers.

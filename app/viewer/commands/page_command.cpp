@@ -42,11 +42,11 @@ CommandSpec page_command(ViewState& s) {
                      .help = "Shows timings, cavities, the signature or another page",
                      .run =
                          [&s](const Arguments& arguments) {
-                           s.window.page = arguments.text("page");
+                           s.window.page = s.window.chosen_page = arguments.text("page");
                            return Outcome();
                          }},
                     {.name = "page", .help = "Which page", .example = "why"}, PanelPlace::bottom,
-                    [&s](const PanelSpec& p) { return s.window.page == p.id; });
+                    [&s](const PanelSpec& p) { return s.page() == p.id; });
 }
 
 CommandSpec section_command(ViewState& s) {

@@ -29,6 +29,7 @@ void WindowPreferences::begin_with(const ViewerOptions& options) {
   state_.window.theme = light ? Theme::light : Theme::dark;
   state_.window.control_scale = options.scale > 0 ? options.scale : p.scale;
   state_.window.presenter_size = p.presenter_size;
+  state_.window.page = state_.window.chosen_page = p.page;
   std::error_code ignored;
   if (std::filesystem::is_directory(p.last_folder, ignored)) {
     state_.browser.folder = p.last_folder;
@@ -49,6 +50,7 @@ Preferences WindowPreferences::preferred() const {
   p.light_theme = state_.window.theme == Theme::light;
   p.scale = state_.window.control_scale;
   p.presenter_size = state_.window.presenter_size;
+  p.page = state_.window.chosen_page;
   p.engine = state_.settings.request.engine;
   p.last_folder = state_.browser.folder;
   const HostSize size = host_.size();
@@ -74,6 +76,7 @@ void WindowPreferences::note() {
   take(&Preferences::light_theme);
   take(&Preferences::scale);
   take(&Preferences::presenter_size);
+  take(&Preferences::page);
   take(&Preferences::width);
   take(&Preferences::height);
   take(&Preferences::engine);

@@ -35,6 +35,7 @@ void visit_fields(Visitor& v, Preferences& p) {
   v("width", p.width, kWindowRule);
   v("height", p.height, kWindowRule);
   v("engine", p.engine);
+  v("page", p.page);
   v("last_folder", p.last_folder);
   v("recent_files", p.recent);
 }

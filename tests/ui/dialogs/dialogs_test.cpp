@@ -295,7 +295,7 @@ TEST_F(ErrorsTest, OnlyAFailedOpeningSpeaksOfThePreviousMolecule) {
 
 TEST_F(ErrorsTest, AFailedComparisonIsToldByTheBadge) {
   no_memory_ = true;
-  run("click timings.compare\nwait-idle\nframes 3\n");
+  run("click bottom.timings\nclick timings.compare\nwait-idle\nframes 3\n");
   const ViewState& s = viewer_->state();
   EXPECT_TRUE(s.error.empty()) << s.error;
   EXPECT_EQ(s.badge.state, BadgeInfo::State::failed);

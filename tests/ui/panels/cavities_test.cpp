@@ -119,7 +119,8 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
 }
 
 TEST_F(CavitiesTest, ACommandChoosesACavityBeforeTheTableIsThere) {
-  run("open " ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz\nwait-idle\n");
+  run("open " ALPHASCOPE_SOURCE_DIR
+      "/resources/molecules/4hhb.pdb.gz\nview.page timings\nwait-idle\n");
   run("cavities.choose 2\n");
   EXPECT_TRUE(viewer_->state().settings.selection.cavities.empty()) << "the table is not there yet";
   settle();

@@ -119,7 +119,7 @@ TEST_F(ViewerTest, SolventAndTetrahedraOnly) {
 TEST_F(ViewerTest, ComparingGivesTheBadge) {
   open_crambin();
   EXPECT_EQ(viewer_->state().badge.state, BadgeInfo::State::not_compared);
-  run("click timings.compare\nwait-idle\n");
+  run("click bottom.timings\nclick timings.compare\nwait-idle\n");
   const BadgeInfo& badge = viewer_->state().badge;
   EXPECT_EQ(badge.state, BadgeInfo::State::identical);
   const std::string n = std::to_string(viewer_->state().result->complex.tetrahedra.size());
@@ -138,7 +138,7 @@ TEST_F(ViewerTest, AColdTimeIsMeasuredWhenAskedFor) {
   }
   ASSERT_TRUE(s.ours.any());
   ASSERT_FALSE(s.ours.cold) << "the engine was kept";
-  run("click timings.run.0\nclick timings.compute_anew\nwait-idle\n");
+  run("click bottom.timings\nclick timings.run.0\nclick timings.compute_anew\nwait-idle\n");
   EXPECT_TRUE(s.ours.cold);
   EXPECT_TRUE(s.ours.warm);
 }
@@ -312,8 +312,8 @@ TEST_F(ViewerTest, TheWindowGoesOnWhileAPictureIsSaved) {
     run("frames 1\n");
   };
   save();
-  ASSERT_NE(writing_job(viewer_->state().jobs), nullptr);
-  EXPECT_EQ(writing_job(viewer_->state().jobs)->title, "Saving picture.png");
+  ASSERT_NE(file_job(viewer_->state().jobs), nullptr);
+  EXPECT_EQ(file_job(viewer_->state().jobs)->title, "Saving picture.png");
   run("frames 3\n");
   EXPECT_TRUE(viewer_->widgets().contains("view.cancel_save"));
   save();  // one at a time
@@ -321,7 +321,7 @@ TEST_F(ViewerTest, TheWindowGoesOnWhileAPictureIsSaved) {
       << viewer_->state().error;
   viewer_->state().error.clear();
   run("wait-idle\n");
-  EXPECT_EQ(writing_job(viewer_->state().jobs), nullptr);
+  EXPECT_EQ(file_job(viewer_->state().jobs), nullptr);
   EXPECT_TRUE(fs::exists(folder_ / "picture.png"));
 }
 
@@ -331,7 +331,7 @@ TEST_F(ViewerTest, ACancelledPictureLeavesTheOldFile) {
   viewer_->state().settings.display.samples = 16;  // else it may be done before the click
   viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false});
   run("frames 3\nclick view.cancel_save\nframes 2\n");
-  EXPECT_EQ(writing_job(viewer_->state().jobs), nullptr) << "at once";
+  EXPECT_EQ(file_job(viewer_->state().jobs), nullptr) << "at once";
   EXPECT_NE(viewer_->state().notice.find("was not written"), std::string::npos);
   EXPECT_EQ(bytes("picture.png"), "older");
   // The next picture waits for the last one.

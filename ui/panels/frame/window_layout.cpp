@@ -5,6 +5,8 @@
 #include "ui/panels/frame/window_layout.hpp"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,10 +63,17 @@ std::vector<PanelSpec> panels_at(PanelPlace place) {
   return found;
 }
 
-// Buttons for all sections, drawn if the sections do not fit. Arrows mark sections scrolled out of
-// sight.
+std::vector<PanelSpec> scrolled_sections() {
+  std::vector<PanelSpec> sections = panels_at(PanelPlace::left);
+  std::erase_if(sections,
+                [](const PanelSpec& s) { return s.id == std::string_view(kPinnedSection); });
+  return sections;
+}
+
+// Buttons for the sections that scroll, drawn if they do not fit. Arrows mark sections scrolled out
+// of sight.
 void section_buttons(PanelContext& ctx, const WidgetRects& last) {
-  const std::vector<PanelSpec> sections = panels_at(PanelPlace::left);
+  const std::vector<PanelSpec> sections = scrolled_sections();
   const float gap = ctx.px(4), count = static_cast<float>(sections.size());
   ImGui::PushFont(ctx.fonts.small);
   // Each button has room for its title with an arrow, drawn or not. All share the remaining width.
@@ -89,15 +98,32 @@ void section_buttons(PanelContext& ctx, const WidgetRects& last) {
   ImGui::PopFont();
 }
 
+// Draws the section on alpha above those that scroll. It scrolls by itself only if it would leave
+// no room for the others.
+void pinned_section(PanelContext& ctx) {
+  constexpr float kLeastBelow = 130;  // pixels at scale 1
+  float& height = ctx.state.scroll.pinned_height;
+  const float most = std::max(ctx.px(80), ImGui::GetContentRegionAvail().y - ctx.px(kLeastBelow));
+  const bool scrolls = height > most;
+  if (scrolls) ImGui::BeginChild("pinned", {0, most}, false);
+  const float top = ImGui::GetCursorPosY();
+  ImGui::PushItemWidth(-1);
+  ctx.panels.of(kPinnedSection).draw(ctx);
+  ImGui::PopItemWidth();
+  height = ImGui::GetCursorPosY() - top;
+  if (scrolls) ImGui::EndChild();
+}
+
 void left_panel(PanelContext& ctx, const WidgetRects& last, float top, float height) {
   begin("##left", {{0, top}, {ctx.px(kLeftWidth), height}});
+  pinned_section(ctx);
   bool& overflow = ctx.state.scroll.sections_overflow;
   const float room = ImGui::GetContentRegionAvail().y;
   if (overflow) section_buttons(ctx, last);
   // The child keeps its width when its scroll bar appears, so nothing beside it jumps.
   ImGui::BeginChild("sections", {0, 0}, false);
   ImGui::PushItemWidth(-1);
-  for (const PanelSpec& s : panels_at(PanelPlace::left)) ctx.panels.of(s).draw(ctx);
+  for (const PanelSpec& s : scrolled_sections()) ctx.panels.of(s).draw(ctx);
   ImGui::PopItemWidth();
   // `room` was taken above the buttons, so they do not change the answer and cannot flicker.
   overflow = ImGui::GetCursorPosY() > room;
@@ -168,7 +194,7 @@ NameFit fit_names(const PanelContext& ctx, const std::vector<PanelSpec>& pages, 
 // Draws the names of pages as buttons, if there are several. The page goes on in the same line if
 // there is room.
 const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pages) {
-  std::string& shown = ctx.state.window.page;
+  const std::string shown = ctx.state.page();
   const auto found =
       std::find_if(pages.begin(), pages.end(), [&](const PanelSpec& p) { return p.id == shown; });
   const PanelSpec* page = found == pages.end() ? &pages.front() : &*found;
@@ -193,7 +219,7 @@ const PanelSpec* bottom_tabs(PanelContext& ctx, const std::vector<PanelSpec>& pa
     }
     const std::string name = std::string("bottom.") + p.id;
     if (button(ctx, name.c_str(), p.title, {0, 0}, on ? ButtonKind::normal : ButtonKind::quiet)) {
-      shown = p.id;
+      ctx.state.window.page = ctx.state.window.chosen_page = p.id;
     }
     ImGui::PopFont();
   }

@@ -18,6 +18,7 @@
 #include "core/document/store/inputs.hpp"
 #include "core/document/store/store.hpp"
 #include "core/document/structure/structure_rows.hpp"
+#include "core/document/tables/cell_value.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/layer.hpp"

@@ -14,8 +14,8 @@ constexpr double kLeastSeconds = 1, kLeastShare = 0.02;
 }  // namespace
 
 TimeLeft::Step TimeLeft::step_of(const RunningJob& job, Clock::time_point now) const {
-  const auto known = std::find_if(steps_.begin(), steps_.end(),
-                                  [&](const Step& step) { return step.is_of(job); });
+  const auto known =
+      std::find_if(steps_.begin(), steps_.end(), [&](const Step& step) { return step.is_of(job); });
   if (known == steps_.end() || job.share < known->last_share) {
     return {job.id, job.title, job.result, job.share, job.share, now};
   }

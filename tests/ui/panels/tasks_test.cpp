@@ -93,14 +93,16 @@ TEST(TasksWindow, ListsWhatRunsAndCancels) {
 TEST(TasksWindow, CopiesTheMessages) {
   Panels p({900, 600, 1});
   p.state.tasks.shown = true;
-  p.state.tasks.messages = {{Message::Kind::error, "10:00:02", "b.pdb: it is empty.\n\nThe old one stays."},
-                            {Message::Kind::notice, "10:00:01", "Saved a.png"}};
+  p.state.tasks.messages = {
+      {Message::Kind::error, "10:00:02", "b.pdb: it is empty.\n\nThe old one stays."},
+      {Message::Kind::notice, "10:00:01", "Saved a.png"}};
   p.state.tasks.noted = 2;
   p.frame(3);
   EXPECT_TRUE(p.rects.contains("tasks.messages"));
   p.click("tasks.copy");
-  EXPECT_EQ(p.asked.copied, "10:00:01  Saved a.png\n"
-                            "10:00:02  Error: b.pdb: it is empty. The old one stays.\n");
+  EXPECT_EQ(p.asked.copied,
+            "10:00:01  Saved a.png\n"
+            "10:00:02  Error: b.pdb: it is empty. The old one stays.\n");
 }
 
 class TasksOfTheProgram : public ViewerTest {};

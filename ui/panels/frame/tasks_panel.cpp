@@ -198,10 +198,11 @@ void add_tasks_commands(Commands& commands, ViewState& state, TasksMemory&) {
                 .menu = "View",
                 .line_above = true,
                 .checked = [&state] { return state.tasks.shown; },
-                .run = [&state](const Arguments&) {
-                  state.tasks.shown = state.tasks.to_front = !state.tasks.shown;
-                  return Outcome();
-                }});
+                .run =
+                    [&state](const Arguments&) {
+                      state.tasks.shown = state.tasks.to_front = !state.tasks.shown;
+                      return Outcome();
+                    }});
 }
 
 }  // namespace

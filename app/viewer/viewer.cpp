@@ -141,6 +141,8 @@ void Viewer::take_session() {
     memory_.read();
   }
   status_.update_badge();
+  sender_.moves().follow(scene_.drawn().answer, scene_.shown().pacing().finished());
+  state_.move_milliseconds = sender_.moves().milliseconds();
 }
 
 void Viewer::send_controls() {

@@ -56,7 +56,7 @@ class ViewerTest : public ::testing::Test {
   void open_crambin() { run("open " + crambin().string() + "\nwait-idle\n"); }
 
   void shot(const std::string& name) {
-    run("move status.device\nshot " + (folder_ / name).string() + "\n");
+    run("move status.memory\nshot " + (folder_ / name).string() + "\n");
   }
   // The scene at its finest, without the window's overlays.
   Image picture() {

@@ -116,8 +116,11 @@ struct ViewValues {
   // Layers that the panels want drawn; made anew in each frame.
   std::vector<std::shared_ptr<const Layer>> layers;
   bool measures_wanted = false;  // areas and volumes are shown; set anew in each frame
-  std::string device_text;       // "CPU · 2 threads"
-  std::string engine_note;       // why another engine than expected was used; empty: none was
+  // From the last change of alpha, solvent radius or engine to its picture. Empty if no change
+  // asked for the picture on screen, as after opening a file.
+  std::optional<double> move_milliseconds;
+  std::string device_text;  // "dual-edge engine on CPU, 2 threads"
+  std::string engine_note;  // why another engine than expected was used; empty: none was
   std::string version;
   std::size_t memory_bytes = 0;    // memory of the whole program
   std::uint64_t free_bytes = 0;    // memory that the machine could still give; 0: unknown

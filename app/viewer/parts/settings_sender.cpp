@@ -47,7 +47,9 @@ bool SettingsSender::awaits_panels() const {
 }
 
 void SettingsSender::send_request() {
-  if (request_is_sent() || awaits_panels()) return;
+  if (request_is_sent()) return;
+  moves_.note_wanted(canonical(state_.settings.request));
+  if (awaits_panels()) return;
   const Request& request = state_.settings.request;
   session_.set_request(canonical(request), results_for_all_alphas(store_, inputs_.now()));
   state_.compute_error.clear();  // the message was about another alpha

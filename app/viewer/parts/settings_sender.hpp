@@ -6,6 +6,7 @@
 
 #include "app/session/session.hpp"
 #include "app/viewer/parts/due_frames.hpp"
+#include "app/viewer/parts/move_clock.hpp"
 #include "app/viewer/parts/picture_inputs.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/store/store.hpp"
@@ -37,6 +38,7 @@ class SettingsSender {
   bool options_are_sent() const { return state_.settings.open == options_; }
   bool all_is_sent() const { return request_is_sent() && options_are_sent(); }
   bool settled() const;  // whether the latest request is answered
+  MoveClock& moves() { return moves_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -51,6 +53,7 @@ class SettingsSender {
   DueFrames& due_;
   OpenOptions options_;  // sent last
   Clock::time_point options_sent_at_{};
+  MoveClock moves_;
 };
 
 }  // namespace alphascope

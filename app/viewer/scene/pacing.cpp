@@ -58,6 +58,7 @@ bool Pacing::draw_when_due(bool interacting, bool pending, bool patient) {
   take_time(draws);
   if (!draws) return false;
   const bool new_picture = std::exchange(new_picture_, false);
+  if (new_picture) drawing_since_ = Clock::now();
   const bool follows = interacting && (pending || new_picture);
   const bool at_rest = refine_now && !change;
   const RenderQuality target = patient   ? RenderQuality::fine
@@ -100,6 +101,15 @@ void Pacing::draw(RenderQuality quality, bool patient) {
     drawn_ = quality;
   } while (quality == RenderQuality::fine && unfinished() &&
            (patient || taken + quality_.sample() <= kSliceMilliseconds));
+}
+
+// The graphics processor's own time is added, because the program reads it a frame later.
+std::optional<Pacing::Clock::time_point> Pacing::finished() const {
+  if (stages_.size() < 2) return std::nullopt;
+  double milliseconds = 0;
+  for (std::size_t i = 1; i < stages_.size(); ++i) milliseconds += stages_[i].milliseconds;
+  return drawing_since_ + std::chrono::duration_cast<Clock::duration>(
+                              std::chrono::duration<double, std::milli>(milliseconds));
 }
 
 bool Pacing::unfinished() const {

@@ -44,10 +44,11 @@ class Pacing {
   // Milliseconds for mesh, upload and drawing of the first picture of the complex on screen. Until
   // that picture is drawn, only the mesh's time is there.
   const std::vector<StageTime>& stages() const { return stages_; }
+  using Clock = std::chrono::steady_clock;
+  // When the first picture of the complex on screen was finished; nothing until its time is known.
+  std::optional<Clock::time_point> finished() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   RenderQuality quality_for_change(bool follows_computation) const;
   void choose_stand_in(bool at_rest);
   void draw(RenderQuality quality, bool patient);
@@ -63,6 +64,7 @@ class Pacing {
   bool new_picture_ = false;  // a picture of another complex was begun and is not drawn yet
   std::optional<Clock::time_point> outdated_since_;
   Clock::time_point last_change_ = Clock::now();
+  Clock::time_point drawing_since_ = last_change_;  // the first picture of the complex
   std::vector<StageTime> stages_;
 };
 

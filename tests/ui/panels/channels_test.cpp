@@ -72,7 +72,7 @@ TEST_F(ChannelsTest, OfAPoreIsThereUponTheFirstClick) {
   // The place under the mouse is marked in the view.
   run("move channels.profile 0.5 0.5\nframes 3\n");
   EXPECT_TRUE(has_layer("channels.cursor"));
-  run("move status.device\nframes 3\n");
+  run("move status.memory\nframes 3\n");
   EXPECT_FALSE(has_layer("channels.cursor"));
 }
 

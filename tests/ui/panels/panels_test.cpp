@@ -449,7 +449,7 @@ TEST_P(PanelsAtEverySize, NothingLeavesTheWindow) {
   const float width = size.width * size.scale, height = size.height * size.scale;
   for (const char* name :
        {"molecule.open", "molecule.sample", "alpha.slider", "alpha.preset.10", "alpha.water",
-        "timings.badge", "timings.waterfall", "status.hash", "status.device", "view"}) {
+        "timings.badge", "timings.waterfall", "status.hash", "status.memory", "view"}) {
     ASSERT_TRUE(p.rects.contains(name)) << name;
     const WidgetRect r = p.rects[name];
     EXPECT_GE(r.x0, 0) << name;
@@ -458,7 +458,7 @@ TEST_P(PanelsAtEverySize, NothingLeavesTheWindow) {
     EXPECT_GT(r.x1, r.x0) << name;
   }
   EXPECT_LE(p.rects["alpha.preset.10"].x1, p.rects["view"].x0);
-  EXPECT_LE(p.rects["status.hash"].x1, p.rects["status.device"].x0);
+  EXPECT_LE(p.rects["status.hash"].x1, p.rects["status.memory"].x0);
   EXPECT_GT(p.state.viewport.height, 100);
 }
 

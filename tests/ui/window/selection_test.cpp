@@ -83,7 +83,7 @@ TEST_F(SelectionTest, TheStatusBarSaysWhatIsUnderTheMouse) {
   std::snprintf(grown, sizeof grown, "grown %.2f Å", std::sqrt(r * r + 3));
   EXPECT_NE(line().find(grown), std::string::npos) << line();
   EXPECT_TRUE(viewer_->widgets().contains("status.under_mouse"));
-  EXPECT_FALSE(viewer_->widgets().contains("status.device"));
+  EXPECT_FALSE(viewer_->widgets().contains("status.memory"));
   // Set, but not yet in the picture.
   viewer_->state().settings.request.alpha_angstrom2 = 9;
   frames(1);
@@ -93,7 +93,7 @@ TEST_F(SelectionTest, TheStatusBarSaysWhatIsUnderTheMouse) {
   move(0.01, 0.01);
   EXPECT_EQ(line(), "");
   EXPECT_FALSE(state().hovered);
-  EXPECT_TRUE(viewer_->widgets().contains("status.device"));
+  EXPECT_TRUE(viewer_->widgets().contains("status.memory"));
   EXPECT_TRUE(items().empty()) << "hovering selects nothing";
 }
 

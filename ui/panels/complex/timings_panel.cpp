@@ -26,22 +26,21 @@ constexpr double kCancelAfterSeconds = 1;
 
 struct BadgeLook {
   Colour text, fill;
-  const char* symbol;
 };
 
 BadgeLook look(const Palette& p, BadgeInfo::State state) {
   switch (state) {
     case BadgeInfo::State::identical:
-      return {p.success, p.success_fill, "✓ "};
+      return {p.success, p.success_fill};
     case BadgeInfo::State::different:
-      return {p.error, p.error_fill, "≠ "};
+      return {p.error, p.error_fill};
     case BadgeInfo::State::failed:
-      return {p.warning, p.warning_fill, ""};
+      return {p.warning, p.warning_fill};
     case BadgeInfo::State::comparing:
     case BadgeInfo::State::not_compared:
       break;
   }
-  return {p.text_muted, p.field, ""};
+  return {p.text_muted, p.field};
 }
 
 void pill(PanelContext& ctx, const std::string& text, const Colour& colour, const Colour& fill) {
@@ -87,7 +86,7 @@ std::string badge_text(const std::string& full, float room) {
 void badge(PanelContext& ctx) {
   const BadgeInfo& b = ctx.state.badge;
   const BadgeLook l = look(ctx.palette, b.state);
-  const std::string full = l.symbol + b.text;
+  const std::string full = badge_mark(b.state) + b.text;
   const bool compared = b.state == BadgeInfo::State::identical;
   const float room = ImGui::GetContentRegionAvail().x - ctx.px(compared ? 220 : 290);
   pill(ctx, compared ? badge_text(full, room) : fitted_text(full, room), l.text, l.fill);

@@ -51,6 +51,45 @@ std::string incomparable(const ViewState& state, bool cold) {
          " prepared its data for later alphas in this run; the other engine reused its own.";
 }
 
+constexpr const char* kBetweenParts = "  ·  ";
+
+// CGAL's run for the complex on screen, and whether it made its triangulation anew.
+struct CgalRun {
+  const std::optional<MeasuredRun>* run = nullptr;
+  bool cold = false;
+};
+
+// Chooses the run of the kind that made the complex on screen, and otherwise the other one.
+CgalRun cgal_run(const ViewState& state) {
+  const BadgeInfo::State badge = state.badge.state;
+  if (badge != BadgeInfo::State::identical && badge != BadgeInfo::State::different) return {};
+  const bool first_cold = state.result->cold;
+  for (const bool cold : {first_cold, !first_cold}) {
+    const auto& run = cold ? state.cgal.cold : state.cgal.warm;
+    if (run && run->alpha_angstrom2 == state.result->request.alpha_angstrom2 &&
+        run->tetrahedra_only == state.shows_tetrahedra_only()) {
+      return {&run, cold};
+    }
+  }
+  return {};
+}
+
+const char* badge_words(BadgeInfo::State state) {
+  switch (state) {
+    case BadgeInfo::State::identical:
+      return "✓ identical";
+    case BadgeInfo::State::different:
+      return "≠ different";
+    case BadgeInfo::State::failed:
+      return "comparison failed";
+    case BadgeInfo::State::comparing:
+      return "comparing…";
+    case BadgeInfo::State::not_compared:
+      break;
+  }
+  return "not compared";
+}
+
 }  // namespace
 
 std::vector<std::string> missing_times(const ViewState& state, bool cold) {
@@ -90,6 +129,59 @@ std::optional<double> speed_up(const ViewState& state, bool cold) {
   if (!ours || !cgal || too_few_balls(state) || !ours->comparable(*cgal)) return {};
   if (ours->times.wall_milliseconds <= 0) return {};
   return cgal->times.wall_milliseconds / ours->times.wall_milliseconds;
+}
+
+const char* badge_mark(BadgeInfo::State state) {
+  switch (state) {
+    case BadgeInfo::State::identical:
+      return "✓ ";
+    case BadgeInfo::State::different:
+      return "≠ ";
+    case BadgeInfo::State::failed:
+    case BadgeInfo::State::comparing:
+    case BadgeInfo::State::not_compared:
+      break;
+  }
+  return "";
+}
+
+std::string LastMove::line() const {
+  std::string text;
+  for (const std::string* part : {&time, &engine, &cgal, &badge}) {
+    if (part->empty()) continue;
+    if (!text.empty()) text += kBetweenParts;
+    text += *part;
+  }
+  return text;
+}
+
+std::vector<LastMove> last_move(const ViewState& state) {
+  const Answer& answer = *state.result;
+  const EngineInfo& engine = answer.complex.engine;
+  const std::string engine_time = milliseconds_text(answer.complex.timings.wall_milliseconds);
+  const bool moved = state.move_milliseconds.has_value();
+  const std::string time = moved ? milliseconds_text(*state.move_milliseconds) : engine_time;
+  const CgalRun cgal = cgal_run(state);
+  const std::string cgal_time = cgal.run ? "CGAL " + wall_text(*cgal.run) : std::string();
+
+  LastMove full{time + (moved ? " to picture" : " to compute"), engine.name, cgal_time,
+                badge_words(state.badge.state), ""};
+  if (!engine.device.empty()) full.engine += " on " + engine.device;
+  if (moved) full.help = "Last move: " + time + " from the change to the finished picture.\n";
+  full.help += full.engine + ": " + engine_time + " for the complex.\n";
+  if (cgal.run) {
+    full.help += "CGAL: " + wall_text(*cgal.run) + " for the same complex, " +
+                 (cgal.cold ? "with its triangulation.\n" : "from its triangulation.\n");
+  }
+  full.help += badge_mark(state.badge.state) + state.badge.text + "\n\nClick to see each stage.";
+
+  LastMove middle = full, least = full;
+  middle.time = least.time = time;
+  least.engine = engine.device.substr(0, engine.device.find(','));  // "CPU"
+  if (const std::string mark = badge_mark(state.badge.state); !mark.empty()) {
+    least.badge = mark.substr(0, mark.size() - 1);
+  }
+  return {full, middle, least};
 }
 
 std::string wall_text(const std::optional<MeasuredRun>& run) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/panels/work_info.hpp"
+
 namespace alphascope {
 
 struct MeasuredRun;
@@ -25,5 +27,22 @@ std::optional<double> speed_up(const ViewState& state, bool cold);
 
 // Returns "5.10 ms", or "not measured".
 std::string wall_text(const std::optional<MeasuredRun>& run);
+
+// The badge's mark: "✓ ", "≠ " or nothing.
+const char* badge_mark(BadgeInfo::State state);
+
+// The last move in the words of the status bar, from long to short forms.
+struct LastMove {
+  std::string time;    // "34.2 ms to picture"; after opening a file "60.5 ms to compute"
+  std::string engine;  // "dual-edge engine on CPU, 2 threads"
+  std::string cgal;    // "CGAL 60.5 ms", of the same complex; empty if it is not compared
+  std::string badge;   // "✓ identical"
+  std::string line() const;
+
+  std::string help;  // all of it in sentences
+};
+// Of the complex on screen, which must exist. The forms have all that fits ever less room: the last
+// one is the shortest.
+std::vector<LastMove> last_move(const ViewState& state);
 
 }  // namespace alphascope

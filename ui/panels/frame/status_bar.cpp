@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The status bar: counts, Euler characteristic, hash, device and memory of the result on screen, in
-// one line.
+// The status bar in one line: time, engine and badge of the last move, counts and hash of the
+// complex on screen, and memory.
 #include <algorithm>
-
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/document/commands/commands.hpp"
 #include "core/document/store/answer.hpp"
 #include "ui/number_text.hpp"
+#include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
 #include "ui/panels/work_info.hpp"
 #include "ui/running_job.hpp"
+#include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/style.hpp"
@@ -22,51 +25,170 @@
 namespace alphascope {
 namespace {
 
-void item(PanelContext& ctx, const char* name, const char* label, const std::string& value,
-          const char* help) {
+// Room at the right for memory, messages and the thing under the mouse, pixels at scale 1.
+constexpr float kRightRoom = 190;
+constexpr float kGap = 16, kAfterLabel = 5;
+
+// A count with its label. `help` explains it.
+struct Item {
+  const char *name, *label;
+  std::string value;
+  const char* help;
+  bool mono = false;
+};
+
+void draw_item(PanelContext& ctx, const Item& item) {
   ImGui::BeginGroup();
-  muted_text(ctx, label);
-  ImGui::SameLine(0, ctx.px(5));
-  ImGui::TextUnformatted(value.c_str());
+  muted_text(ctx, item.label);
+  ImGui::SameLine(0, ctx.px(kAfterLabel));
+  if (item.mono) ImGui::PushFont(ctx.fonts.mono);
+  ImGui::TextUnformatted(item.value.c_str());
+  if (item.mono) ImGui::PopFont();
   ImGui::EndGroup();
-  record(ctx, name);
-  tooltip(ctx, help);
-  ImGui::SameLine(0, ctx.px(16));
+  record(ctx, item.name);
+  tooltip(ctx, item.help);
+  ImGui::SameLine(0, ctx.px(kGap));
 }
 
-void counts(PanelContext& ctx) {
-  const AlphaComplex& c = ctx.state.result->complex;
-  const std::string hash = hash_text(c.hash);
-  const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
-  if (!c.tetrahedra_only) {
-    item(ctx, "status.vertices", "vertices", number(c.vertices.size()),
-         "Balls that are in the complex.");
-    item(ctx, "status.edges", "edges", number(c.edges.size()), "Edges of the complex.");
-    item(ctx, "status.triangles", "triangles", number(c.triangles.size()),
-         "Triangles of the complex.");
+float width_of(const PanelContext& ctx, const std::vector<Item>& items) {
+  float width = 0;
+  for (const Item& item : items) {
+    if (item.mono) ImGui::PushFont(ctx.fonts.mono);
+    width += ImGui::CalcTextSize(item.value.c_str()).x;
+    if (item.mono) ImGui::PopFont();
+    width += ImGui::CalcTextSize(item.label).x + ctx.px(kAfterLabel + kGap);
   }
-  item(ctx, "status.tetrahedra", "tetrahedra", number(c.tetrahedra.size()),
-       "Tetrahedra of the complex.");
-  if (!c.tetrahedra_only) {
-    item(ctx, "status.euler", "Euler χ", with_separators(c.euler_characteristic()),
-         "Vertices − edges + triangles − tetrahedra = components − tunnels + voids.");
-  }
-  ImGui::BeginGroup();
-  muted_text(ctx, "hash");
-  ImGui::SameLine(0, ctx.px(5));
-  ImGui::PushFont(ctx.fonts.mono);
-  ImGui::TextUnformatted(hash.c_str());
-  ImGui::PopFont();
-  ImGui::EndGroup();
-  record(ctx, "status.hash");
-  tooltip(ctx,
-          "Hash of the set of simplices: equal complexes have equal hashes, on every engine and on "
-          "the command line. Click to copy.");
-  if (ImGui::IsItemClicked()) ImGui::SetClipboardText(hash.c_str());
-  ImGui::SameLine(0, ctx.px(16));
+  return width;
 }
 
-// Names the thing under the mouse, in the place of device and memory. Returns whether there is one.
+std::string number(std::size_t n) {
+  return with_separators(static_cast<long long>(n));
+}
+
+// The counts of the complex in ever shorter forms. The last has none.
+std::vector<std::vector<Item>> counts(const AlphaComplex& c) {
+  const Item tetrahedra{"status.tetrahedra", "tetrahedra", number(c.tetrahedra.size()),
+                        "Tetrahedra of the complex."};
+  Item hash{"status.hash", "hash", hash_text(c.hash),
+            "Hash of the set of simplices: equal complexes have equal hashes, on every engine and "
+            "on the command line. Click to copy.",
+            true};
+  const Item all{"status.counts", "simplices",
+                 number(c.vertices.size()) + " + " + number(c.edges.size()) + " + " +
+                     number(c.triangles.size()) + " + " + number(c.tetrahedra.size()),
+                 "Vertices, edges, triangles and tetrahedra of the complex."};
+  const Item euler{"status.euler", "Euler χ", with_separators(c.euler_characteristic()),
+                   "Vertices − edges + triangles − tetrahedra = components − tunnels + voids."};
+  std::vector<std::vector<Item>> forms;
+  if (!c.tetrahedra_only) {
+    forms.push_back(
+        {{"status.vertices", "vertices", number(c.vertices.size()),
+          "Balls that are in the complex."},
+         {"status.edges", "edges", number(c.edges.size()), "Edges of the complex."},
+         {"status.triangles", "triangles", number(c.triangles.size()), "Triangles of the complex."},
+         tetrahedra,
+         euler,
+         hash});
+    forms.push_back({all, euler, hash});
+    forms.push_back({all, hash});
+  }
+  forms.push_back({tetrahedra, hash});
+  hash.value = hash.value.substr(0, 8) + "…";
+  forms.push_back({tetrahedra, hash});
+  forms.push_back({tetrahedra});
+  forms.push_back({});
+  return forms;
+}
+
+Colour badge_colour(const Palette& p, BadgeInfo::State state) {
+  switch (state) {
+    case BadgeInfo::State::identical:
+      return p.success;
+    case BadgeInfo::State::different:
+      return p.error;
+    case BadgeInfo::State::failed:
+      return p.warning;
+    case BadgeInfo::State::comparing:
+    case BadgeInfo::State::not_compared:
+      break;
+  }
+  return p.text_muted;
+}
+
+// Draws the last move as one button, with the badge in its colour.
+void move_button(PanelContext& ctx, LastMove move) {
+  const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - ctx.px(12);
+  const std::string badge = std::exchange(move.badge, {});
+  const std::string between = "  ·  ";
+  const float badge_width = ImGui::CalcTextSize((between + badge).c_str()).x;
+  const std::string text = fitted_text(move.line(), room - badge_width) + between;
+  const float text_width = ImGui::CalcTextSize(text.c_str()).x;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  const bool pressed =
+      ImGui::InvisibleButton("##move", {text_width + ImGui::CalcTextSize(badge.c_str()).x, height});
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    const ImVec2 end = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x - ctx.px(4), at.y - ctx.px(1)},
+                                              {end.x + ctx.px(4), end.y + ctx.px(1)},
+                                              to_u32(ctx.palette.field), ctx.px(3));
+  }
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddText(at, to_u32(ctx.palette.text), text.c_str());
+  draw->AddText({at.x + text_width, at.y}, to_u32(badge_colour(ctx.palette, ctx.state.badge.state)),
+                badge.c_str());
+  record(ctx, "status.move");
+  key_stop(ctx, "status.move");
+  tooltip(ctx, move.help.c_str());
+  if (pressed) ctx.state.show_page("timings");
+  ImGui::SameLine(0, ctx.px(kGap));
+}
+
+// Draws the last move and as many counts as fit beside it. Counts become shorter first; the move
+// does so only where there is no room for any.
+void result_line(PanelContext& ctx) {
+  const std::vector<LastMove> moves = last_move(ctx.state);
+  const std::vector<std::vector<Item>> forms = counts(ctx.state.result->complex);
+  const float room = ImGui::GetWindowWidth() - ctx.px(12) - ImGui::GetCursorPosX();
+  const auto fits = [&](const LastMove& move, const std::vector<Item>& items, float right) {
+    // The time has room for four digits, so that nothing jumps while alpha moves.
+    const float most = ImGui::CalcTextSize("8888 ms").x;
+    const float time = ImGui::CalcTextSize(move.time.substr(0, move.time.find(" to ")).c_str()).x;
+    return ImGui::CalcTextSize(move.line().c_str()).x + std::max(0.0f, most - time) + ctx.px(kGap) +
+               width_of(ctx, items) + right <=
+           room;
+  };
+  const LastMove* move = &moves.back();
+  const std::vector<Item>* items = &forms.back();
+  const auto choose = [&] {
+    for (const LastMove& m : moves) {
+      for (const std::vector<Item>& form : forms) {
+        // The middle form is for windows where the long one fits with no count at all.
+        const bool no_count = form.empty() && &m != &moves.back();
+        if (no_count || !fits(m, form, ctx.px(kRightRoom))) continue;
+        move = &m;
+        items = &form;
+        return;
+      }
+    }
+    for (const LastMove& m : moves) {
+      if (!fits(m, {}, 0)) continue;
+      move = &m;
+      return;
+    }
+  };
+  choose();
+  move_button(ctx, *move);
+  for (const Item& item : *items) {
+    draw_item(ctx, item);
+    if (item.mono && ImGui::IsItemClicked()) {
+      ImGui::SetClipboardText(hash_text(ctx.state.result->complex.hash).c_str());
+    }
+  }
+}
+
+// Names the thing under the mouse, in the place of the memory. Returns whether there is one.
 bool under_mouse(PanelContext& ctx) {
   const std::string& line = ctx.state.viewport.under_mouse_line;
   if (line.empty()) return false;
@@ -107,22 +229,22 @@ void draw_status_bar(PanelContext& ctx) {
   const ViewState& s = ctx.state;
   ImGui::PushFont(ctx.fonts.small);
   if (s.result) {
-    counts(ctx);
+    result_line(ctx);
   } else {
     muted_text(ctx, s.has_molecule() ? "No complex yet" : "No molecule");
     ImGui::SameLine(0, ctx.px(16));
   }
   if (!s.selected_count_text.empty()) {
-    item(ctx, "status.selected", "selected", s.selected_count_text,
-         "Atoms and simplices that are selected in the picture. Those that the present complex "
-         "lacks stay selected and reappear with it.");
+    draw_item(ctx, {"status.selected", "selected", s.selected_count_text,
+                    "Atoms and simplices that are selected in the picture. Those that the present "
+                    "complex lacks stay selected and reappear with it."});
   }
   if (under_mouse(ctx)) {
     ImGui::PopFont();
     return;
   }
   const std::string memory = bytes_text(s.memory_bytes) + " memory";
-  std::string right = s.device_text.empty() ? memory : s.device_text + "  ·  " + memory;
+  std::string right = memory;
   const std::string running = job_text(s);
   const std::string& work = running.empty() ? s.background.text : running;
   if (!work.empty()) right = work + "  ·  " + right;
@@ -141,7 +263,7 @@ void draw_status_bar(PanelContext& ctx) {
   if (width <= room) {
     ImGui::SetCursorPosX(end - width);
     muted_text(ctx, right);
-    tasks_button(ctx, "status.device");
+    tasks_button(ctx, "status.memory");
     tooltip(ctx, (s.background.detail + (s.background.detail.empty() ? "" : "\n") +
                   "Click: tasks and messages.")
                      .c_str());

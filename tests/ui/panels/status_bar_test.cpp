@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tests of the last move in the status bar: its time, its forms at each size, and its button.
+#include "app/viewer/parts/move_clock.hpp"
+#include "core/document/store/answer.hpp"
+#include "tests/ui/panels/panels_fixture.hpp"
+#include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/complex/timings_text.hpp"
+
+namespace alphascope {
+namespace {
+
+using testing::loaded_state;
+using testing::Panels;
+using namespace std::chrono_literals;
+
+std::shared_ptr<const Answer> answer_at(double alpha) {
+  auto answer = std::make_shared<Answer>();
+  answer->request.alpha_angstrom2 = alpha;
+  return answer;
+}
+
+TEST(MoveClock, RunsFromTheChangeToThePicture) {
+  MoveClock clock;
+  const MoveClock::Clock::time_point start{};
+  Request moved;
+  moved.alpha_angstrom2 = 3;
+  const auto first = answer_at(0), third = answer_at(3);
+  clock.follow(first, start);
+  EXPECT_FALSE(clock.milliseconds()) << "no move asked for the first picture";
+  clock.note_wanted(moved, start + 1s);
+  clock.note_wanted(moved, start + 2s);  // the sender waits
+  clock.follow(first, start);
+  EXPECT_FALSE(clock.milliseconds());
+  clock.follow(third, std::nullopt);  // not drawn yet
+  EXPECT_FALSE(clock.milliseconds());
+  clock.follow(third, start + 1250ms);
+  ASSERT_TRUE(clock.milliseconds());
+  EXPECT_DOUBLE_EQ(*clock.milliseconds(), 250);
+  clock.follow(third, start + 9s);  // drawn again, with more samples
+  EXPECT_DOUBLE_EQ(*clock.milliseconds(), 250);
+  clock.follow(answer_at(0), start + 10s);  // another file
+  EXPECT_FALSE(clock.milliseconds());
+}
+
+// A moving slider asks for more alphas than an engine answers.
+TEST(MoveClock, TakesTheLatestMoveToAnAlpha) {
+  MoveClock clock;
+  const MoveClock::Clock::time_point start{};
+  for (int i = 0; i < 1000; ++i) {
+    Request moved;
+    moved.alpha_angstrom2 = i % 500;
+    clock.note_wanted(moved, start + std::chrono::milliseconds(i));
+  }
+  clock.follow(answer_at(499), start + 1100ms);
+  ASSERT_TRUE(clock.milliseconds());
+  EXPECT_DOUBLE_EQ(*clock.milliseconds(), 101);
+}
+
+WholeState moved_state() {
+  WholeState s = loaded_state();
+  Answer answer = *s.result;
+  answer.complex.engine = s.ours.engine;
+  answer.complex.timings = s.ours.cold->times;
+  answer.cold = true;
+  s.result = std::make_shared<const Answer>(std::move(answer));
+  s.move_milliseconds = 34.2;
+  return s;
+}
+
+TEST(LastMove, SaysTimeEngineCgalAndBadge) {
+  WholeState s = moved_state();
+  EXPECT_EQ(last_move(s).front().line(),
+            "34.2 ms to picture  ·  dual-edge engine on CPU, 2 threads  ·  CGAL 60.5 ms  ·  "
+            "✓ identical");
+  EXPECT_EQ(last_move(s).back().line(), "34.2 ms  ·  CPU  ·  CGAL 60.5 ms  ·  ✓");
+  s.badge = {BadgeInfo::State::not_compared, "not compared with CGAL"};
+  EXPECT_EQ(last_move(s).front().line(),
+            "34.2 ms to picture  ·  dual-edge engine on CPU, 2 threads  ·  not compared")
+      << "CGAL's time is of another complex";
+  s.badge.state = BadgeInfo::State::identical;
+  s.cgal.cold->alpha_angstrom2 = 7;
+  EXPECT_EQ(last_move(s).front().cgal, "") << "another alpha";
+  s.move_milliseconds.reset();
+  EXPECT_EQ(last_move(s).front().time, "20.2 ms to compute");
+}
+
+struct Bar {
+  testing::Size size;
+  std::vector<const char*> there, missing;
+};
+
+class StatusBarAtEverySize : public ::testing::TestWithParam<Bar> {};
+
+// Counts make way first. The last move stays in any window, whole and within it.
+TEST_P(StatusBarAtEverySize, ShowsTheLastMove) {
+  const Bar bar = GetParam();
+  Panels p(bar.size);
+  p.state = moved_state();
+  p.state.window.page = "cavities";
+  p.frame(3);
+  ASSERT_TRUE(p.rects.contains("status.move"));
+  const WidgetRect move = p.rects["status.move"];
+  EXPECT_TRUE(move.visible);
+  EXPECT_LE(move.x1, bar.size.width * bar.size.scale);
+  EXPECT_GE(move.x0, 0);
+  for (const char* name : bar.there) EXPECT_TRUE(p.rects.contains(name)) << name;
+  for (const char* name : bar.missing) EXPECT_FALSE(p.rects.contains(name)) << name;
+  p.click("status.move");
+  EXPECT_EQ(p.state.window.page, "timings");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, StatusBarAtEverySize,
+    ::testing::Values(
+        Bar{{1920, 1080, 1}, {"status.vertices", "status.hash", "status.memory"}, {}},
+        Bar{{1280, 800, 2}, {"status.hash", "status.memory"}, {}},
+        Bar{{900, 600, 2}, {"status.tetrahedra", "status.memory"}, {"status.vertices"}},
+        Bar{{450, 600, 2}, {}, {"status.tetrahedra", "status.hash"}},
+        Bar{{300, 600, 1}, {}, {"status.tetrahedra"}}));
+
+class LastMoveTest : public testing::ViewerTest {
+ protected:
+  LastMoveTest() : ViewerTest(false) {}
+};
+
+// The time in the window is at least that of the engine and of the picture's stages.
+TEST_F(LastMoveTest, IsMeasuredInTheWindow) {
+  open_crambin();
+  const ViewState& s = viewer_->state();
+  EXPECT_FALSE(s.move_milliseconds) << "opening is no move";
+  run("alpha.set 3\nwait-idle\nframes 3\n");
+  ASSERT_TRUE(s.move_milliseconds);
+  double least = s.result->complex.timings.wall_milliseconds;
+  for (const StageTime& stage : viewer_->picture_stages()) least += stage.milliseconds;
+  EXPECT_GE(*s.move_milliseconds, least);
+  EXPECT_LT(*s.move_milliseconds, 60000);
+  const double before = *s.move_milliseconds;
+  run("view.from y\nframes 3\n");
+  EXPECT_EQ(s.move_milliseconds, before) << "a turned view is no move";
+}
+
+}  // namespace
+}  // namespace alphascope

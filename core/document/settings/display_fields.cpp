@@ -200,9 +200,11 @@ constexpr DisplayField kFields[] = {
      .group = DisplayGroup::complex,
      .title = "Smooth boundary",
      .label = "Smooth",
-     .help = "Lights the boundary as if it were round between its corners; its shape stays",
+     .help = "Lights the boundary as if it were round between its corners, without face lines; its "
+             "shape stays",
      .command = "view.smooth_boundary",
-     .option = {"--smooth", "Light the boundary as if it were round between its corners"}},
+     .option = {"--smooth",
+                "Light the boundary as if it were round between its corners, without face lines"}},
     {.id = "ball_colour",
      .key = "ball_colour",
      .member = &D::ball_paint,

@@ -198,6 +198,15 @@ TEST_F(CellPicture, ASmoothBoundaryHasNoStepsOfLight) {
   roof.normals = {{0, 0, 1}, {side, 0, up},  {side, 0, up},
                   {0, 0, 1}, {-side, 0, up}, {-side, 0, up}};
   EXPECT_LT(step(roof), 4);
+  // Dark lines would show the faces again.
+  const Image without_lines = drawn();
+  style_.face_lines = 2;
+  EXPECT_EQ(testing::unequal_pixels(without_lines, drawn()), 0);
+  roof.normals.clear();
+  load(places, mesh_of({}, roof));
+  const Image flat = drawn();
+  style_.face_lines = 0;
+  EXPECT_GT(testing::unequal_pixels(flat, drawn()), 50) << "a flat boundary has them";
 }
 
 // A small plate, 4 Å wide, 3 Å in front of a large one.

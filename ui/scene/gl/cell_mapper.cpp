@@ -305,7 +305,8 @@ void CellMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer*
   program->SetUniformi("smoothed", smoothed ? 1 : 0);
   program->SetUniformi("litByFace", built_lit_by_face_ ? 1 : 0);
   program->SetUniformf("shrink", shrink_);
-  program->SetUniformf("faceLines", lines_.face_lines);
+  // Lines would show the faces that smooth light hides.
+  program->SetUniformf("faceLines", smoothed ? 0 : lines_.face_lines);
 }
 
 void CellMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {

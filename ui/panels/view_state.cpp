@@ -17,6 +17,7 @@ SettingsParts::SettingsParts(Settings& s)
       objects(s.objects),
       selection(s.selection),
       clip(s.clip),
+      clips(s.clips),
       views(s.views),
       appearance(s.appearance),
       annotations(s.annotations),

@@ -47,6 +47,7 @@ struct Layer;
 struct LessonState;
 struct MoleculeInfo;
 struct MouseState;
+struct NamedClip;
 struct NamedView;
 struct DrawnObject;
 struct NumberTyping;
@@ -91,6 +92,7 @@ struct SettingsParts {
   std::vector<DrawnObject>& objects;
   Selection& selection;
   Clip& clip;
+  std::vector<NamedClip>& clips;
   std::vector<NamedView>& views;
   Appearance& appearance;
   Annotations& annotations;

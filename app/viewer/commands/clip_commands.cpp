@@ -28,6 +28,80 @@ Outcome set_clip(const Arguments& arguments, ViewState& s) {
   return {};
 }
 
+Parameter saved_clip(const ViewState& s) {
+  return {.name = "name", .kind = Kind::choice, .help = "Which clip", .choices = [&s] {
+            std::vector<Choice> choices;
+            for (const NamedClip& saved : s.settings.clips) {
+              choices.push_back(
+                  {saved.name, saved.name, clip_text(saved.clip), saved.clip == s.settings.clip});
+            }
+            return choices;
+          }};
+}
+
+Outcome rename_clip(const Arguments& arguments, ViewState& s) {
+  const std::string name = arguments.text("name"), wanted = arguments.text("new_name");
+  if (name != wanted && find_clip(s.settings.clips, wanted) != nullptr) {
+    return Outcome::refused("There is another clip with the name " + wanted + ".");
+  }
+  for (NamedClip& saved : s.settings.clips) {
+    if (saved.name == name) saved.name = wanted;
+  }
+  return {};
+}
+
+void add_saved_clip_commands(Commands& commands, ViewState& s) {
+  const auto without_saved = [&s] { return s.settings.clips.empty() ? "No clip is saved." : ""; };
+  commands.add({.id = "view.save_clip",
+                .title = "Save clip…",
+                .help = "Saves the present clip under a name",
+                .menu = "View",
+                .parameters = {{.name = "name",
+                                .kind = Kind::text,
+                                .help = "Its name; an older clip of that name is replaced",
+                                .example = "active site"}},
+                .why_not = [&s] { return s.settings.clip.on() ? "" : "The picture is not cut."; },
+                .run =
+                    [&s](const Arguments& arguments) {
+                      save_clip(s.settings.clips, {arguments.text("name"), s.settings.clip});
+                      s.notice = "Saved clip: " + arguments.text("name");
+                      return Outcome();
+                    }});
+  commands.add({.id = "view.saved_clip",
+                .title = "Cut by a saved clip…",
+                .help = "Cuts the picture as a saved clip does",
+                .menu = "View",
+                .parameters = {saved_clip(s)},
+                .why_not = without_saved,
+                .run = [&s](const Arguments& arguments) {
+                  const NamedClip* const found =
+                      find_clip(s.settings.clips, arguments.text("name"));
+                  if (found != nullptr) s.settings.clip = found->clip;
+                  return Outcome();
+                }});
+  commands.add({.id = "view.rename_clip",
+                .title = "Rename a saved clip…",
+                .help = "Gives a saved clip another name",
+                .parameters = {saved_clip(s),
+                               {.name = "new_name",
+                                .kind = Kind::text,
+                                .help = "The new name",
+                                .example = "entrance"}},
+                .why_not = without_saved,
+                .run = [&s](const Arguments& arguments) { return rename_clip(arguments, s); }});
+  commands.add({.id = "view.forget_clip",
+                .title = "Forget a saved clip…",
+                .help = "Removes a saved clip; the picture stays cut",
+                .parameters = {saved_clip(s)},
+                .why_not = without_saved,
+                .run = [&s](const Arguments& arguments) {
+                  std::erase_if(s.settings.clips, [&](const NamedClip& saved) {
+                    return saved.name == arguments.text("name");
+                  });
+                  return Outcome();
+                }});
+}
+
 }  // namespace
 
 void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask) {
@@ -100,6 +174,7 @@ void add_clip_commands(Commands& commands, ViewState& s, const Calls& ask) {
                   ask.view.look_from(towards);
                   return Outcome();
                 }});
+  add_saved_clip_commands(commands, s);
 }
 
 }  // namespace alphascope

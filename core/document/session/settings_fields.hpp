@@ -112,6 +112,12 @@ void visit_fields(Visitor& v, NamedView& n) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& v, NamedClip& n) {
+  v("name", n.name);
+  v("clip", n.clip);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& v, OwnColour& o) {
   v("colour", o.colour);
   v("atoms", o.atoms);
@@ -164,6 +170,7 @@ void visit_fields(Visitor& v, Settings& s) {
   v("selection", s.selection.items);
   v("cavities", s.selection.cavities);
   v("clip", s.clip);
+  v.objects("clips", s.clips);
   v.objects("views", s.views);
   v.object("appearance", s.appearance);
   v.object("annotations", s.annotations);

@@ -2,6 +2,7 @@
 // Computes the half-spaces that a clip keeps, and reads and writes clips as text.
 #include "core/document/settings/clip.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -152,6 +153,21 @@ std::string clip_text(const Clip& clip) {
   std::string text = (flipped ? "-" : "") + direction + "=" + shortest_number(position);
   if (!plane) text += ":" + shortest_number(clip.thickness);
   return text;
+}
+
+const NamedClip* find_clip(const NamedClips& clips, const std::string& name) {
+  const auto found = std::find_if(clips.begin(), clips.end(),
+                                  [&](const NamedClip& clip) { return clip.name == name; });
+  return found == clips.end() ? nullptr : &*found;
+}
+
+void save_clip(NamedClips& clips, const NamedClip& clip) {
+  for (NamedClip& old : clips) {
+    if (old.name != clip.name) continue;
+    old = clip;
+    return;
+  }
+  clips.push_back(clip);
 }
 
 }  // namespace alphascope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The clip that cuts the picture open: a plane, or a slab between two planes. It is a setting of
-// the display, so nothing is computed anew. This also reads and writes clips as text.
+// the display, so nothing is computed anew. This also reads and writes clips as text, and keeps
+// clips under names.
 #pragma once
 
 #include <array>
@@ -27,6 +28,19 @@ struct Clip {
   bool on() const { return kind != Kind::off; }
   friend bool operator==(const Clip&, const Clip&) = default;
 };
+
+// A clip saved under a name. Undo and session files include it, as all settings.
+struct NamedClip {
+  std::string name;
+  Clip clip;
+  friend bool operator==(const NamedClip&, const NamedClip&) = default;
+};
+using NamedClips = std::vector<NamedClip>;
+
+// The clip of this name; null if there is none.
+const NamedClip* find_clip(const NamedClips& clips, const std::string& name);
+// Saves the clip. An older one of that name is replaced.
+void save_clip(NamedClips& clips, const NamedClip& clip);
 
 inline constexpr NumberRule kClipPositionRule{"The position", -1e6, 1e6, "Å"};
 inline constexpr NumberRule kClipThicknessRule{"The thickness", 0.1, 1e6, "Å"};

@@ -47,6 +47,7 @@ std::string difference_text(const Settings& a, const Settings& b) {
   note(display.empty(), display.c_str());
   note(a.objects == b.objects, "objects");
   note(a.clip == b.clip, "clip");
+  note(a.clips == b.clips, "saved clips");
   note(a.views == b.views, "saved cameras");
   note(a.appearance.hidden == b.appearance.hidden, "hidden atoms");
   note(a.appearance.colours == b.appearance.colours, "colours of atoms");

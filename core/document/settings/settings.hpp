@@ -25,6 +25,7 @@ struct Settings {
   DrawnObjects objects;  // of the molecule's atoms, in the order of their list
   Selection selection;   // in the picture, and in the table of cavities
   Clip clip;
+  NamedClips clips;  // saved under names, in the order of saving
   NamedViews views;  // saved cameras, in the order of saving
   Appearance appearance;
   Annotations annotations;

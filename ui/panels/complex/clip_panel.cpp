@@ -16,6 +16,7 @@
 #include "ui/clip_handle.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/frame/mouse_state.hpp"
+#include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
@@ -106,6 +107,43 @@ void set_clip_across(ViewState& state, const Vector& normal) {
 
 namespace {
 
+// Saved clips: a list to choose from, and buttons that ask for a name.
+void saved_row(PanelContext& ctx) {
+  ViewState& s = ctx.state;
+  const NamedClips& clips = s.settings.clips;
+  row_label(ctx, "Saved");
+  std::string chosen = clips.empty() ? "none" : "choose";
+  for (const NamedClip& saved : clips) {
+    if (saved.clip == s.settings.clip) chosen = saved.name;
+  }
+  ImGui::BeginDisabled(clips.empty());
+  if (list_field(ctx, "clip.saved", chosen.c_str())) {
+    for (std::size_t i = 0; i < clips.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::Selectable(clips[i].name.c_str(), clips[i].clip == s.settings.clip)) {
+        s.settings.clip = clips[i].clip;
+      }
+      ImGui::PopID();
+      record(ctx, ("clip.saved." + clips[i].name).c_str());
+      tooltip(ctx, clip_text(clips[i].clip).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::EndDisabled();
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * ctx.px(6)) / 3;
+  const auto ask = [&](const char* name, const char* label, bool can, const char* command) {
+    ImGui::BeginDisabled(!can);
+    if (button(ctx, name, label, {width, 0})) s.palette = {.show = true, .asking = command};
+    ImGui::EndDisabled();
+    tooltip(ctx, (ctx.commands.find(command)->help + ".").c_str());
+  };
+  ask("clip.save", "Save…", s.settings.clip.on(), "view.save_clip");
+  ImGui::SameLine(0, ctx.px(6));
+  ask("clip.rename", "Rename…", !clips.empty(), "view.rename_clip");
+  ImGui::SameLine(0, ctx.px(6));
+  ask("clip.forget", "Forget…", !clips.empty(), "view.forget_clip");
+}
+
 void draw_clip(PanelContext& ctx) {
   if (!section(ctx, "clip", "Clip")) return;
   ViewState& s = ctx.state;
@@ -135,6 +173,7 @@ void draw_clip(PanelContext& ctx) {
   checkbox(ctx, "clip.handle", "Handle", s.window.clip_handle);
   tooltip(ctx, "In the picture: drag its arrow to move the cut, its ring to turn it.");
   ImGui::EndDisabled();
+  saved_row(ctx);
   ImGui::EndDisabled();
 }
 

@@ -62,6 +62,8 @@ class ViewCalls {
   virtual void centre_on(const RefSet& items) = 0;
   virtual void save(const std::string& name) = 0;  // replaces a camera of that name
   virtual void go_to(const std::string& name) = 0;
+  virtual void back() = 0;               // to the view before the last move
+  virtual void forward() = 0;            // to the view that back() left
   virtual void open_context_menu() = 0;  // the menu is about the thing under the mouse
 };
 

@@ -31,6 +31,8 @@ struct NoViewCalls : ViewCalls {
   void centre_on(const RefSet&) override {}
   void save(const std::string&) override {}
   void go_to(const std::string&) override {}
+  void back() override {}
+  void forward() override {}
   void open_context_menu() override {}
 };
 

@@ -104,7 +104,8 @@ class Viewer {
   void run_calls();      // makes the calls of the panels
   void send_controls();  // hands changed controls to session and scene
   void draw(ScriptedInput* input, const std::function<void(unsigned)>& before_swap = {});
-  void act();  // does what the panels and the mouse ask for
+  void move_camera(bool scripted);  // a step of a glide
+  void act();                       // does what the panels and the mouse ask for
   bool frame_is_due() const;
 
   Host& host_;

@@ -36,6 +36,7 @@ class Viewer::Queued {
     }
     void save_session(const std::filesystem::path& file) override {
       queue.put("save_session", [this, file] {
+        v.scene_.cameras().end_glide();
         v.scene_.cameras().settle(v.state_.viewport);
         v.file_.opening().save(file);
       });
@@ -74,8 +75,10 @@ class Viewer::Queued {
     using Part::Part;
     void reset() override {
       queue.put("reset", [this] {
-        v.scene_.cameras().reset();
-        v.history_.note_view_moved();
+        v.history_.move_view([this] {
+          v.scene_.cameras().reset();
+          v.scene_.cameras().settle(v.state_.viewport);
+        });
       });
     }
     void zoom(double factor) override {
@@ -101,6 +104,12 @@ class Viewer::Queued {
     }
     void go_to(const std::string& name) override {
       move("go_to", [this, name] { v.marks_.go_to_view(name); });
+    }
+    void back() override {
+      queue.put("view_back", [this] { v.history_.earlier_view(); });
+    }
+    void forward() override {
+      queue.put("view_forward", [this] { v.history_.later_view(); });
     }
     void open_context_menu() override {
       queue.put("open_context_menu", [this] {
@@ -167,6 +176,7 @@ class Viewer::Queued {
 
     void of_the_view(std::string_view name, std::function<void()> job) {
       queue.put(name, [this, job = std::move(job)] {
+        v.scene_.cameras().end_glide();
         v.scene_.cameras().settle(v.state_.viewport);
         job();
       });

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/viewer/mouse/gestures.hpp"
 #include "app/viewer/viewer.hpp"
@@ -13,8 +14,13 @@ namespace alphascope {
 
 void Viewer::act() {
   for (const PointerEvent& event : state_.viewport.events) {
-    if (event.kind != PointerEvent::Kind::click) continue;
-    pointing_.click(event);
+    if (event.kind == PointerEvent::Kind::double_click) {
+      history_.move_view([&] { pointing_.centre_on_it(event); });
+    } else if (event.kind == PointerEvent::Kind::click) {
+      pointing_.click(event);
+    } else {
+      continue;
+    }
     pace_.due().ask();
   }
   run_calls();
@@ -23,6 +29,19 @@ void Viewer::act() {
   playing_.step(sender_.settled() && sender_.options_are_sent());
   send_controls();
   preferences_.note();
+}
+
+// A glide ends where time is short or a user goes on. Scripts, lessons and recordings show the same
+// pictures everywhere, so they jump.
+void Viewer::move_camera(bool scripted) {
+  Cameras& cameras = scene_.cameras();
+  const bool by_itself = scripted || lessons_.plays() || saving_.sweeps();
+  // With fewer than three pictures a glide is a flicker.
+  constexpr double kMostMilliseconds = 100;
+  const bool quick = scene_.shown().pacing().moving_milliseconds() <= kMostMilliseconds;
+  cameras.set_glides(state_.window.glide && !by_itself && quick);
+  if (cameras.gliding() && anything_pressed()) cameras.end_glide();
+  cameras.step_glide();
 }
 
 void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& before_swap) {
@@ -38,6 +57,7 @@ void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& bef
                          is_exposure(state_.settings.display.ball_paint.by));
   session_.set_finding_outer_faces(scene_.draws_outer_faces());
   history_.begin_frame();
+  move_camera(input != nullptr);
   store_.next_frame();
   guarded([this] {
     sender_.send_request();
@@ -48,7 +68,8 @@ void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& bef
   draw_window(parts, frame_.fonts(), frame_.scale());
   guarded([this] { inputs_.want_results_for_all_alphas(); });
   guarded([this] {
-    if (pointing_.move_view()) history_.note_view_moved();
+    const std::optional<CameraPlace> before = scene_.cameras().place();
+    if (pointing_.move_view()) history_.note_view_moved(before);
   });
   guarded([this] { act(); });
   guarded([this] {
@@ -121,13 +142,14 @@ bool Viewer::frame_is_due() const {
   const bool playing = state_.playback.alpha || state_.playback.models;
   const bool step_due = state_.steps.playing && playing_.seconds_to_next_step() <= 0;
   return pace_.due().any() || playing || step_due || working() || store_.busy() ||
-         scene_.wants_frame() || !sender_.options_are_sent();
+         scene_.wants_frame() || scene_.cameras().gliding() || !sender_.options_are_sent();
 }
 
 void Viewer::run() {
   while (!quit_requested() && !host_.close_requested()) {
     const bool behind = host_.input().waiting();
-    const double soonest = std::min(scene_.seconds_to_refinement(), playing_.seconds_to_next());
+    double soonest = std::min(scene_.seconds_to_refinement(), playing_.seconds_to_next());
+    if (scene_.cameras().gliding()) soonest = 0;
     bool events = host_.wait_events(behind ? 0 : pace_.idle_seconds(working(), soonest)) || behind;
     events |= wait_for_frame();
     pace_.note_wait(events);

@@ -20,7 +20,7 @@ struct PictureLabel;  // ui/picture_marks.hpp
 
 struct PointerEvent {
   // A click is a release of the left or right button near the place of the press. It follows that
-  // release.
+  // release. A second click of the left button soon after the first is a double click instead.
   enum class Kind : std::uint8_t { move, press, release, click, wheel, double_click };
   Kind kind = Kind::move;
   int x = 0, y = 0;  // pixels from the top left of the picture
@@ -45,6 +45,7 @@ struct ViewportInfo {
   std::string not_drawn;  // parts missing from the picture for lack of memory, and the remedy
   bool outdated = false;  // the picture belongs to older settings; a new one is being made
   ViewProblem problem = ViewProblem::none;
+  bool has_earlier_view = false, has_later_view = false;  // to go back and forward to
   // The panels write the picture's size in pixels, and the events of the mouse on it.
   int width = 0, height = 0;
   bool covered = false;  // something hides all of the picture, so it need not be drawn

@@ -16,6 +16,7 @@ struct WindowSettings {
   Theme theme = Theme::dark;
   double control_scale = 0;     // size of fonts and controls; 0: as the display says
   bool presenter_size = false;  // enlarges fonts and controls further, for a projector
+  bool glide = true;            // commands move the view in a short time instead of at once
   bool auto_compare = false;    // compare with CGAL after each change
 
   std::string page;         // id of the page below the view; empty: as ViewState::page() says

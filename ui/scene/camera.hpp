@@ -21,6 +21,7 @@ struct Viewpoint {
   // Width over height of the narrowest picture that shows this view at the usual angle. A narrower
   // picture gets a larger angle, so that its sides are not cut off. 0: any width will do.
   double least_aspect = 0;
+  friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
 };
 
 // The pyramid that a picture shows: its apex, unit vectors, and tangents of half its angles.

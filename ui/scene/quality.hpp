@@ -24,6 +24,8 @@ class QualityChooser {
   void forget() { taken_ = {}; }
 
   RenderQuality moving() const { return best_within(kMovingBudget); }
+  // Milliseconds expected for a picture of a moving view. 0 before any measurement.
+  double moving_milliseconds() const { return expected(moving()).value_or(0); }
   RenderQuality while_computing() const { return best_within(kComputingBudget); }
   // Fine, so samples add up one after another. Draft before any measurement, or if one sample would
   // delay input for too long.

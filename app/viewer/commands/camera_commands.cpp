@@ -7,6 +7,8 @@
 #include "core/document/settings/named_view.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {
@@ -82,6 +84,40 @@ void add_saved_view_commands(Commands& commands, ViewState& s, const Calls& ask)
                 }});
 }
 
+void add_history_commands(Commands& commands, ViewState& s, const Calls& ask) {
+  commands.add(
+      {.id = "view.back",
+       .title = "Previous view",
+       .help = "Goes back to the view before the last movement; settings stay",
+       .synonyms = {{"camera undo"}},
+       .shortcuts = {{"V"}},
+       .menu = "View",
+       .why_not = [&s] { return s.viewport.has_earlier_view ? "" : "There is no earlier view."; },
+       .run =
+           [ask](const Arguments&) {
+             ask.view.back();
+             return Outcome();
+           }});
+  commands.add(
+      {.id = "view.forward",
+       .title = "Next view",
+       .help = "Goes to the view that “Previous view” left",
+       .synonyms = {{"camera redo"}},
+       .shortcuts = {{"Shift+V"}},
+       .menu = "View",
+       .why_not = [&s] { return s.viewport.has_later_view ? "" : "There is no later view."; },
+       .run =
+           [ask](const Arguments&) {
+             ask.view.forward();
+             return Outcome();
+           }});
+  commands.add(with_switch({.id = "view.glide",
+                            .title = "Gliding views",
+                            .help = "Commands move the view in about 0.3 s instead of at once",
+                            .menu = "View"},
+                           s.window.glide));
+}
+
 }  // namespace
 
 void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
@@ -117,6 +153,7 @@ void add_camera_commands(Commands& commands, ViewState& s, const Calls& ask) {
                   return Outcome();
                 }});
   commands.add(display_command(s, display_field(&DisplaySettings::orthographic)));
+  add_history_commands(commands, s, ask);
   add_saved_view_commands(commands, s, ask);
 }
 

@@ -5,6 +5,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 
 #include "ui/panels/playback.hpp"
 #include "ui/panels/view_state.hpp"
@@ -17,17 +19,23 @@ bool interacting(const ViewState& state) {
          io.MouseDown[2];
 }
 
-Gesture Gestures::in_this_frame() {
-  const ImGuiIO& io = ImGui::GetIO();
-  bool pressed = false, held = false;
+bool anything_pressed() {
+  bool pressed = false;
   for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
     pressed |= ImGui::IsMouseClicked(button);
-    held |= io.MouseDown[button];
   }
-  for (int key = 0; key < IM_ARRAYSIZE(io.KeysDown); ++key) {
+  for (int key = 0; key < IM_ARRAYSIZE(ImGui::GetIO().KeysDown); ++key) {
     pressed |= ImGui::IsKeyPressed(key, false);
-    held |= io.KeysDown[key];
   }
+  return pressed;
+}
+
+Gesture Gestures::in_this_frame() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool pressed = anything_pressed();
+  const bool held =
+      std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), std::identity()) ||
+      std::any_of(std::begin(io.KeysDown), std::end(io.KeysDown), std::identity());
   if (pressed) ++count_;
   constexpr int kFramesAfterRelease = 2;
   frames_left_ = pressed || held ? kFramesAfterRelease : std::max(0, frames_left_ - 1);

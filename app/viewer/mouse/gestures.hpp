@@ -12,6 +12,9 @@ struct ViewState;
 // Whether the user holds a mouse button, or alpha or the models are playing.
 bool interacting(const ViewState& state);
 
+// Whether a mouse button or key goes down in this frame.
+bool anything_pressed();
+
 class Gestures {
  public:
   // Call once a frame, after ImGui has begun it. Returns the current gesture, or 0 soon after all

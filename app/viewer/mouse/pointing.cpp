@@ -120,6 +120,11 @@ void Pointing::click(const PointerEvent& event) {
   }
 }
 
+void Pointing::centre_on_it(const PointerEvent& event) {
+  const auto found = under(event.x, event.y);
+  if (found && found->what) marks_.centre_on(RefSet({*found->what}));
+}
+
 // While the user turns the handle, its pivot stays where it was at the press.
 void Pointing::place_clip_handle() {
   const float scale = frame_.scale();

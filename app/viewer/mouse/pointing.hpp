@@ -20,6 +20,8 @@ class Pointing {
 
   void describe_under_mouse();
   void click(const PointerEvent& event);
+  // Moves the item under the mouse to the middle of the view, which then turns about it.
+  void centre_on_it(const PointerEvent& event);
   bool move_view();          // or a ball of a sandbox; returns whether the view has moved
   void open_context_menu();  // for the item under the mouse
   void place_clip_handle();

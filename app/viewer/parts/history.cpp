@@ -6,6 +6,7 @@
 
 #include "core/selection/selection_error.hpp"
 #include "ui/panels/playback.hpp"
+#include "ui/panels/viewport_info.hpp"
 #include "ui/widgets/number_typing.hpp"
 
 namespace alphascope {
@@ -41,6 +42,8 @@ void History::note_changes(bool by_itself) {
   note_view();
   state_.undo_text = editor_.undo_text();
   state_.redo_text = editor_.redo_text();
+  state_.viewport.has_earlier_view = views_.has_earlier();
+  state_.viewport.has_later_view = views_.has_later();
 }
 
 void History::show_settings() {
@@ -66,7 +69,7 @@ void History::bring_view_back(const CameraPlace& view, bool other_atoms) {
   if (other_atoms) {
     scene_.cameras().set_when_drawn(view);
   } else {
-    scene_.cameras().move(view);
+    scene_.cameras().glide([&] { scene_.cameras().move(view); });
   }
 }
 
@@ -95,10 +98,12 @@ void History::redo() {
 }
 
 void History::restart() {
+  views_.clear();
   editor_.restart(settings());
 }
 
 void History::restart(const Settings& settings) {
+  views_.clear();
   editor_.restart(settings);
   show_settings();
 }
@@ -122,10 +127,38 @@ void History::restore() {
 
 void History::move_view(const std::function<void()>& how) {
   const std::optional<CameraPlace> before = scene_.cameras().place();
-  how();
+  scene_.cameras().glide(how);
   if (scene_.cameras().place() == before) return;
   ++view_moves_;
+  if (before) views_.note(*before);
   if (!view_before_calls_) view_before_calls_ = before;
+}
+
+// All moves of one drag are one step, and so are turns of the wheel in quick succession.
+void History::note_view_moved(const std::optional<CameraPlace>& before) {
+  ++view_moves_;
+  constexpr std::chrono::milliseconds kPause{700};
+  const auto now = std::chrono::steady_clock::now();
+  const bool goes_on = view_gesture_ == gesture_ && (gesture_ != 0 || now - wheel_at_ < kPause);
+  view_gesture_ = gesture_;
+  wheel_at_ = now;
+  if (before && !goes_on) views_.note(*before);
+}
+
+void History::earlier_view() {
+  if (const auto now = scene_.cameras().place()) go_to_view(views_.back(*now));
+}
+
+void History::later_view() {
+  if (const auto now = scene_.cameras().place()) go_to_view(views_.forward(*now));
+}
+
+void History::go_to_view(std::optional<CameraPlace> found) {
+  if (!found) return;
+  scene_.cameras().glide([&] { scene_.cameras().move(*found); });
+  ++view_moves_;
+  view_gesture_ = 0;
+  wheel_at_ = {};
 }
 
 }  // namespace alphascope

@@ -3,6 +3,7 @@
 // the program moved it for that change. Undo brings both back.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -12,6 +13,7 @@
 
 #include "app/session/session.hpp"
 #include "app/viewer/mouse/gestures.hpp"
+#include "app/viewer/parts/camera_history.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/session/editor.hpp"
 #include "ui/panels/view_state.hpp"
@@ -39,7 +41,11 @@ class History {
   // Moves the view on request. A change of settings may come with the move; its undo brings the
   // view back.
   void move_view(const std::function<void()>& how);
-  void note_view_moved() { ++view_moves_; }
+  // Call when a user has moved the view from `before`, by a drag or the wheel.
+  void note_view_moved(const std::optional<CameraPlace>& before);
+  // Goes to the view before the last move, or to the one after it.
+  void earlier_view();
+  void later_view();
   void begin_calls() { view_before_calls_.reset(); }
 
   // The undo history of a molecule that is kept during a lesson, and its return.
@@ -51,6 +57,7 @@ class History {
  private:
   void show_settings();
   void note_view();
+  void go_to_view(std::optional<CameraPlace> found);
   void bring_view_back(const CameraPlace& view, bool other_atoms);
 
   ViewState& state_;
@@ -68,6 +75,9 @@ class History {
   std::optional<CameraPlace> view_before_calls_;
   Gesture entry_gesture_ = 0;     // the gesture that made the last entry
   std::uint64_t view_moves_ = 0;  // moves of the view on request, by hand or by a command
+  CameraHistory views_;
+  Gesture view_gesture_ = 0;  // that moved the view last; 0: the wheel
+  std::chrono::steady_clock::time_point wheel_at_{};
   Gestures gestures_;
   Gesture gesture_ = 0;               // the gesture of this frame
   std::optional<Editor> to_restore_;  // the history of the session that is being opened

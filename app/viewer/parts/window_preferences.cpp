@@ -30,6 +30,7 @@ void WindowPreferences::begin_with(const ViewerOptions& options) {
   state_.window.control_scale = options.scale > 0 ? options.scale : p.scale;
   state_.window.presenter_size = p.presenter_size;
   state_.window.page = state_.window.chosen_page = p.page;
+  state_.window.glide = p.glide;
   std::error_code ignored;
   if (std::filesystem::is_directory(p.last_folder, ignored)) {
     state_.browser.folder = p.last_folder;
@@ -51,6 +52,7 @@ Preferences WindowPreferences::preferred() const {
   p.scale = state_.window.control_scale;
   p.presenter_size = state_.window.presenter_size;
   p.page = state_.window.chosen_page;
+  p.glide = state_.window.glide;
   p.engine = state_.settings.request.engine;
   p.last_folder = state_.browser.folder;
   const HostSize size = host_.size();
@@ -77,6 +79,7 @@ void WindowPreferences::note() {
   take(&Preferences::scale);
   take(&Preferences::presenter_size);
   take(&Preferences::page);
+  take(&Preferences::glide);
   take(&Preferences::width);
   take(&Preferences::height);
   take(&Preferences::engine);

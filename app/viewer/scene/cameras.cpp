@@ -6,9 +6,15 @@
 #include <vector>
 
 #include "ui/scene/camera_place.hpp"
+#include "ui/scene/view_between.hpp"
 #include "ui/scene/view_direction.hpp"
 
 namespace alphascope {
+namespace {
+
+constexpr double kGlideSeconds = 0.3;
+
+}  // namespace
 
 void Cameras::settle(const ViewportInfo& viewport) {
   if (canvas_.scene().view_is_set() || !Canvas::is_large_enough(viewport.width, viewport.height)) {
@@ -19,7 +25,39 @@ void Cameras::settle(const ViewportInfo& viewport) {
 
 std::optional<CameraPlace> Cameras::place() const {
   if (!picture_.any()) return std::nullopt;
-  return camera_place(canvas_.scene().viewpoint(), *picture_.molecule->geometry);
+  const Viewpoint view = glide_ ? glide_->to : canvas_.scene().viewpoint();
+  return camera_place(view, *picture_.molecule->geometry);
+}
+
+void Cameras::glide(const std::function<void()>& move) {
+  const bool seen = picture_.any() && canvas_.scene().view_is_set();
+  const Viewpoint before = canvas_.scene().viewpoint();
+  end_glide();
+  move();
+  if (!glides_ || !seen || !canvas_.scene().view_is_set()) return;
+  const Viewpoint after = canvas_.scene().viewpoint();
+  if (after == before) return;
+  canvas_.change().set_viewpoint(before);
+  glide_ = Glide{before, after, std::chrono::steady_clock::now()};
+}
+
+void Cameras::set_glides(bool glides) {
+  glides_ = glides;
+  if (!glides) end_glide();
+}
+
+void Cameras::step_glide(std::chrono::steady_clock::time_point now) {
+  if (!glide_) return;
+  const double share = std::chrono::duration<double>(now - glide_->since).count() / kGlideSeconds;
+  if (share >= 1) return end_glide();
+  const double eased = share <= 0 ? 0 : share * share * (3 - 2 * share);
+  canvas_.change().set_viewpoint(view_between(glide_->from, glide_->to, eased));
+}
+
+void Cameras::end_glide() {
+  if (!glide_) return;
+  canvas_.change().set_viewpoint(glide_->to);
+  glide_.reset();
 }
 
 void Cameras::move(const CameraPlace& camera) {
@@ -113,7 +151,8 @@ bool Cameras::is_set_for(const OpenedMolecule& opened) const {
   return viewed_ && same_atoms(*viewed_, opened);
 }
 
-Cameras::Before Cameras::before(const DrawnMolecule& next) const {
+Cameras::Before Cameras::before(const DrawnMolecule& next) {
+  end_glide();
   Before before;
   before.keep = viewed_ && (changes_sandbox(picture_.molecule.get(), next) ||
                             same_atoms(*viewed_, *next.opened));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -26,7 +27,7 @@ class Cameras {
   // Call before an action that starts from the present view. It fits the view to a new molecule at
   // once, and not with the first picture.
   void settle(const ViewportInfo& viewport);
-  // The present view; nothing if no molecule is drawn.
+  // The present view, or the end of a glide; nothing if no molecule is drawn.
   std::optional<CameraPlace> place() const;
   void move(const CameraPlace& camera);
 
@@ -40,6 +41,15 @@ class Cameras {
   void zoom_to(const BallGeometry& balls);
   // Moves the view's centre of rotation to the middle of these balls. Direction and scale stay.
   void centre_on(const BallGeometry& balls);
+
+  // Carries out a move of the view by the program. With glides on, the picture follows in about 0.3
+  // s, and all but the picture sees the new view at once.
+  void glide(const std::function<void()>& move);
+  void set_glides(bool glides);  // off: moves are jumps, and a glide ends
+  bool gliding() const { return glide_.has_value(); }
+  // Call once a frame while gliding.
+  void step_glide(std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
+  void end_glide();  // at its end
 
   NamedView named(const std::string& name) const;
   void go_to(const NamedView& view);
@@ -67,7 +77,7 @@ class Cameras {
     std::optional<CameraPlace> camera;
     std::optional<NamedView> view;  // to go back to
   };
-  Before before(const DrawnMolecule& next) const;
+  Before before(const DrawnMolecule& next);  // ends a glide
   // Call when the new balls are in the scene. The view stays for other atoms of the same molecule,
   // unless `problem` says that it shows none of them.
   void follow(const Before& before, const std::function<ViewProblem()>& problem);
@@ -78,6 +88,12 @@ class Cameras {
   std::shared_ptr<const OpenedMolecule> viewed_;  // the molecule for which the view was set
   std::optional<CameraPlace> left_;
   std::optional<CameraPlace> when_drawn_;
+  struct Glide {
+    Viewpoint from, to;
+    std::chrono::steady_clock::time_point since;
+  };
+  std::optional<Glide> glide_;
+  bool glides_ = false;
 };
 
 }  // namespace alphascope

@@ -37,6 +37,8 @@ class Pacing {
   // Notes the time of a picture that the GPU may still be drawing. Call before a change on which
   // the time depends.
   void take_time(bool wait);
+  // Milliseconds that a picture of a moving view takes.
+  double moving_milliseconds() const { return quality_.moving_milliseconds(); }
   bool wants_frame() const { return canvas_.changed() || refine_; }
   // Seconds until a finer picture is due, or kNotDue.
   double seconds_to_refinement() const;

@@ -140,8 +140,10 @@ void SceneController::take(Drawing drawing) {
 }
 
 void SceneController::pointer(const PointerEvent& event) {
-  if (event.kind == PointerEvent::Kind::click) return;
-  if (event.kind == PointerEvent::Kind::double_click) return cameras().reset();
+  if (event.kind == PointerEvent::Kind::click || event.kind == PointerEvent::Kind::double_click) {
+    return;
+  }
+  cameras().end_glide();
   Scene& scene = shown_.canvas().change();
   if (event.kind == PointerEvent::Kind::wheel) return scene.wheel(event.wheel);
   scene.pointer_move(event.x, event.y, event.control, event.shift);

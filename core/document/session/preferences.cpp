@@ -32,6 +32,7 @@ void visit_fields(Visitor& v, Preferences& p) {
   v("light_theme", p.light_theme);
   v("scale", p.scale, kScaleRule);
   v("presenter_size", p.presenter_size);
+  v("glide", p.glide);
   v("width", p.width, kWindowRule);
   v("height", p.height, kWindowRule);
   v("engine", p.engine);

@@ -21,7 +21,8 @@ struct Preferences {
   std::filesystem::path last_folder;          // of the file dialog; empty: none yet
   std::vector<std::filesystem::path> recent;  // molecules and sessions, the latest first; absolute
   bool presenter_size = false;
-  std::string page;  // page below the view that the user chose last; empty: none yet
+  std::string page;   // page below the view that the user chose last; empty: none yet
+  bool glide = true;  // views that commands move
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 

@@ -111,6 +111,35 @@ TEST_F(ShownCameras, FitOtherBallsAndKeepTheViewThatTheyReplace) {
   EXPECT_EQ(cameras_.take_left(), std::nullopt);
 }
 
+TEST_F(ShownCameras, GlideToAViewThatIsKnownAtOnce) {
+  using namespace std::chrono_literals;
+  const auto before = cameras_.place();
+  cameras_.glide([&] { cameras_.zoom(2); });
+  EXPECT_FALSE(cameras_.gliding()) << "glides are off";
+  cameras_.move(*before);
+  cameras_.set_glides(true);
+  cameras_.glide([&] { cameras_.zoom(4); });
+  ASSERT_TRUE(cameras_.gliding());
+  const auto target = cameras_.place();
+  EXPECT_NE(target, before);
+  EXPECT_EQ(cameras_.named("").position[2], before->position[2] + before->origin[2])
+      << "the picture has not moved yet";
+  cameras_.step_glide(std::chrono::steady_clock::now() + 150ms);
+  const double seen = cameras_.named("").position[2] - before->origin[2];
+  EXPECT_LT(seen, before->position[2]);
+  EXPECT_GT(seen, target->position[2]);
+  EXPECT_EQ(cameras_.place(), target);
+  cameras_.step_glide(std::chrono::steady_clock::now() + 1s);
+  EXPECT_FALSE(cameras_.gliding());
+  EXPECT_EQ(cameras_.place(), target);
+  // The next move begins where the last one ends, not where the picture is.
+  cameras_.glide([&] { cameras_.zoom(0.25); });
+  cameras_.glide([&] { cameras_.zoom(4); });
+  cameras_.set_glides(false);
+  EXPECT_FALSE(cameras_.gliding());
+  EXPECT_NEAR(cameras_.place()->position[2], target->position[2], 1e-9);
+}
+
 TEST_F(ShownCameras, TakeTheViewThatIsSetForTheNextBalls) {
   cameras_.zoom(3);
   const auto wanted = cameras_.place();

@@ -24,12 +24,11 @@ constexpr float kColumnWidth = kKeysWidth + kWhatWidth;
 // Actions of the mouse, which are not commands.
 constexpr std::pair<const char*, const char*> kMouse[] = {
     {"Drag", "Turn the view"},
-    {"Middle drag, Shift+drag", "Pan the view"},
-    {"Wheel, right drag", "Zoom"},
+    {"Middle drag; wheel", "Pan the view (also Shift+drag); zoom (also right drag)"},
     {"Hover over a ball or simplex", "Show its name and values"},
-    {"Click", "Select it; on the background: clear the selection"},
+    {"Click", "Select it; with Ctrl or Shift: add it or remove it; on the background: clear"},
+    {"Double click", "Move it to the middle: the view turns about it"},
     {"Right click", "Open its menu"},
-    {"Ctrl+click, Shift+click", "Add it to the selection, or remove it"},
     {"Ctrl+click on a slider", "Type the value"},
     {"Drop a file", "Open a molecule or a session"}};
 

@@ -11,7 +11,7 @@
 #include "app/session/system_memory.hpp"
 #include "app/viewer/commands/commands.hpp"
 #include "app/viewer/resources.hpp"
-#include "core/document/settings/display_preset.hpp"
+#include "core/document/picture/picture_preset.hpp"
 #include "core/text/as_sentence.hpp"
 #include "ui/panels/dialogs/fetch_state.hpp"
 
@@ -69,6 +69,7 @@ void Viewer::begin_with(const ViewerOptions& options) {
   sender_.begin();
   if (const auto preset = preset_named(options.preset)) {
     state_.settings.display = with_preset(state_.settings.display, *preset);
+    state_.window.picture = with_preset(state_.window.picture, *preset);
   }
   file_.set_first_objects(options.objects);
   if (options.samples) state_.settings.display.samples = *options.samples;

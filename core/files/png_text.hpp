@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts inside a PNG picture, which image programs show among its properties.
+// Texts and resolution inside a PNG picture, which image programs show among its properties.
 #pragma once
 
 #include <string>
@@ -15,5 +15,9 @@ namespace alphascope {
 // PNG.
 std::string with_png_text(std::string_view png,
                           const std::vector<std::pair<std::string, std::string>>& entries);
+
+// The picture with its resolution in dots per inch, as a chunk of pixels per metre (PNG
+// specification, pHYs). Replaces none that is there. Throws as above.
+std::string with_png_resolution(std::string_view png, int dpi);
 
 }  // namespace alphascope

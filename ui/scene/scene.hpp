@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/molecule/rgb8.hpp"
 #include "core/run/cancel_token.hpp"
 #include "ui/scene/camera.hpp"
 #include "ui/scene/cut.hpp"
@@ -37,13 +39,14 @@ struct SceneStyle {
   float shadow_strength = 1;  // of ambient occlusion and shadows, 0 to 1
   float line_scale = 1;       // factor on the widths of lines; larger on a dense screen
   Theme theme = Theme::dark;
-  bool orthographic = false;  // no perspective
-  Cut cut{};                  // applies to everything; balls are closed where they are cut
-  float depth_cue = 0;        // share of the background colour at the greatest depth, 0 to 1
-  float outlines = 0;         // width in pixels at line_scale 1; 0: none
-  float face_lines = 0;       // darker lines around faces, pixels at line_scale 1; 0: none
-  float rod_radius = 0.06f;   // of edges, Å
-  int samples = 4;            // of each pixel of a fine picture, 1 to kMostSamples
+  std::optional<Rgb8> background = {};  // none: the theme's
+  bool orthographic = false;            // no perspective
+  Cut cut{};                 // applies to everything; balls are closed where they are cut
+  float depth_cue = 0;       // share of the background colour at the greatest depth, 0 to 1
+  float outlines = 0;        // width in pixels at line_scale 1; 0: none
+  float face_lines = 0;      // darker lines around faces, pixels at line_scale 1; 0: none
+  float rod_radius = 0.06f;  // of edges, Å
+  int samples = 4;           // of each pixel of a fine picture, 1 to kMostSamples
   friend bool operator==(const SceneStyle&, const SceneStyle&) = default;
 };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/document/picture/picture_options.hpp"
+#include "ui/rgb8.hpp"
 #include "ui/scene/gl/sample_place.hpp"
 #include "ui/scene/scene_impl.hpp"
 
@@ -26,6 +28,10 @@ constexpr double kJumpPixels = 6, kJumpShare = 0.02, kLeastJump = 1.2;
 constexpr Colour kLineOnLight{0.08f, 0.09f, 0.11f}, kLineOnDark{0, 0, 0};
 
 }  // namespace
+
+Colour background_of(const SceneStyle& style) {
+  return style.background ? to_colour(*style.background) : palette(style.theme).scene;
+}
 
 void Scene::Impl::apply_quality(RenderQuality quality, bool transparent) {
   const bool exact = quality >= RenderQuality::medium;
@@ -58,8 +64,9 @@ void Scene::Impl::apply_finish(RenderQuality quality, bool transparent) {
   finish.shadow_reach = kShadowReach * finish.far_radius;
   finish.depth_cue = style.depth_cue;
   finish.outline_width = style.outlines * style.line_scale * static_cast<float>(samples);
-  finish.background = palette(style.theme).scene;
-  finish.line = style.theme == Theme::light ? kLineOnLight : kLineOnDark;
+  finish.background = background_of(style);
+  const bool light = style.background ? is_light(*style.background) : style.theme == Theme::light;
+  finish.line = light ? kLineOnLight : kLineOnDark;
   finish.transparent = transparent;
   if (quality >= RenderQuality::medium && finish.any()) {
     finish.translucent_opacity = static_cast<float>(translucent_opacity());

@@ -246,7 +246,7 @@ bool Scene::Impl::anything_translucent() const {
 }
 
 void Scene::Impl::apply_style() {
-  const Colour& background = palette(style.theme).scene;
+  const Colour background = background_of(style);
   renderer->SetBackground(background.r, background.g, background.b);
   all_balls.actor->SetVisibility(style.balls && balls && !balls->centres.empty());
   all_balls.actor->GetProperty()->SetOpacity(faded(style.ball_opacity));

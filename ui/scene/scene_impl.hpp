@@ -95,6 +95,8 @@ struct ObjectActors {
   void set_opacity(double shown);
 };
 
+Colour background_of(const SceneStyle& style);
+
 struct Scene::Impl {
   vtkNew<SceneWindow> window;
   vtkNew<SceneRenderer> renderer;

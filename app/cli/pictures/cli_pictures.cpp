@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iostream>
 #include <utility>
 #include <vector>
@@ -16,8 +17,8 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
+#include "core/document/picture/picture_preset.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/document/settings/display_preset.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_parts.hpp"
@@ -26,15 +27,31 @@
 namespace alphascope::cli {
 namespace {
 
-// Reads "1920x1080". PictureMaker checks the bounds.
+// Reads "1920x1080" or "85x64mm". PictureMaker checks the bounds.
 void set_size(const std::string& text, PictureOptions& picture) {
   const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, picture.width);
-  if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-    const auto height = std::from_chars(width.ptr + 1, end, picture.height);
-    if (height.ec == std::errc() && height.ptr == end) return;
+  double width = 0, height = 0;
+  const auto across = std::from_chars(text.data(), end, width);
+  if (across.ec == std::errc() && across.ptr != end && *across.ptr == 'x') {
+    const auto down = std::from_chars(across.ptr + 1, end, height);
+    const std::string_view unit(down.ptr, static_cast<std::size_t>(end - down.ptr));
+    constexpr double kMost = 1e6;
+    const bool sane =
+        down.ec == std::errc() && width > 0 && height > 0 && width < kMost && height < kMost;
+    if (sane && unit == "mm") {
+      picture.width = pixels_of(width, picture.dpi);
+      picture.height = pixels_of(height, picture.dpi);
+      return;
+    }
+    if (sane && unit.empty() && width == std::floor(width) && height == std::floor(height)) {
+      picture.width = static_cast<int>(width);
+      picture.height = static_cast<int>(height);
+      return;
+    }
   }
-  throw UsageError("--size takes WIDTHxHEIGHT in pixels, such as 1920x1080; not \"" + text + "\".");
+  throw UsageError(
+      "--size takes WIDTHxHEIGHT in pixels, such as 1920x1080, or in mm, such as 85x64mm; not \"" +
+      text + "\".");
 }
 
 // Reads "ligands,ions" or "none".
@@ -80,8 +97,13 @@ DisplaySettings display(const ScreenshotCommandOptions& options) {
 // Returns the options of the file: size, background and marks.
 PictureOptions picture_options(const ScreenshotCommandOptions& options) {
   PictureOptions picture;
-  set_size(options.size, picture);
-  picture.transparent = options.transparent;
+  set_size(kUsualSize, picture);
+  if (const auto preset = preset_named(options.preset)) picture = with_preset(picture, *preset);
+  picture.dpi = options.dpi.value_or(picture.dpi);
+  if (!options.size.empty()) set_size(options.size, picture);
+  picture.background = options.background.value_or(picture.background);
+  picture.letters = options.letters.value_or(picture.letters);
+  if (options.transparent) picture.background = kNoBackground;
   picture.legend = !options.no_legend;
   picture.scale_bar = options.scale_bar;
   picture.caption = options.caption;

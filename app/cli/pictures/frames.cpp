@@ -80,7 +80,8 @@ ExitCode run_frames(const FramesCommandOptions& options) {
   };
   const auto sink =
       make_frame_sink(out, {picture.width, picture.height, recording.frames_per_second,
-                            picture.transparent, cli_pictures.texts(), frame_count(recording)});
+                            picture.background.transparent, cli_pictures.texts(),
+                            frame_count(recording), picture.dpi});
   const bool movie = recording_format(out) != RecordingFormat::frames;
   std::string lacks;
   try {

@@ -9,9 +9,10 @@
 #include "app/cli/pictures/picture_options.hpp"
 #include "app/options/did_you_mean.hpp"
 #include "app/options/option_values.hpp"
+#include "core/document/commands/number_input.hpp"
 #include "core/document/picture/frame_names.hpp"
+#include "core/document/picture/picture_preset.hpp"
 #include "core/document/settings/display_fields.hpp"
-#include "core/document/settings/display_preset.hpp"
 #include "core/document/settings/paint.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 
@@ -36,6 +37,42 @@ Option caption(CaptionParts& parts) {
                         caption_part_ids() + " with commas between",
                 .fallback = caption_parts_text(parts)};
   option.set = [&parts](const std::string& value) { parts = read_caption_parts(value); };
+  return option;
+}
+
+Option dpi(std::optional<int>& dots) {
+  Option option{.names = "--dpi",
+                .value = "N",
+                .text = "Dots per inch that the file states, and for a --size in mm",
+                .fallback = std::to_string(PictureOptions().dpi) + ", or the preset's"};
+  option.set = [&dots](const std::string& value) {
+    dots = static_cast<int>(whole_number_in(value, {kDpiRule.least, kDpiRule.most, "dpi"}));
+  };
+  return option;
+}
+
+Option background(std::optional<PictureBackground>& chosen) {
+  Option option{.names = "--background",
+                .value = "COLOUR",
+                .text = std::string("Background: ") + kBackgroundWords,
+                .fallback = "theme, or the preset's"};
+  option.set = [&chosen](const std::string& value) {
+    chosen = read_background(value);
+    if (!chosen) {
+      throw std::invalid_argument(std::string("the background is one of: ") + kBackgroundWords);
+    }
+  };
+  return option;
+}
+
+Option letters(std::optional<double>& size) {
+  Option option{.names = "--letters",
+                .value = "X",
+                .text = "Factor on the size of letters: legend, scale bar, caption, labels",
+                .fallback = "1, or the preset's"};
+  option.set = [&size](const std::string& value) {
+    size = number_in(value, {kLettersRule.least, kLettersRule.most});
+  };
   return option;
 }
 
@@ -103,9 +140,9 @@ Option paint_option(OptionText text, const char* fallback,
 // Makes an option note that it was given, if a session would set the same. These are all options
 // but those of the picture's file.
 void note_what_sessions_say(Option& option, ScreenshotCommandOptions& options) {
-  constexpr std::string_view kOfThePicture[] = {"FILE",        "--session",        "--output",
-                                                "--size",      "--transparent",    "--no-legend",
-                                                "--scale-bar", "--drawing-memory", "--caption"};
+  constexpr std::string_view kOfThePicture[] = {
+      "FILE",        "--session",        "--output",  "--size", "--transparent", "--no-legend",
+      "--scale-bar", "--drawing-memory", "--caption", "--dpi",  "--background",  "--letters"};
   const std::string name = option.shown_name();
   if (std::find(std::begin(kOfThePicture), std::end(kOfThePicture), name) !=
       std::end(kOfThePicture)) {
@@ -149,8 +186,14 @@ Option objects(DrawnObjects& objects) {
 // Options of each picture, single or as a frame.
 Options picture_options(ScreenshotCommandOptions& options) {
   Options all{
-      text_option({"--size", "WxH", "Width and height in pixels"}, options.size),
-      flag_option("--transparent", "No background", options.transparent),
+      with_default(
+          text_option({"--size", "WxH", "Width and height in pixels, or in print such as 85x64mm"},
+                      options.size),
+          std::string(kUsualSize) + ", or the preset's"),
+      dpi(options.dpi),
+      background(options.background),
+      flag_option("--transparent", "No background, as --background transparent",
+                  options.transparent),
       flag_option("--light", "Light background", options.light),
       text_option({"--clip", "CLIP",
                    "Cut the picture open at a plane, or by a slab: x, y=12.5 (Å), -z=3, view, "
@@ -205,6 +248,7 @@ Options picture_options(ScreenshotCommandOptions& options) {
       objects(options.objects),
       caption(options.caption),
       flag_option("--scale-bar", "Add a scale bar in Å", options.scale_bar),
+      letters(options.letters),
       drawing_memory(options.drawing_memory_mb)};
   append(all, display_options(options.display));
   append(all, engine(options.request, true));
@@ -255,6 +299,10 @@ Options recording(FramesCommandOptions& options) {
                     {kFrameRateRule.least, kFrameRateRule.most, "/ s"})};
 }
 
+bool has_no_background(const ScreenshotCommandOptions& options) {
+  return options.transparent || (options.background && options.background->transparent);
+}
+
 void check_recording(FramesCommandOptions& options) {
   if (options.sweep == options.turntable) {
     throw std::invalid_argument(
@@ -276,7 +324,7 @@ void check_recording(FramesCommandOptions& options) {
   const std::filesystem::path& out = options.picture.out;
   const RecordingFormat format = recording_format(out);
   if (format == RecordingFormat::frames) FrameNames{out};
-  if (format == RecordingFormat::mp4 && options.picture.transparent) {
+  if (format == RecordingFormat::mp4 && has_no_background(options.picture)) {
     throw std::invalid_argument(
         "an .mp4 movie always has a background; --transparent needs .webm or pictures");
   }

@@ -12,6 +12,7 @@
 #include "app/cli/input_options.hpp"
 #include "app/options/exit_code.hpp"
 #include "core/document/picture/caption_parts.hpp"
+#include "core/document/picture/picture_options.hpp"
 #include "core/document/picture/recording.hpp"
 #include "core/document/reference/annotations.hpp"
 #include "core/document/reference/appearance.hpp"
@@ -24,13 +25,17 @@ namespace alphascope::cli {
 
 // The given options that change a setting of the display, in their order, and the values. All other
 // settings are those of the preset or, without one, the window's default.
+inline constexpr const char* kUsualSize = "1280x800";
 using DisplayChanges = std::vector<std::pair<const DisplayField*, double>>;
 
 struct ScreenshotCommandOptions {
   InputOptions input;
   Request request;
-  std::string size = "1280x800";
+  std::string size;  // empty: the preset's, or kUsualSize
   std::filesystem::path out;
+  std::optional<int> dpi;                       // none: the preset's, or the usual
+  std::optional<PictureBackground> background;  // none: the preset's, or the theme's
+  std::optional<double> letters;                // none: the preset's, or 1
   bool transparent = false, light = false;
   DisplayChanges display;
   Paint ball_paint{ColourBy::element, {}, {}, {}};

@@ -106,7 +106,15 @@ Outcome save_picture(const Arguments& arguments, ViewState& s, const Calls& ask)
   PictureOptions options = s.window.picture;
   options.width = static_cast<int>(arguments.number("width", options.width));
   options.height = static_cast<int>(arguments.number("height", options.height));
-  options.transparent |= arguments.has("transparent");
+  options.dpi = static_cast<int>(arguments.number("dpi", options.dpi));
+  if (arguments.has("background")) {
+    const auto background = read_background(arguments.text("background"));
+    if (!background) {
+      return Outcome::refused(std::string("The background is one of: ") + kBackgroundWords + ".");
+    }
+    options.background = *background;
+  }
+  if (arguments.has("transparent")) options.background = kNoBackground;
   options.scale_bar |= arguments.has("scale-bar");
   try {
     if (arguments.has("caption")) options.caption = read_caption_parts(arguments.text("caption"));
@@ -194,10 +202,31 @@ void add_file_commands(Commands& commands, ViewState& s, const Calls& ask) {
                                " with commas between; if left out, as in the dialog",
                        .example = "alpha,counts",
                        .optional = true},
+                      {.name = "background",
+                       .kind = Kind::text,
+                       .help = std::string(kBackgroundWords) + "; if left out, as in the dialog",
+                       .example = "white",
+                       .optional = true},
+                      {.name = "dpi",
+                       .kind = Kind::number,
+                       .help = "Resolution that the file states; if left out, as in the dialog",
+                       .optional = true,
+                       .rule = kDpiRule},
                       {.name = "transparent", .kind = Kind::flag, .help = "Without background"},
                       {.name = "scale-bar", .kind = Kind::flag, .help = "With a scale bar"}},
        .why_not = without_molecule(s),
        .run = [&s, ask](const Arguments& arguments) { return save_picture(arguments, s, ask); }});
+  commands.add({.id = "file.copy_picture",
+                .title = "Copy picture",
+                .help = "Puts the view on the clipboard, as it would be saved",
+                .synonyms = {{"clipboard image"}},
+                .shortcuts = {{"Ctrl+Shift+C"}},
+                .menu = "File",
+                .why_not = without_molecule(s),
+                .run = [&s, ask](const Arguments&) {
+                  ask.jobs.save_picture({{}, s.window.picture});
+                  return Outcome();
+                }});
   commands.add(record_command(s, ask));
   commands.add(
       {.id = "file.export",

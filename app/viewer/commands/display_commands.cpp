@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/picture/picture_preset.hpp"
 #include "core/document/settings/display_fields.hpp"
-#include "core/document/settings/display_preset.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {
@@ -73,12 +74,13 @@ CommandSpec paint_command(ViewState& s, const DisplayField& field) {
 CommandSpec preset_command(ViewState& s, DisplayPreset preset) {
   const DisplayPresetInfo& info = preset_info(preset);
   return {.id = std::string("view.preset_") + info.id,
-          .title = std::string("Look: ") + info.id,
+          .title = std::string(is_for_use(preset) ? "Picture for: " : "Look: ") + info.id,
           .help = info.help,
           .menu = "View",
           .line_above = preset == kDisplayPresets.front(),
           .run = [&s, preset](const Arguments&) {
             s.settings.display = with_preset(s.settings.display, preset);
+            s.window.picture = with_preset(s.window.picture, preset);
             return Outcome();
           }};
 }

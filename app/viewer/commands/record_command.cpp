@@ -56,7 +56,7 @@ Outcome record(const Arguments& arguments, ViewState& s, const Calls& ask) {
   request.recording.frames_per_second =
       arguments.number("rate", request.recording.frames_per_second);
   request.recording.there_and_back |= arguments.has("there-and-back");
-  options.transparent |= arguments.has("transparent");
+  if (arguments.has("transparent")) options.background = kNoBackground;
   options.scale_bar |= arguments.has("scale-bar");
   ask.jobs.record(std::move(request));
   return {};

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/viewer/jobs/picture_clipboard.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/thread_priority.hpp"
@@ -16,6 +17,17 @@
 #include "ui/running_job.hpp"
 
 namespace alphascope {
+namespace {
+
+std::string done(const SceneJob& job) {
+  return job.copies ? "Copied the picture" : "Saved " + printable(job.path.string());
+}
+
+const char* title_of_failure(const SceneJob& job) {
+  return job.copies ? kNoCopy : job.recording ? kNoRecording : kNoPicture;
+}
+
+}  // namespace
 
 // An OpenGL context and the scene in it, for one job. Mesa's software driver keeps the textures of
 // a picture, which can exceed a gigabyte, until the context is destroyed.
@@ -72,6 +84,19 @@ PictureSaver::~PictureSaver() = default;
 SceneJob picture_job(PictureToSave picture) {
   std::filesystem::path path = picture.path;
   const auto shared = std::make_shared<const PictureToSave>(std::move(picture));
+  if (path.empty()) {
+    return {{},
+            [shared, clipboard = picture_clipboard()](Scene& scene, const RunContext& context) {
+              std::string left_out;
+              const std::string png =
+                  picture_bytes(scene, show(scene, *shared), shared->texts, left_out, context);
+              context.report("copying", 0);
+              copy_picture(clipboard, png, context.cancel);
+              return left_out;
+            },
+            false,
+            true};
+  }
   return {std::move(path), [shared](Scene& scene, const RunContext& context) {
             return write_picture(scene, show(scene, *shared), shared->path, shared->texts, context);
           }};
@@ -89,7 +114,8 @@ SceneJob recording_job(const RecordRequest& request, FrameSource source, Picture
   });
   const std::shared_ptr<FrameSink> sink = make_frame_sink(
       request.path, {request.options.width, request.options.height, recording.frames_per_second,
-                     request.options.transparent, std::move(texts), frame_count(recording)});
+                     request.options.background.transparent, std::move(texts),
+                     frame_count(recording), request.options.dpi});
   return {request.path,
           [sink, recording, source = std::move(source)](Scene& scene, const RunContext& context) {
             std::string lacks = record_frames(scene, recording, source, *sink, context);
@@ -101,12 +127,15 @@ SceneJob recording_job(const RecordRequest& request, FrameSource source, Picture
 
 void PictureSaver::start(SceneJob job) {
   if (busy()) {
-    throw std::runtime_error("Cannot save " + job.path.string() + ": " + saving_->path.string() +
-                             " is still being saved. Wait until it is finished, or cancel it.");
+    throw std::runtime_error(
+        (job.copies ? "Cannot copy the picture" : "Cannot save " + job.path.string()) + ": " +
+        (saving_->copies ? "a picture is still being copied"
+                         : saving_->path.string() + " is still being saved") +
+        ". Wait until it is finished, or cancel it.");
   }
   // An unwritable path must fail before the drawing. A recording has already opened its files.
-  if (!job.recording) AtomicFile{job.path};
-  saving_ = Saving{job.path, job.recording};
+  if (!job.recording && !job.copies) AtomicFile{job.path};
+  saving_ = Saving{job.path, job.recording, job.copies};
   since_ = std::chrono::steady_clock::now();
   waiting_ = std::move(job);
   begin();
@@ -129,20 +158,22 @@ void PictureSaver::begin() {
         return [this, job, left_out] {
           studio_.reset();
           news_.frees_memory = true;
-          news_.notice = "Saved " + printable(job->path.string());
+          news_.notice = done(*job);
           if (!left_out.empty()) news_.notice += ". " + left_out;
           saving_.reset();
         };
       },
-      [this, path = job->path, recording = job->recording](const Worker::Failure& failure) {
+      [this, job](const Worker::Failure& failure) {
         studio_.reset();
         news_.frees_memory = true;
         if (failure.cancelled) {  // the user knows, unless cancel() came too late
-          if (failure.too_late) news_.notice = "Saved " + printable(path.string());
+          if (failure.too_late) news_.notice = done(*job);
           return;
         }
-        const bool names_it = failure.message.find(path.string()) != std::string::npos;
-        news_.error_title = recording ? kNoRecording : kNoPicture;
+        const std::filesystem::path& path = job->path;
+        const bool names_it =
+            job->copies || failure.message.find(path.string()) != std::string::npos;
+        news_.error_title = title_of_failure(*job);
         news_.error = names_it ? failure.message
                                : "Cannot save " + printable(path.string()) + ": " + failure.message;
         saving_.reset();
@@ -153,7 +184,8 @@ void PictureSaver::cancel() {
   if (!busy()) return;
   news_.notice = saving_->recording && recording_format(saving_->path) == RecordingFormat::frames
                      ? "Cancelled. The finished frames are kept."
-                     : "Cancelled: " + saving_->path.string() + " was not written.";
+                 : saving_->copies ? "Cancelled: the picture was not copied."
+                                   : "Cancelled: " + saving_->path.string() + " was not written.";
   saving_.reset();
   waiting_.reset();
   worker_.cancel();
@@ -161,11 +193,11 @@ void PictureSaver::cancel() {
 
 JobNews PictureSaver::poll() {
   worker_.poll();
-  const bool recording = waiting_ && waiting_->recording;
+  const char* const title = waiting_ ? title_of_failure(*waiting_) : kNoPicture;
   try {
     begin();
   } catch (const std::exception& error) {
-    news_.error_title = recording ? kNoRecording : kNoPicture;
+    news_.error_title = title;
     news_.error = error.what();
   }
   return std::exchange(news_, {});
@@ -173,10 +205,11 @@ JobNews PictureSaver::poll() {
 
 std::optional<RunningJob> PictureSaver::running() const {
   if (!saving_) return std::nullopt;
-  return running_job(
-      JobId::picture,
-      (saving_->recording ? "Recording " : "Saving ") + saving_->path.filename().string(),
-      worker_.activity(), since_);
+  return running_job(JobId::picture,
+                     saving_->copies ? "Copying the picture"
+                                     : (saving_->recording ? "Recording " : "Saving ") +
+                                           saving_->path.filename().string(),
+                     worker_.activity(), since_);
 }
 
 }  // namespace alphascope

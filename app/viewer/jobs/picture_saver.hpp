@@ -23,6 +23,7 @@ namespace alphascope {
 // Titles of the dialogs that report a failure.
 inline constexpr const char* kNoPicture = "The picture cannot be saved";
 inline constexpr const char* kNoRecording = "The recording cannot be made";
+inline constexpr const char* kNoCopy = "The picture cannot be copied";
 
 struct PictureToSave : Picture {
   std::filesystem::path path;
@@ -34,7 +35,9 @@ struct SceneJob {
   std::filesystem::path path;
   std::function<std::string(Scene& scene, const RunContext& context)> draw;
   bool recording = false;
+  bool copies = false;  // to the clipboard; then `path` is empty
 };
+// With an empty path the picture goes to the clipboard. Throws as picture_clipboard() does.
 SceneJob picture_job(PictureToSave picture);
 // `texts` describe the whole movie. Throws std::invalid_argument (a sentence) for an impossible
 // request, and WriteError where the file cannot be created.
@@ -64,7 +67,7 @@ class PictureSaver : public ViewerJob {
   Host& host_;
   struct Saving {
     std::filesystem::path path;
-    bool recording = false;
+    bool recording = false, copies = false;
   };
   std::optional<Saving> saving_;     // the job that is not cancelled
   std::optional<SceneJob> waiting_;  // waits for the end of a cancelled job

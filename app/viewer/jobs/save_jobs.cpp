@@ -74,7 +74,7 @@ void SaveJobs::save_picture(const ScreenshotRequest& request) {
     pictures_.start(picture_job(p_.scene.picture(request)));
     p_.state.notice.clear();
   } catch (const std::exception& error) {
-    tell(kNoPicture, error);
+    tell(request.path.empty() ? kNoCopy : kNoPicture, error);
   }
   p_.due.ask();
 }

@@ -162,7 +162,7 @@ void LessonRecorder::hand_over() {
   const PageView view = page_view(request.options.width, request.options.height);
   request.options.width = view.width;
   request.options.height = view.height;
-  request.options.transparent = false;
+  request.options.background = {};
   const LessonStep& step = lesson_->steps[step_];
   Page page{take_picture_(request), {}};
   page.picture.texts.emplace_back("alphascope:lesson", lesson_->title + ": " + step.title);

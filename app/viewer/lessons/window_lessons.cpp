@@ -8,8 +8,8 @@
 #include "app/options/did_you_mean.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
+#include "core/document/picture/picture_preset.hpp"
 #include "core/document/settings/display_fields.hpp"
-#include "core/document/settings/display_preset.hpp"
 #include "core/files/read_error.hpp"
 #include "ui/panels/whole_state.hpp"
 
@@ -26,6 +26,7 @@ constexpr std::string_view kNotInLessons[] = {"file.",
                                               "benchmark.",
                                               "view.scale",
                                               "view.presenter_size",
+                                              "view.glide",
                                               "view.light_theme"};
 
 // Throws ReadError for the first command that does not exist or is not allowed in lessons.
@@ -60,7 +61,7 @@ Settings lesson_settings(const Settings& now) {
   s.request = now.request;
   s.request.alpha_angstrom2 = s.request.solvent_radius_angstrom = 0;
   s.request.tetrahedra_only = false;
-  s.display = with_preset({}, DisplayPreset::teaching);
+  s.display = with_preset(DisplaySettings(), DisplayPreset::teaching);
   s.display.ball_paint = s.display.complex_paint = {ColourBy::element, {}, {}, {}};
   copy_group(DisplayGroup::light, now.display, s.display);
   return s;

@@ -21,6 +21,8 @@ inline constexpr NumberRule kAlphaRule{"Alpha", -kMaxAlphaAngstrom2, kMaxAlphaAn
 inline constexpr NumberRule kSolventRule{"The solvent radius", 0, 100, "Å"};
 inline constexpr NumberRule kBallRadiusRule{"A radius", 0.001, 60, "Å"};
 inline constexpr NumberRule kPictureSizeRule{"Width and height", 16, 16384, "", true};
+inline constexpr NumberRule kDpiRule{"The resolution", 30, 2400, "dpi", true};
+inline constexpr NumberRule kLettersRule{"The size of letters", 0.5, 4};
 inline constexpr NumberRule kControlScaleRule{"The scale", 0.5, 4};
 inline constexpr NumberRule kModelSpeedRule{"The speed", 0.5, 30, "/ s"};
 inline constexpr NumberRule kPlaySpeedRule{"The speed", 0.1, 20};

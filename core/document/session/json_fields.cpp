@@ -378,6 +378,20 @@ void FieldReader::operator()(const char* name, Rgb8& value) {
   value = *colour;
 }
 
+void FieldReader::operator()(const char* name, PictureBackground& value) {
+  const ReadJson* const json = take(name);
+  if (json == nullptr) return;
+  if (json->is_boolean()) {  // the value of the former "transparent"
+    value = {json->get<bool>(), {}};
+    return;
+  }
+  std::string written;
+  if (!text(below(name), *json, written)) return;
+  const std::optional<PictureBackground> background = read_background(written);
+  if (!background) return wrong(below(name), *json, kBackgroundWords);
+  value = *background;
+}
+
 void FieldReader::operator()(const char* name, FileReference& value) {
   const ReadJson* const json = take_object(name);
   if (json == nullptr) return;

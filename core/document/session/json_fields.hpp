@@ -15,6 +15,7 @@
 
 #include "core/chart/colour_text.hpp"
 #include "core/document/commands/number_input.hpp"
+#include "core/document/picture/picture_options.hpp"
 #include "core/document/reference/appearance.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/session/alpha_json.hpp"
@@ -51,6 +52,7 @@ class FieldWriter {
   void operator()(const char* name, const AtomSet& value);
   void operator()(const char* name, const std::vector<AtomRef>& value);
   void operator()(const char* name, const Rgb8& value);
+  void operator()(const char* name, const PictureBackground& value);
   void operator()(const char* name, const FileReference& value);
   void operator()(const char* name, const Clip& value);
   void operator()(const char* name, const std::optional<Sandbox>& value);
@@ -119,6 +121,7 @@ class FieldReader {
   void operator()(const char* name, AtomSet& value);
   void operator()(const char* name, std::vector<AtomRef>& value);  // 2 to 4, in this order
   void operator()(const char* name, Rgb8& value);
+  void operator()(const char* name, PictureBackground& value);
   void operator()(const char* name, FileReference& value);
   void operator()(const char* name, Clip& value);
   void operator()(const char* name, std::optional<Sandbox>& value);

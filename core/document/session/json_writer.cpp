@@ -98,6 +98,10 @@ void FieldWriter::operator()(const char* name, const Rgb8& value) {
   to_[name] = colour_text(value);
 }
 
+void FieldWriter::operator()(const char* name, const PictureBackground& value) {
+  to_[name] = background_text(value);
+}
+
 void FieldWriter::operator()(const char* name, const FileReference& value) {
   if (value.empty()) return;
   WrittenJson& to = to_[name] = WrittenJson::object();

@@ -218,7 +218,10 @@ template <class Visitor>
 void visit_fields(Visitor& v, PictureOptions& p) {
   v("width", p.width, kPictureSizeRule);
   v("height", p.height, kPictureSizeRule);
-  v("transparent", p.transparent);
+  v("dpi", p.dpi, kDpiRule);
+  v.formerly("transparent", "background");
+  v("background", p.background);
+  v("letters", p.letters, kLettersRule);
   v("legend", p.legend);
   v("scale_bar", p.scale_bar);
   v.object("caption", p.caption);

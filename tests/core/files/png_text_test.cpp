@@ -38,5 +38,14 @@ TEST(PngText, RefusesWhatIsNoPng) {
   EXPECT_THROW(with_png_text(kPixel.substr(0, 20), {}), std::invalid_argument);
 }
 
+TEST(PngText, StatesTheResolutionInPixelsPerMetre) {
+  const auto after = chunks_of(with_png_resolution(kPixel, 300));
+  ASSERT_EQ(after.size(), 4u);
+  EXPECT_EQ(after[1].first, "pHYs");
+  // 300 / 0.0254 = 11811 = 0x2e23, twice; unit 1 is the metre.
+  EXPECT_EQ(after[1].second, std::string("\0\0\x2e\x23\0\0\x2e\x23\1", 9));
+  EXPECT_THROW(with_png_resolution("GIF89a", 300), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace alphascope

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/settings/display_preset.hpp"
+#include "core/document/picture/picture_preset.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "tests/ui/baseline.hpp"
@@ -67,7 +67,7 @@ std::vector<Subject> subjects() {
   add("boundary_without_background", 0, [](PictureSettings& o) {
     o.display.tetrahedra = false;
     o.display.boundary = true;
-    o.options.transparent = true;
+    o.options.background.transparent = true;
   });
   add("cut_balls", 0, [](PictureSettings& o) {
     o.display.ball_scale = 1;
@@ -79,8 +79,9 @@ std::vector<Subject> subjects() {
     o.clip = read_clip("1,0.3,0.2:4");
   });
   for (const DisplayPreset preset : kDisplayPresets) {
+    if (is_for_use(preset)) continue;  // their pictures are as large as in print
     add(std::string("preset_") + preset_info(preset).id, 0,
-        [&](PictureSettings& o) { o.display = with_preset({}, preset); });
+        [&](PictureSettings& o) { o.display = with_preset(DisplaySettings(), preset); });
   }
   return all;
 }

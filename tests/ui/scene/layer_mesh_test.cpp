@@ -350,7 +350,7 @@ TEST(PlacedLabels, CanBeReadOnAnything) {
       Image image{1920, 1200, std::vector<std::uint8_t>(4 * 1920 * 1200, grey)};
       PictureMarks marks;
       marks.labels = {{960, 600, "12.3 Å²"}};
-      EXPECT_EQ(draw_marks(image, marks, mark_colours(theme, false)), "");
+      EXPECT_EQ(draw_marks(image, marks, mark_colours(theme)), "");
       int dark = 0, light = 0, changed = 0;
       for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
         changed += image.rgba[i] != grey;

@@ -10,6 +10,7 @@
 
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/molecule_fixture.hpp"
+#include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/scene/rod_picture.hpp"
 #include "ui/colour_legend.hpp"
@@ -291,14 +292,14 @@ TEST(PictureMarks, RimsAreAsWideAsTheyAreAskedToBeAndRound) {
 TEST(PictureMarks, NothingAskedForChangesNothing) {
   Image image = plain(640, 400, palette(Theme::dark).scene);
   const std::vector<std::uint8_t> before = image.rgba;
-  EXPECT_EQ(draw_marks(image, {}, mark_colours(Theme::dark, false)), "");
+  EXPECT_EQ(draw_marks(image, {}, mark_colours(Theme::dark)), "");
   EXPECT_EQ(image.rgba, before);
 }
 
 TEST(PictureMarks, TextContrastsWithEveryBackground) {
   for (const Theme theme : {Theme::dark, Theme::light}) {
     for (const bool transparent : {false, true}) {
-      const MarkColours ink = mark_colours(theme, transparent);
+      const MarkColours ink = mark_colours(theme, {transparent, {}});
       const Colour background = transparent ? Colour{0, 0, 0, 0} : palette(theme).scene;
       Image image = plain(960, 600, background, transparent ? 0 : 255);
       draw_marks(image, {{legend_from(0, 1)}, 0.1}, ink);
@@ -319,11 +320,11 @@ TEST(PictureMarks, TextContrastsWithEveryBackground) {
 TEST(PictureMarks, TooSmallAPictureSaysSo) {
   Image image = plain(200, 150, palette(Theme::light).scene);
   const std::string said =
-      draw_marks(image, {{legend_from(0, 1)}, 0.1}, mark_colours(Theme::light, false));
+      draw_marks(image, {{legend_from(0, 1)}, 0.1}, mark_colours(Theme::light));
   EXPECT_NE(said.find("no legend, which takes 294 x 63 pixels"), std::string::npos) << said;
   EXPECT_EQ(said.find("no scale bar"), std::string::npos) << said;
   image = plain(294, 63, palette(Theme::light).scene);
-  EXPECT_EQ(draw_marks(image, {{legend_from(0, 1)}, 0.1}, mark_colours(Theme::light, false)), "");
+  EXPECT_EQ(draw_marks(image, {{legend_from(0, 1)}, 0.1}, mark_colours(Theme::light)), "");
 }
 
 class SavedPicture : public ::testing::Test {
@@ -353,12 +354,43 @@ TEST_F(SavedPicture, HasTheScalesColoursAtEverySizeAndBackground) {
     settings_.options.width = width;
     settings_.options.height = height;
     for (const bool transparent : {false, true}) {
-      settings_.options.transparent = transparent;
+      settings_.options.background.transparent = transparent;
       settings_.theme = transparent ? Theme::dark : Theme::light;
       EXPECT_EQ(rows_with_scale(save(), scale_), std::lround(10 * mark_unit(width, height)))
           << width << " x " << height << (transparent ? ", transparent" : "");
     }
   }
+}
+
+TEST_F(SavedPicture, HasTheBackgroundThatWasChosen) {
+  const auto corner = [](const Image& image) {
+    return Rgb8{image.rgba[0], image.rgba[1], image.rgba[2]};
+  };
+  for (const Rgb8& colour : {Rgb8{255, 255, 255}, {0, 0, 0}, {244, 240, 224}, {20, 30, 90}}) {
+    settings_.options.background.colour = colour;
+    const Image image = save();
+    EXPECT_EQ(corner(image), colour);
+    // Letters are readable on it, whatever the theme is.
+    const bool light = is_light(colour);
+    const Colour ink = mark_colours(Theme::dark, settings_.options.background).mark;
+    EXPECT_EQ(ink.r < 0.5f, light) << int(colour.b);
+  }
+}
+
+TEST_F(SavedPicture, HasLettersOfTheChosenSize) {
+  settings_.options.width = 1280;
+  settings_.options.height = 800;
+  settings_.options.legend = false;
+  const Image without = save();
+  settings_.options.legend = true;
+  const auto covered = [&](double letters) {
+    settings_.options.letters = letters;
+    return unequal_pixels(without, save());
+  };
+  const int usual = covered(1);
+  ASSERT_GT(usual, 500);
+  EXPECT_GT(covered(2), 2 * usual);
+  EXPECT_LT(covered(0.5), usual);
 }
 
 TEST_F(SavedPicture, HasNoLegendWhenThatIsOffOrColoursMeanNothing) {
@@ -373,7 +405,7 @@ TEST_F(SavedPicture, HasNoLegendWhenThatIsOffOrColoursMeanNothing) {
 }
 
 TEST_F(SavedPicture, HasAScaleBarOnlyWhenAskedFor) {
-  const Colour ink = mark_colours(settings_.theme, false).mark;
+  const Colour ink = mark_colours(settings_.theme).mark;
   EXPECT_LT(longest_run(save(), ink).length, 20);
   settings_.options.scale_bar = true;
   EXPECT_GE(longest_run(save(), ink).length, 50 * mark_unit(640, 400));
@@ -386,7 +418,7 @@ TEST_F(SavedPicture, HasAScaleBarThatIsTrue) {
   scene.set_balls(std::make_shared<const BallGeometry>(*balls_), two_colours(balls_->size()));
   for (const int height : {400, 1200}) {
     Image image = scene.grab(2 * height, height, false);
-    const MarkColours ink = mark_colours(Theme::dark, false);
+    const MarkColours ink = mark_colours(Theme::dark);
     const double per_pixel = scene.angstrom_per_pixel();
     draw_marks(image, {{}, per_pixel}, ink);
     const PixelRun run = longest_run(image, ink.mark);

@@ -149,7 +149,7 @@ TEST_F(AnnotationsTest, SavedPicturesSessionsAndTheCommandLineShowThem) {
   run("frames 3\nwait-idle\n");
   const auto saved = [&](const std::string& name) {
     viewer_->calls().jobs.save_picture(
-        ScreenshotRequest{folder_ / name, {400, 300, false, true, false}});
+        ScreenshotRequest{folder_ / name, {.width = 400, .height = 300}});
     run("wait-idle\n");
     return pixels_of(folder_ / name);
   };

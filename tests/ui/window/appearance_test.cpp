@@ -72,7 +72,7 @@ TEST_F(AppearanceTest, SavedPicturesSessionsAndTheCommandLineShowTheSame) {
   display.samples = 4;
   run("frames 3\nwait-idle\n");
   viewer_->calls().jobs.save_picture(
-      ScreenshotRequest{folder_ / "window.png", {400, 300, false, true, false}});
+      ScreenshotRequest{folder_ / "window.png", {.width = 400, .height = 300}});
   run("wait-idle\n");
   const Image window = pixels_of(folder_ / "window.png");
   const auto drawn = [&](const std::string& options) {

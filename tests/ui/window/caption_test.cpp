@@ -52,7 +52,7 @@ class CaptionInWindow : public ViewerTest {
   // Counts pixels with the text's colour in the upper eighth of the picture.
   int marked(const fs::path& file) const {
     const Image image = pixels_of(file);
-    const Colour ink = mark_colours(viewer_->state().window.theme, false).mark;
+    const Colour ink = mark_colours(viewer_->state().window.theme).mark;
     int count = 0;
     for (std::size_t i = 0; i < image.rgba.size() / 8; i += 4) {
       count += std::abs(image.rgba[i] - ink.r * 255) < 2 &&

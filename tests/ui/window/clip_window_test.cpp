@@ -117,7 +117,7 @@ TEST_F(ClipWindow, SavedPicturesAndTheCommandLineShowTheSame) {
   run("view.edges on\nview.triangles on\nalpha.set 3\nview.clip x=9.5\nwait-idle\n");
   const int width = view().width, height = view().height;
   viewer_->calls().jobs.save_picture(
-      ScreenshotRequest{folder_ / "window.png", {width, height, false, true, false}});
+      ScreenshotRequest{folder_ / "window.png", {.width = width, .height = height}});
   run("wait-idle\n");
   const Image window = pixels_of(folder_ / "window.png");
   DisplaySettings& display = viewer_->state().settings.display;
@@ -136,7 +136,7 @@ TEST_F(ClipWindow, SavedPicturesAndTheCommandLineShowTheSame) {
   };
   run("wait-idle\n");
   viewer_->calls().jobs.save_picture(
-      ScreenshotRequest{folder_ / "window.png", {width, height, false, true, false}});
+      ScreenshotRequest{folder_ / "window.png", {.width = width, .height = height}});
   run("wait-idle\n");
   const Image shaded = pixels_of(folder_ / "window.png");
   EXPECT_LE(share_unlike(shaded, drawn("--clip x=9.5")), 0.001);

@@ -11,7 +11,7 @@
 #include "app/options/exit_code.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/session_text.hpp"
-#include "core/document/settings/display_preset.hpp"
+#include "core/document/picture/picture_preset.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"

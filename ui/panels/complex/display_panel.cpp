@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sections “Display” and “Light”: which parts of the complex are drawn, and how.
+#include <algorithm>
 #include <string>
 
+#include "core/document/picture/picture_preset.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/settings/display_fields.hpp"
-#include "core/document/settings/display_preset.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/molecule/atom_colours.hpp"
 #include "core/selection/prepare_balls.hpp"
@@ -27,9 +28,12 @@ using D = DisplaySettings;
 void presets(PanelContext& ctx) {
   DisplaySettings& d = ctx.state.settings.display;
   const float gap = ctx.px(2);
-  const float count = static_cast<float>(kDisplayPresets.size());
+  const float count =
+      static_cast<float>(std::count_if(kDisplayPresets.begin(), kDisplayPresets.end(),
+                                       [](DisplayPreset preset) { return !is_for_use(preset); }));
   const float each = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
   for (const DisplayPreset preset : kDisplayPresets) {
+    if (is_for_use(preset)) continue;  // in the dialog that saves pictures
     if (preset != kDisplayPresets.front()) ImGui::SameLine(0, gap);
     const DisplayPresetInfo& info = preset_info(preset);
     const bool on = d == with_preset(d, preset);

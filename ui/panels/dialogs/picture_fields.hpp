@@ -11,6 +11,9 @@ namespace alphascope {
 
 // The widgets' names begin with `dialog` and a dot.
 void size_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);
+// Buttons of the presets for a use of the picture. They also set light and lines of the view.
+void use_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);
+void background_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);
 void marks_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);
 // Draws the parts of the caption as check boxes, and below them the caption.
 void caption_parts_fields(PanelContext& ctx, const std::string& dialog, PictureOptions& options);

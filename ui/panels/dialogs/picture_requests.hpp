@@ -11,7 +11,7 @@
 namespace alphascope {
 
 struct ScreenshotRequest {
-  std::filesystem::path path;
+  std::filesystem::path path;  // empty: the clipboard
   PictureOptions options;
 };
 

@@ -85,7 +85,7 @@ bool target(PanelContext& ctx) {
   choose_format(ctx, format);
   if (format && !frames && !*m.has_ffmpeg) {
     error_lines(ctx, "record.no_ffmpeg", kNoFfmpeg);
-  } else if (format == RecordingFormat::mp4 && m.options.transparent && !m.of_lesson) {
+  } else if (format == RecordingFormat::mp4 && m.options.background.transparent && !m.of_lesson) {
     error_lines(ctx, "record.opaque", "MP4 movies have a background; choose WebM or pictures");
   } else {
     error_lines(ctx, "", "");
@@ -210,9 +210,8 @@ void draw_record(PanelContext& ctx) {
   const bool can_write = target(ctx);
   kind_fields(ctx);
   size_fields(ctx, "record", m.options);
-  row_label(ctx, "");
   ImGui::BeginDisabled(m.of_lesson);
-  checkbox(ctx, "record.transparent", "Transparent background", m.options.transparent);
+  background_fields(ctx, "record", m.options);
   ImGui::EndDisabled();
   marks_fields(ctx, "record", m.options);
   ImGui::Dummy({0, ctx.px(6)});

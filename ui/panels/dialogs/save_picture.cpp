@@ -28,21 +28,24 @@ void draw_save_picture(PanelContext& ctx) {
   const bool entered = file_row(ctx, "save", m.save_path);
   const std::filesystem::path path = path_to_save(m.save_path, kPictureEnding);
   const bool can_save = save_target(ctx, "save", {path}, fault_of_ending(path, {kPictureEnding}));
+  use_fields(ctx, "save", s.window.picture);
   size_fields(ctx, "save", s.window.picture);
-  row_label(ctx, "");
-  checkbox(ctx, "save.transparent", "Transparent background", s.window.picture.transparent);
+  background_fields(ctx, "save", s.window.picture);
   marks_fields(ctx, "save", s.window.picture);
   ImGui::PushFont(ctx.fonts.small);
   row_label(ctx, "");
   muted_text(ctx, "The PNG file also records file, selection, radii, alpha and hash.");
   ImGui::PopFont();
+  row_label(ctx, "");
+  const bool copied = button(ctx, "save.copy", "Copy to the clipboard instead");
+  if (copied) ctx.calls.jobs.save_picture({{}, s.window.picture});
   ImGui::Dummy({0, ctx.px(6)});
   ImGui::NewLine();
   const DialogAnswer answer = dialog_buttons(ctx, ctx.px(kWidth), {"save.cancel", "Cancel"},
                                              {"save.ok", "Save"}, can_save, entered);
   const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) ctx.calls.jobs.save_picture({path, s.window.picture});
-  if (confirmed || answer == DialogAnswer::cancel) {
+  if (confirmed || copied || answer == DialogAnswer::cancel) {
     note_file(ctx, "save", m.save_path, confirmed);
     m.show_save = false;
   }

@@ -10,6 +10,7 @@
 
 #include "core/geometry/lattice_alpha.hpp"
 #include "ui/colour_legend.hpp"
+#include "ui/rgb8.hpp"
 #include "ui/scene/picture/mark_mask.hpp"
 
 namespace alphascope {
@@ -75,10 +76,11 @@ struct Placed {
 
 class MarkMaker {
  public:
-  MarkMaker(int width, int height)
-      : width_(static_cast<float>(width)),
+  MarkMaker(int width, int height, float letters)
+      : letters_(letters),
+        width_(static_cast<float>(width)),
         height_(static_cast<float>(height)),
-        unit_(mark_unit(width, height)),
+        unit_(letters * mark_unit(width, height)),
         texts_(kFontSize * unit_),
         type_{unit_, texts_.line_height(),
               [this](const std::string& text) { return texts_.width(text); }} {}
@@ -135,9 +137,9 @@ class MarkMaker {
     placed.colours.push_back({std::move(mask), std::move(colour_at)});
   }
 
-  static void too_small(const char* what, const float (&room)[2], Placed& placed) {
-    const auto pixels = [](float v) {
-      return std::to_string(static_cast<int>(std::ceil(v * kLeastUnit)));
+  void too_small(const char* what, const float (&room)[2], Placed& placed) const {
+    const auto pixels = [this](float v) {
+      return std::to_string(static_cast<int>(std::ceil(v * kLeastUnit * letters_)));
     };
     add(std::string("The picture has no ") + what + ", which takes " + pixels(room[0]) + " x " +
             pixels(room[1]) + " pixels at least.",
@@ -147,7 +149,7 @@ class MarkMaker {
     placed.left_out += (placed.left_out.empty() ? "" : " ") + sentence;
   }
 
-  const float width_, height_, unit_;
+  const float letters_, width_, height_, unit_;
   const MarkLetters texts_;
   const MarkFont type_;
 };
@@ -158,9 +160,13 @@ void blend(Image& image, const MarkMask& mask, const Colour& colour) {
   blend(image, mask, [&colour](int) { return colour; });
 }
 
-MarkColours mark_colours(Theme theme, bool transparent) {
-  const Palette& p = palette(transparent ? Theme::light : theme);
-  return {p.text, p.scene};
+MarkColours mark_colours(Theme theme, const PictureBackground& background) {
+  if (background.transparent) theme = Theme::light;
+  if (background.transparent || !background.colour) {
+    return {palette(theme).text, palette(theme).scene};
+  }
+  const Theme readable = is_light(*background.colour) ? Theme::light : Theme::dark;
+  return {palette(readable).text, to_colour(*background.colour)};
 }
 
 float mark_unit(int width, int height) {
@@ -173,7 +179,7 @@ std::string draw_marks(Image& image, const PictureMarks& marks, const MarkColour
       marks.caption.empty()) {
     return {};
   }
-  const MarkMaker maker(image.width, image.height);
+  const MarkMaker maker(image.width, image.height, marks.letters);
   Placed placed;
   maker.place_legends(marks.legends, placed);
   if (marks.angstrom_per_pixel) maker.place_scale_bar(*marks.angstrom_per_pixel, placed);
@@ -191,15 +197,21 @@ std::string draw_marks(Image& image, const PictureMarks& marks, const MarkColour
 Image marked_image(Scene& scene, const MarkedPicture& picture, std::string& left_out,
                    const RunContext& context) {
   context.cancel.throw_if_cancelled();
-  Image image = scene.grab(picture.width, picture.height, picture.transparent, context);
+  Image image = scene.grab(picture.width, picture.height, picture.background.transparent, context);
   PictureMarks marks{
       picture.legends,
       {},
       labels_seen(picture.labels, scene.sight(), picture.cut, picture.width, picture.height),
-      picture.caption};
+      picture.caption,
+      picture.letters};
   if (picture.scale_bar) marks.angstrom_per_pixel = scene.angstrom_per_pixel();
-  left_out += draw_marks(image, marks, mark_colours(picture.theme, picture.transparent));
+  left_out += draw_marks(image, marks, mark_colours(picture.theme, picture.background));
   return image;
+}
+
+std::string picture_bytes(Scene& scene, const MarkedPicture& picture, const PictureTexts& texts,
+                          std::string& left_out, const RunContext& context) {
+  return png_bytes(marked_image(scene, picture, left_out, context), texts, picture.dpi);
 }
 
 std::string write_picture(Scene& scene, const MarkedPicture& picture,
@@ -209,7 +221,7 @@ std::string write_picture(Scene& scene, const MarkedPicture& picture,
   const Image image = marked_image(scene, picture, left_out, context);
   context.cancel.throw_if_cancelled();
   context.report("writing the file", 0);
-  write_png(image, path, texts, context.cancel);
+  write_png(image, path, texts, context.cancel, picture.dpi);
   return left_out;
 }
 

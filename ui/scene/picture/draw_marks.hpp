@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/document/picture/picture_options.hpp"
 #include "ui/colour_legend.hpp"
 #include "ui/picture_marks.hpp"
 #include "ui/scene/picture/frame_grab.hpp"
@@ -22,15 +23,16 @@ struct PictureMarks {
   std::optional<double> angstrom_per_pixel;  // none: no scale bar
   std::vector<PictureLabel> labels = {};
   std::vector<std::string> caption = {};  // ui/caption.hpp; empty: none
+  float letters = 1;                      // factor on the size of all marks
 };
 
 // Colours of marks and of the rims that keep them readable on any background.
 struct MarkColours {
   Colour mark, rim;
 };
-// Colours for a picture of this theme. A transparent picture gets the light theme's, since it is
-// mostly put on paper.
-MarkColours mark_colours(Theme theme, bool transparent);
+// Colours for a picture of this theme or background. A transparent picture gets the light theme's,
+// since it is mostly put on paper.
+MarkColours mark_colours(Theme theme, const PictureBackground& background = {});
 
 // Pixels of the picture for each pixel of the window at scale 1. Marks grow with the picture.
 float mark_unit(int width, int height);
@@ -43,8 +45,10 @@ struct MarkMask;
 void blend(Image& image, const MarkMask& mask, const Colour& colour);
 
 struct MarkedPicture {
-  int width = 0, height = 0;  // pixels
-  bool transparent = false;
+  int width = 0, height = 0;          // pixels
+  int dpi = 0;                        // dots per inch, for the file; 0: it states none
+  PictureBackground background = {};  // as that of the scene's style
+  float letters = 1;                  // as in PictureMarks
   Theme theme = Theme::dark;
   std::vector<ColourLegend> legends;
   bool scale_bar = false;
@@ -56,6 +60,10 @@ struct MarkedPicture {
 // draw_marks(). Throws as Scene::grab() does.
 Image marked_image(Scene& scene, const MarkedPicture& picture, std::string& left_out,
                    const RunContext& context);
+
+// Draws the same as the bytes of a PNG file.
+std::string picture_bytes(Scene& scene, const MarkedPicture& picture, const PictureTexts& texts,
+                          std::string& left_out, const RunContext& context);
 
 // Draws the same and writes it to a file. Returns the sentences of draw_marks(). Throws as
 // Scene::grab() and write_png() do. Reports its steps, and can be cancelled between them.

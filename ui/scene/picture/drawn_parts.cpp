@@ -133,7 +133,10 @@ Picture picture_of(const PicturedMolecule& molecule, const EngineAnswer* answer,
   MarkedPicture& marked = picture.picture;
   marked.width = options.width;
   marked.height = options.height;
-  marked.transparent = options.transparent;
+  marked.dpi = options.dpi;
+  marked.background = options.background;
+  marked.letters = static_cast<float>(options.letters);
+  if (!options.background.transparent) picture.style.background = options.background.colour;
   marked.theme = picture.style.theme;
   marked.scale_bar = options.scale_bar;
   marked.cut = picture.style.cut;

@@ -46,8 +46,7 @@ void divide_by_alpha(Image& image) {
   }
 }
 
-void write_png(const Image& image, const std::filesystem::path& path, const PictureTexts& texts,
-               const CancelToken& cancel) {
+std::string png_bytes(const Image& image, const PictureTexts& texts, int dpi) {
   if (image.width <= 0 || image.height <= 0) throw std::invalid_argument("empty image");
   bool opaque = true;
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque = opaque && image.rgba[i] == 255;
@@ -70,9 +69,15 @@ void write_png(const Image& image, const std::filesystem::path& path, const Pict
   if (bytes == nullptr) throw std::runtime_error("the picture could not be made into a PNG file");
   const std::string_view png(reinterpret_cast<const char*>(bytes->GetPointer(0)),
                              static_cast<std::size_t>(bytes->GetNumberOfValues()));
+  return with_png_text(dpi > 0 ? with_png_resolution(png, dpi) : std::string(png), texts);
+}
+
+void write_png(const Image& image, const std::filesystem::path& path, const PictureTexts& texts,
+               const CancelToken& cancel, int dpi) {
+  const std::string png = png_bytes(image, texts, dpi);
   cancel.throw_if_cancelled();
   AtomicFile file(path);
-  file.write(with_png_text(png, texts));
+  file.write(png);
   cancel.throw_if_cancelled();
   file.commit();
 }

@@ -22,9 +22,12 @@ void divide_by_alpha(Image& premultiplied);
 // Pairs of keyword and text, as with_png_text() takes them (core/files/png_text.hpp).
 using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 
+// The bytes of a PNG file. `dpi`: dots per inch that it states; 0: none.
+std::string png_bytes(const Image& image, const PictureTexts& texts, int dpi = 0);
+
 // The file appears whole or not at all. Throws WriteError with the path if it cannot be written.
 // Throws Cancelled, and then leaves an older file as it is.
 void write_png(const Image& image, const std::filesystem::path& path,
-               const PictureTexts& texts = {}, const CancelToken& cancel = {});
+               const PictureTexts& texts = {}, const CancelToken& cancel = {}, int dpi = 0);
 
 }  // namespace alphascope

@@ -11,7 +11,8 @@ class PictureSink : public FrameSink {
  public:
   // Checks that no frame would replace an input file. Checks for the first and the last name
   // whether files can be made there.
-  PictureSink(const std::filesystem::path& pattern, int frames) : names_(pattern) {
+  PictureSink(const std::filesystem::path& pattern, int frames, int dpi)
+      : names_(pattern), dpi_(dpi) {
     for (int k = 1; k <= frames; ++k) {
       const std::filesystem::path name = names_.name(k);
       refuse_to_replace_input("The picture " + name.string(), name);
@@ -21,12 +22,13 @@ class PictureSink : public FrameSink {
   }
   void add(int number, const Image& image, const PictureTexts& texts,
            const RunContext& context) override {
-    write_png(image, names_.name(number), texts, context.cancel);
+    write_png(image, names_.name(number), texts, context.cancel, dpi_);
   }
   void commit(const RunContext&) override {}
 
  private:
   FrameNames names_;
+  int dpi_;
 };
 
 class MovieSink : public FrameSink {
@@ -57,7 +59,7 @@ std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& path,
                                            const FrameSinkOptions& options) {
   const RecordingFormat format = recording_format(path);
   if (format == RecordingFormat::frames) {
-    return std::make_unique<PictureSink>(path, options.frames);
+    return std::make_unique<PictureSink>(path, options.frames, options.dpi);
   }
   return std::make_unique<MovieSink>(
       path, MovieOptions{format == RecordingFormat::mp4 ? MovieFormat::mp4 : MovieFormat::webm,

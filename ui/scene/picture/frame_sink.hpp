@@ -27,6 +27,7 @@ struct FrameSinkOptions {
   bool transparent = false;
   PictureTexts texts;  // for a movie as a whole
   int frames = 1;      // upper bound of the number of frames
+  int dpi = 0;         // as for write_png()
 };
 
 // Chooses by the ending of `path`. Throws std::invalid_argument for a name that does not fit, and

@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/document/picture/picture_preset.hpp"
 #include "core/document/settings/display_help.hpp"
-#include "core/document/settings/display_preset.hpp"
 
 namespace alphascope {
 namespace {
@@ -129,7 +129,7 @@ TEST(DisplayFields, PresetsKeepColoursAndProjection) {
     EXPECT_TRUE(d.orthographic && d.grown_balls);
     EXPECT_EQ(d.cavity_opacity, 0.9f);
     EXPECT_EQ(d.beside, user.beside);
-    EXPECT_EQ(d.ball_opacity, 1);
+    EXPECT_EQ(d.ball_opacity, is_for_use(preset) ? user.ball_opacity : 1);
   }
 }
 

@@ -51,7 +51,10 @@ void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& bef
   messages_.follow();
   if (preferences_.follow_scale()) pace_.due().ask();
   guarded([this] { pointing_.describe_under_mouse(); });
-  if (!frame_.begin(state_.window.theme, input)) return inputs_.want_results_for_all_alphas();
+  if (!frame_.begin(state_.window.theme, input)) {
+    scene_.cameras().end_glide();  // nobody sees it
+    return inputs_.want_results_for_all_alphas();
+  }
   session_.set_dragging(interacting(state_));
   session_.set_measuring(state_.measures_wanted ||
                          is_exposure(state_.settings.display.ball_paint.by));

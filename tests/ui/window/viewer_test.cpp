@@ -399,8 +399,8 @@ TEST_F(ViewerTest, PicturesHaveTheWindowsLegendUnlessOneSwitchesItOff) {
       "click display.complex_colour.3\nwait-idle\n");
   const ColourLegend legend = viewer_->state().viewport.legends.at(1);
   const auto saved = [&](bool with_legend) {
-    viewer_->calls().jobs.save_picture(
-        ScreenshotRequest{folder_ / "picture.png", 960, 600, false, with_legend, false});
+    viewer_->calls().jobs.save_picture(ScreenshotRequest{
+        folder_ / "picture.png", {.width = 960, .height = 600, .legend = with_legend}});
     run("wait-idle\n");
     return testing::pixels_of(folder_ / "picture.png");
   };

@@ -71,7 +71,7 @@ TEST(TasksWindow, ListsWhatRunsAndCancels) {
   Panels p({1280, 800, 1});
   p.state = loaded_state();
   p.frame(2);
-  p.click("status.device");
+  p.click("status.memory");
   EXPECT_TRUE(p.state.tasks.shown) << "by a click on the status bar";
   EXPECT_TRUE(p.rects.contains("tasks.none"));
   p.state.jobs = {{JobId::fetching, "Fetching pdb:1CRN", "fetching pdb:1CRN", 0.5, 3, 3},

@@ -49,7 +49,7 @@ TEST_F(StructureTest, TheMouseIsFollowedBothWays) {
   };
   run("move structure.sequence.1 0.01 0.5\nwait-idle\n");
   EXPECT_EQ(marked(), 7u);
-  run("move status.device\nwait-idle\n");
+  run("move status.memory\nwait-idle\n");
   EXPECT_EQ(marked(), 0u);
 }
 

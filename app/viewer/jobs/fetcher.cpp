@@ -42,8 +42,10 @@ void Fetcher::fail(const Worker::Failure& failure) {
 
 std::optional<RunningJob> Fetcher::running() const {
   if (!request_ || !request_->file.empty()) return std::nullopt;
-  return running_job(JobId::fetching, "Fetching " + request_->id.text(), worker_.activity(),
-                     request_->since);
+  RunningJob job = running_job(JobId::fetching, "Fetching " + request_->id.text(),
+                               worker_.activity(), request_->since);
+  job.step.clear();  // it is as the title
+  return job;
 }
 
 JobNews Fetcher::poll() {

@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "core/complex/simplices.hpp"
-#include "core/document/settings/drawn_object.hpp"
 #include "core/geometry/real_point.hpp"
 #include "ui/theme.hpp"
 
 namespace alphascope {
 
 struct BallSet;
+struct LayerObjects;  // layer_objects.hpp
 
 // Positions are in Å, in the coordinates of the file.
 struct LayerSphere {
@@ -33,12 +33,6 @@ struct LayerAtom {
   double radius_angstrom = 0;
   Colour colour;
   std::uint32_t atom = 0;  // index in Molecule::atoms
-};
-
-// Atoms drawn as an object in the style of those of the molecule, such as sticks.
-struct LayerObject {
-  DrawnObject object;                // its `atoms` is not used
-  std::vector<std::uint32_t> atoms;  // indices in Molecule::atoms, ascending
 };
 
 // A few words centred on a point. Nothing hides them. An outline in the background's colour keeps
@@ -65,7 +59,7 @@ struct Layer {
   std::vector<LayerSphere> spheres;
   std::vector<std::vector<LayerSphere>> tubes;
   std::vector<LayerAtom> atoms;
-  std::vector<LayerObject> objects;
+  std::shared_ptr<const LayerObjects> objects;  // null: none
   std::vector<LayerLabel> labels;
   std::vector<std::array<RealPoint, 2>> lines;  // from the first point to the second, over
                                                 // everything else; Å

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/layer_objects.hpp"
 #include "ui/scene/mesh/drawing_memory.hpp"
 #include "ui/scene/picture/placed_label.hpp"
 
@@ -30,7 +31,7 @@ void PanelLayers::set(const Layers& layers) {
   worker_.cancel();
   if (fitting.empty()) return show({}, nullptr);
   const bool objects = std::any_of(fitting.begin(), fitting.end(),
-                                   [](const auto& layer) { return !layer->objects.empty(); });
+                                   [](const auto& layer) { return layer->objects != nullptr; });
   if (objects || layer_points(fitting).all() > kMostPointsAtOnce) return submit(fitting);
   auto mesh =
       std::make_shared<const LayerMesh>(build_layer_mesh(*picture_.molecule->geometry, fitting));
@@ -72,7 +73,8 @@ void PanelLayers::show(Drawn drawn, std::shared_ptr<LayerData> data) {
 void PanelLayers::add_objects(Drawn& drawn, const DrawnMolecule& molecule,
                               const RunContext& context) const {
   for (const auto& layer : drawn.layers) {
-    for (const LayerObject& o : layer->objects) {
+    if (!layer->objects) continue;
+    for (const LayerObject& o : layer->objects->of) {
       auto mesh = std::make_shared<const ObjectMesh>(build_object(
           molecule, *facts_.of(molecule, context), o.object, o.atoms, {}, context.cancel));
       const PickLayers picks = object_layers(mesh);

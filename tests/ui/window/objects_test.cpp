@@ -4,6 +4,7 @@
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/layer_objects.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -115,7 +116,7 @@ TEST_F(ObjectsTest, AChosenCavityHasItsLigandAndItsLiningAsSticks) {
   run("view.page cavities\nsolvent.set 1.4\nwait-idle\ncavities.choose 1\nwait-idle\n");
   const auto sticks = [&] {
     for (const auto& layer : viewer_->state().layers) {
-      if (layer->id == "cavities.lining") return layer->objects.front();
+      if (layer->id == "cavities.lining") return layer->objects->of.front();
     }
     return LayerObject();
   };

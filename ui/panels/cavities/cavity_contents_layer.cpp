@@ -12,6 +12,7 @@
 #include "core/molecule/molecule.hpp"
 #include "core/selection/selection_masks.hpp"
 #include "ui/layer.hpp"
+#include "ui/layer_objects.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 #include "ui/rgb8.hpp"
@@ -22,6 +23,12 @@ namespace {
 // Returns the radius in which held ions and waters are drawn, Å.
 double held_radius(DropReason kind) {
   return kind == DropReason::ion ? 0.7 : 0.45;
+}
+
+std::shared_ptr<const LayerObjects> objects_of(LayerObject object) {
+  LayerObjects objects;
+  objects.of.push_back(std::move(object));
+  return std::make_shared<const LayerObjects>(std::move(objects));
 }
 
 }  // namespace
@@ -53,8 +60,8 @@ void add_layer_of_contents(CavityPage& page) {
          to_colour(element_colour(atom.element)),
          held.atom});
   }
-  if (!ligands.atoms.empty()) layer->objects.push_back(std::move(ligands));
-  if (!layer->atoms.empty() || !layer->objects.empty()) page.layers.push_back(std::move(layer));
+  if (!ligands.atoms.empty()) layer->objects = objects_of(std::move(ligands));
+  if (!layer->atoms.empty() || layer->objects) page.layers.push_back(std::move(layer));
 }
 
 void add_layer_of_lining(CavityPage& page) {
@@ -85,7 +92,7 @@ void add_layer_of_lining(CavityPage& page) {
   layer->id = "cavities.lining";
   layer->balls = page.layers_of;
   layer->key = page.layers_key;
-  layer->objects.push_back(std::move(sticks));
+  layer->objects = objects_of(std::move(sticks));
   page.layers.push_back(std::move(layer));
 }
 

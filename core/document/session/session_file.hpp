@@ -11,6 +11,7 @@
 #include "core/document/alpha/alpha_slider.hpp"
 #include "core/document/picture/picture_options.hpp"
 #include "core/document/session/file_reference.hpp"
+#include "core/document/session/session_name.hpp"
 #include "core/document/settings/settings.hpp"
 
 namespace alphascope {
@@ -67,9 +68,5 @@ struct ReadSession {
 ReadSession read_session(const std::filesystem::path& path, const RunContext& context = {});
 // The same for text in memory; `path` is used in messages.
 ReadSession parse_session(const std::filesystem::path& path, std::string_view text);
-
-// Whether the name ends in .json. Names of molecules never do, so a faulty file with this ending
-// gets the error messages of sessions.
-bool looks_like_session(const std::filesystem::path& path);
 
 }  // namespace alphascope

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "core/document/session/session_file.hpp"
+#include "core/document/session/session_name.hpp"
 #include "core/read/file_format.hpp"
 #include "core/text/letter_case.hpp"
 #include "ui/number_text.hpp"

@@ -287,7 +287,8 @@ TEST_F(ErrorsTest, OnlyAFailedOpeningSpeaksOfThePreviousMolecule) {
   run("open /no/such/file.pdb\nwait-idle\n");
   EXPECT_NE(s.error.find("The previous molecule is still open."), std::string::npos) << s.error;
   run("click error.ok\nframes 2\n");
-  viewer_->calls().jobs.save_picture(ScreenshotRequest{"/no/such/folder/p.png", 64, 64, false});
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{"/no/such/folder/p.png", {.width = 64, .height = 64}});
   run("wait-idle\n");
   EXPECT_NE(s.error.find("/no/such/folder"), std::string::npos) << s.error;
   EXPECT_EQ(s.error.find("still open"), std::string::npos) << s.error;

@@ -90,7 +90,8 @@ TEST_F(BesideBodyInTheWindow, TheyAreDrawnInSavedPicturesTooAndNeverComputedWith
   const std::uint64_t hash = state().result->complex.hash;
   const std::size_t balls = state().molecule.balls;
   const auto saved = [&] {
-    viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "saved.png", 400, 300, false});
+    viewer_->calls().jobs.save_picture(
+        ScreenshotRequest{folder_ / "saved.png", {.width = 400, .height = 300}});
     run("wait-idle\n");
     return pixels_of(folder_ / "saved.png");
   };
@@ -142,8 +143,8 @@ TEST_F(BesideBodyInTheWindow, ASavedPictureShowsWhatPanelsDraw) {
   const Image shown = upright(picture());
   EXPECT_GT(differing_pixels(plain, shown), 1000);
   const ViewportInfo& v = state().viewport;
-  viewer_->calls().jobs.save_picture(
-      ScreenshotRequest{folder_ / "saved.png", v.width, v.height, false, false});
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{
+      folder_ / "saved.png", {.width = v.width, .height = v.height, .legend = false}});
   run("wait-idle\n");
   const Image saved = pixels_of(folder_ / "saved.png");
   ASSERT_EQ(saved.width, shown.width);

@@ -73,7 +73,8 @@ class DifferenceInTheWindow : public testing::ViewerTest {
 
   // The pixels of the view alone, without panels. They do not contain the engine's route.
   std::string picture() {
-    viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 480, 320, false});
+    viewer_->calls().jobs.save_picture(
+        ScreenshotRequest{folder_ / "picture.png", {.width = 480, .height = 320}});
     run("wait-idle\n");
     std::string pixels;
     for (const auto& [type, data] : testing::chunks_of(bytes("picture.png"))) {

@@ -219,7 +219,8 @@ TEST_F(WindowMemory, ShowsTheNumbersAndTheReasonWhenNothingCanBeDrawn) {
   EXPECT_TRUE(viewer_->widgets().contains("view.not_drawn"));
   run("click alpha.preset.1.4\nwait-idle\nmove view\nwheel 2\n");
   EXPECT_EQ(hash_text(viewer_->state().result->complex.hash), hash_text(expected(1.4).hash));
-  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "none.png", 64, 64, false});
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{folder_ / "none.png", {.width = 64, .height = 64}});
   run("frames 2\n");
   EXPECT_EQ(viewer_->state().error.find(kNothingDrawn), 0u) << viewer_->state().error;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "none.png"));

@@ -231,7 +231,8 @@ TEST_F(ViewerTest, ColoursByAlphaHaveALegend) {
 
 TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   open_crambin();
-  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 320, 240, true});
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{
+      folder_ / "picture.png", {.width = 320, .height = 240, .background = kNoBackground}});
   run("wait-idle\n");
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
   EXPECT_EQ(viewer_->state().notice, "Saved " + (folder_ / "picture.png").string());
@@ -240,7 +241,7 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
   EXPECT_EQ(saved.height, 240);
   EXPECT_GT(drawn_pixels(saved), 320 * 240 / 20);
   viewer_->calls().jobs.save_picture(
-      ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false});
+      ScreenshotRequest{"/no/such/folder/picture.png", {.width = 320, .height = 240}});
   run("wait-idle\n");
   EXPECT_NE(viewer_->state().error.find("/no/such/folder"), std::string::npos);
 }
@@ -255,8 +256,8 @@ TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
     d.samples = 3;
     const Image shown = testing::upright(picture());
     const ViewportInfo& v = viewer_->state().viewport;
-    viewer_->calls().jobs.save_picture(
-        ScreenshotRequest{folder_ / "picture.png", v.width, v.height, false, false});
+    viewer_->calls().jobs.save_picture(ScreenshotRequest{
+        folder_ / "picture.png", {.width = v.width, .height = v.height, .legend = false}});
     run("wait-idle\n");
     const Image saved = testing::pixels_of(folder_ / "picture.png");
     ASSERT_EQ(saved.width, shown.width);
@@ -308,7 +309,7 @@ TEST_F(ViewerTest, TheWindowGoesOnWhileAPictureIsSaved) {
   open_crambin();
   const auto save = [this] {
     viewer_->calls().jobs.save_picture(
-        ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false});
+        ScreenshotRequest{folder_ / "picture.png", {.width = 3000, .height = 2000}});
     run("frames 1\n");
   };
   save();
@@ -329,13 +330,15 @@ TEST_F(ViewerTest, ACancelledPictureLeavesTheOldFile) {
   open_crambin();
   std::ofstream(folder_ / "picture.png") << "older";
   viewer_->state().settings.display.samples = 16;  // else it may be done before the click
-  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 3000, 2000, false});
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{folder_ / "picture.png", {.width = 3000, .height = 2000}});
   run("frames 3\nclick view.cancel_save\nframes 2\n");
   EXPECT_EQ(file_job(viewer_->state().jobs), nullptr) << "at once";
   EXPECT_NE(viewer_->state().notice.find("was not written"), std::string::npos);
   EXPECT_EQ(bytes("picture.png"), "older");
   // The next picture waits for the last one.
-  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "other.png", 100, 100, false});
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{folder_ / "other.png", {.width = 100, .height = 100}});
   run("wait-idle\n");
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
   EXPECT_TRUE(fs::exists(folder_ / "other.png"));
@@ -425,7 +428,8 @@ TEST_F(ViewerTest, PicturesHaveTheWindowsLegendUnlessOneSwitchesItOff) {
 TEST_F(ViewerTest, PicturesTooSmallForALegendSaySo) {
   open_crambin();
   run("click display.complex_colour\nclick display.complex_colour.3\nwait-idle\n");
-  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 200, 150, false});
+  viewer_->calls().jobs.save_picture(
+      ScreenshotRequest{folder_ / "picture.png", {.width = 200, .height = 150}});
   run("wait-idle\n");
   EXPECT_NE(viewer_->state().notice.find("The picture has no legend"), std::string::npos)
       << viewer_->state().notice;
@@ -443,7 +447,7 @@ TEST_F(ViewerTest, APictureThatCannotBeWrittenLeavesTheViewAsItWas) {
   };
   const int before = texture_width();
   viewer_->calls().jobs.save_picture(
-      ScreenshotRequest{"/no/such/folder/picture.png", 320, 240, false});
+      ScreenshotRequest{"/no/such/folder/picture.png", {.width = 320, .height = 240}});
   run("wait-idle\nframes 2\nclick error.ok\nwait-idle\n");
   shot("after.png");
   EXPECT_EQ(texture_width(), before) << "it shows what was to be saved";
@@ -454,7 +458,8 @@ TEST_F(ViewerTest, PicturesSayWhereTheyComeFrom) {
   EXPECT_TRUE(texts_of(bytes("empty.png")).empty());
   open_crambin();
   run("click alpha.preset.1.4\nclick alpha.water\nwait-idle\n");
-  viewer_->calls().jobs.save_picture(ScreenshotRequest{folder_ / "picture.png", 320, 240, true});
+  viewer_->calls().jobs.save_picture(ScreenshotRequest{
+      folder_ / "picture.png", {.width = 320, .height = 240, .background = kNoBackground}});
   run("wait-idle\n");
   ASSERT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
   const auto texts = texts_of(bytes("picture.png"));

@@ -131,17 +131,21 @@ void saved_row(PanelContext& ctx) {
   }
   ImGui::EndDisabled();
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ctx.px(6)) / 3;
-  const auto ask = [&](const char* name, const char* label, bool can, const char* command) {
+  const auto ask = [&](const char* name, const char* label, bool can, const char* command,
+                       const char* help) {
     ImGui::BeginDisabled(!can);
     if (button(ctx, name, label, {width, 0})) s.palette = {.show = true, .asking = command};
     ImGui::EndDisabled();
-    tooltip(ctx, (ctx.commands.find(command)->help + ".").c_str());
+    tooltip(ctx, help);
   };
-  ask("clip.save", "Save…", s.settings.clip.on(), "view.save_clip");
+  ask("clip.save", "Save…", s.settings.clip.on(), "view.save_clip",
+      "Saves the present clip under a name.");
   ImGui::SameLine(0, ctx.px(6));
-  ask("clip.rename", "Rename…", !clips.empty(), "view.rename_clip");
+  ask("clip.rename", "Rename…", !clips.empty(), "view.rename_clip",
+      "Gives a saved clip another name.");
   ImGui::SameLine(0, ctx.px(6));
-  ask("clip.forget", "Forget…", !clips.empty(), "view.forget_clip");
+  ask("clip.forget", "Forget…", !clips.empty(), "view.forget_clip",
+      "Removes a saved clip; the picture stays cut.");
 }
 
 void draw_clip(PanelContext& ctx) {

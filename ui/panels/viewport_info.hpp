@@ -20,7 +20,7 @@ struct PictureLabel;  // ui/picture_marks.hpp
 
 struct PointerEvent {
   // A click is a release of the left or right button near the place of the press. It follows that
-  // release. A second click of the left button soon after the first is a double click instead.
+  // release. A double click follows the second of two quick clicks.
   enum class Kind : std::uint8_t { move, press, release, click, wheel, double_click };
   Kind kind = Kind::move;
   int x = 0, y = 0;  // pixels from the top left of the picture

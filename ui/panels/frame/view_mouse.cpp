@@ -52,8 +52,9 @@ void take_view_mouse(PanelContext& ctx, ImVec2 corner, ImVec2 size) {
       // A hand that trembles moves less than this; farther, it was a drag.
       const float reach = ctx.px(4);
       if (b != 2 && io.MouseDragMaxDistanceSqr[b] <= reach * reach) {
+        event(PointerEvent::Kind::click, b, 0);
         const bool twice = b == 0 && io.MouseClickedLastCount[b] == 2;
-        event(twice ? PointerEvent::Kind::double_click : PointerEvent::Kind::click, b, 0);
+        if (twice && !io.KeyCtrl && !io.KeyShift) event(PointerEvent::Kind::double_click, b, 0);
       }
     }
     any_down = any_down || ImGui::IsMouseDown(b);

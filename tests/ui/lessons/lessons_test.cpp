@@ -123,10 +123,7 @@ TEST_F(LessonsTest, WhatAStepSetsIsForThatStepAndWhatTheUserSetsStays) {
 TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   open_crambin();
   run("alpha.set 2\nwait-idle\nalpha.set 3\nwait-idle\nview.edges on\nselect.atoms A:15\n");
-  const Settings before{state().settings.open,       state().settings.request,
-                        state().settings.display,    state().settings.selection,
-                        state().settings.clip,       state().settings.views,
-                        state().settings.appearance, state().settings.annotations};
+  const Settings before = state().settings.all;
   const std::string undo = state().undo_text;
   open_lesson("union_of_balls");
   EXPECT_NE(state().molecule.name, "1crn.pdb");
@@ -134,10 +131,7 @@ TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   run("lesson.next\nwait-idle\nlesson.close\nwait-idle\n");
   EXPECT_FALSE(memory().open);
   EXPECT_EQ(state().molecule.name, "1crn.pdb");
-  const Settings after{state().settings.open,       state().settings.request,
-                       state().settings.display,    state().settings.selection,
-                       state().settings.clip,       state().settings.views,
-                       state().settings.appearance, state().settings.annotations};
+  const Settings after = state().settings.all;
   EXPECT_EQ(difference_text(before, after), "");
   EXPECT_EQ(state().result->request.alpha_angstrom2, 3);
   EXPECT_EQ(state().undo_text, undo);

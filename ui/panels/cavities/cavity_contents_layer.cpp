@@ -10,6 +10,7 @@
 #include "core/document/reference/reference.hpp"
 #include "core/molecule/atom_colours.hpp"
 #include "core/molecule/molecule.hpp"
+#include "core/selection/prepare_balls.hpp"
 #include "core/selection/selection_masks.hpp"
 #include "ui/layer.hpp"
 #include "ui/layer_objects.hpp"

@@ -300,12 +300,13 @@ PicturedObjects build_objects(const PicturedMolecule& molecule, const DrawnObjec
 }
 
 std::uint64_t object_bytes(const ObjectMesh& mesh) {
-  constexpr std::uint64_t kPoint = 3 * 4 + 3 * 4 + 3, kBall = 64, kRod = sizeof(DrawnEdge) + 24;
+  constexpr std::uint64_t kOfPoint = 3 * 4 + 3 * 4 + 3, kOfBall = 64,
+                          kOfRod = sizeof(DrawnEdge) + 24;
   const std::uint64_t surface =
-      mesh.cartoon.surface.points() * kPoint + 4 * mesh.cartoon.surface.corners.size();
-  const std::uint64_t balls = mesh.spheres ? mesh.spheres->centres.size() * kBall : 0;
+      mesh.cartoon.surface.points() * kOfPoint + 4 * mesh.cartoon.surface.corners.size();
+  const std::uint64_t balls = mesh.spheres ? mesh.spheres->centres.size() * kOfBall : 0;
   // Each array is there once more for OpenGL.
-  return 2 * (surface + balls + mesh.sticks.rods.size() * kRod + mesh.dots.points() * kPoint);
+  return 2 * (surface + balls + mesh.sticks.rods.size() * kOfRod + mesh.dots.points() * kOfPoint);
 }
 
 }  // namespace alphascope

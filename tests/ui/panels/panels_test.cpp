@@ -392,7 +392,7 @@ TEST(PanelsTest, SavingOffersALegendWhereThereIsOne) {
 }
 
 TEST(PanelsTest, SectionsOutOfSightAreOneClickAway) {
-  Panels tall({1920, 1600, 1});
+  Panels tall({1920, 1800, 1});
   tall.state = loaded_state();
   tall.frame(3);
   EXPECT_TRUE(tall.rects["engine"].visible);

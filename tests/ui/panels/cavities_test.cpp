@@ -90,7 +90,8 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   use_preset();
   const Image plain = picture();
   run("click cavities.row.4 0.2\nwait-idle\nframes 5\n");
-  ASSERT_EQ(viewer_->state().layers.size(), 3u) << "surface, rims of its mouths, what it holds";
+  ASSERT_EQ(viewer_->state().layers.size(), 4u)
+      << "surface, rims of its mouths, what lines it, what it holds";
   const Layer& body = *viewer_->state().layers[0];
   EXPECT_TRUE(body.body);
   // The boundary of tetrahedra is closed, so each edge has an even number of triangles.
@@ -218,7 +219,7 @@ TEST_F(CavitiesTest, WhatIsDrawnIsAChoice) {
       "cavities.draw.tetrahedra\nclick cavities.draw.numbers\nclick cavities.draw.rims\n");
   settle();
   const Layers& layers = viewer_->state().layers;
-  ASSERT_EQ(layers.size(), 2u);
+  ASSERT_EQ(layers.size(), 3u) << "tetrahedra, number, what lines it";
   EXPECT_TRUE(layers[0]->triangles.empty());
   EXPECT_EQ(layers[0]->tetrahedra.size(), page().rows.table().cavity(1).tetrahedra.size());
   ASSERT_EQ(layers[1]->labels.size(), 1u);

@@ -116,7 +116,7 @@ TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   ASSERT_EQ(page().rows.table().question.alpha_angstrom2, 0.1);
   EXPECT_EQ(viewer_->state().settings.selection.cavities, chosen);
   EXPECT_EQ(page().selected_rows.size(), 1u);
-  EXPECT_EQ(viewer_->state().layers.size(), 3u);
+  EXPECT_EQ(viewer_->state().layers.size(), 4u);
 }
 
 TEST_F(CavitiesTest, ACommandChoosesACavityBeforeTheTableIsThere) {

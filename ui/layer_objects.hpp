@@ -12,6 +12,7 @@ namespace alphascope {
 struct LayerObject {
   DrawnObject object;                // its `atoms` is not used
   std::vector<std::uint32_t> atoms;  // indices in Molecule::atoms, ascending
+  bool in_front = false;             // sticks, in front of everything else
 };
 
 struct LayerObjects {

@@ -28,6 +28,7 @@ SceneStyle scene_style(const DisplaySettings& display, Theme theme) {
   style.ball_opacity = display.ball_opacity;
   style.complex_opacity = display.complex_opacity;
   style.cavity_opacity = display.cavity_opacity;
+  style.content_opacity = display.content_opacity;
   style.ambient_occlusion = display.ambient_occlusion;
   style.shadow_strength = display.shadow_strength;
   style.depth_cue = display.depth_cue;

@@ -35,6 +35,7 @@ struct SceneStyle {
   double ball_opacity = 1;     // above 0, at most 1
   double complex_opacity = 1;  // above 0, at most 1
   double cavity_opacity = 1;   // of translucent layers; above 0, at most 1
+  double content_opacity = 1;  // of atoms in front; above 0, at most 1
   bool ambient_occlusion = true;
   float shadow_strength = 1;  // of ambient occlusion and shadows, 0 to 1
   float line_scale = 1;       // factor on the widths of lines; larger on a dense screen

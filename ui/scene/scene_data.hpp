@@ -41,7 +41,8 @@ enum class ObjectGroup : std::uint8_t { settings, layers };
 // An object of the molecule's atoms in the scene.
 struct SceneObject {
   std::shared_ptr<ObjectData> data;
-  float opacity = 1;  // above 0, at most 1
+  float opacity = 1;      // above 0, at most 1
+  bool in_front = false;  // its sticks are drawn in front of everything else
 };
 
 }  // namespace alphascope

@@ -119,6 +119,7 @@ void ObjectActors::show(const SceneObject& object, vtkWindow* window) {
   }
   data = object.data;  // after the actors, which replace the old arrays
   opacity = object.opacity;
+  sticks.mapper->bring_to_front(object.in_front);
 }
 
 void ObjectActors::set_opacity(double shown) {
@@ -231,7 +232,8 @@ double Scene::Impl::translucent_opacity() const {
   double opacity = 0;
   const double of_balls = style.balls ? faded(style.ball_opacity) : 1;
   const double of_cavities = layers.translucent.visible() ? style.cavity_opacity : 1;
-  for (const double o : {of_balls, faded(style.complex_opacity), of_cavities}) {
+  const double of_contents = layers.data && layers.data->atoms ? style.content_opacity : 1;
+  for (const double o : {of_balls, faded(style.complex_opacity), of_cavities, of_contents}) {
     if (o < 1) opacity = std::max(opacity, o);
   }
   for (const auto& object : objects) {
@@ -252,6 +254,7 @@ void Scene::Impl::apply_style() {
   all_balls.actor->GetProperty()->SetOpacity(faded(style.ball_opacity));
   for (CellActor* c : cells()) c->actor->GetProperty()->SetOpacity(faded(style.complex_opacity));
   layers.translucent.set_opacity(style.cavity_opacity);
+  layers.atoms.actor->GetProperty()->SetOpacity(style.content_opacity);
   for (const auto& object : objects) object->set_opacity(opacity_of(*object));
   const bool closed = cap_data && style.cut.on();
   caps.actor->SetVisibility(closed && cap_data->faces);

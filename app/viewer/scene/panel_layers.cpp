@@ -65,7 +65,9 @@ void PanelLayers::show(Drawn drawn, std::shared_ptr<LayerData> data) {
   Scene& scene = canvas_.change();
   scene.set_layers(std::move(data));
   std::vector<SceneObject> objects;
-  for (const Drawn::Object& o : drawn.objects) objects.push_back({o.data, o.pictured.opacity});
+  for (const Drawn::Object& o : drawn.objects) {
+    objects.push_back({o.data, o.pictured.opacity, o.pictured.in_front});
+  }
   scene.set_objects(ObjectGroup::layers, std::move(objects));
   drawn_ = std::move(drawn);
 }
@@ -80,7 +82,7 @@ void PanelLayers::add_objects(Drawn& drawn, const DrawnMolecule& molecule,
       const PickLayers picks = object_layers(mesh);
       drawn.picks.insert(drawn.picks.end(), picks.begin(), picks.end());
       drawn.objects.push_back(
-          {{mesh, o.object.opacity}, make_object_data(mesh), layer->in_pictures});
+          {{mesh, o.object.opacity, o.in_front}, make_object_data(mesh), layer->in_pictures});
     }
   }
 }

@@ -100,7 +100,7 @@ TEST_F(CliFrames, WhatCannotBeIsRefusedBeforeAnythingIsWritten) {
       {"--turntable 360:2 --alpha 1 --sweep-scale log", "belongs to --sweep"},
       {"--sweep alpha=0:1:2 --axis x", "belongs to --turntable"},
       {"--sweep alpha=0:1:2 --fps 0", "--fps"},
-      {"--sweep alpha=0:1:2 --size 0x0", "out of range"},
+      {"--sweep alpha=0:1:2 --size 0x0", "--size takes WIDTHxHEIGHT"},
       {"--sweep alpha=0:1:2 --size 100000x100", "out of range"}};
   for (const auto& [options, message] : wrong) {
     const Outcome outcome = frames(options);

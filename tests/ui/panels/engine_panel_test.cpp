@@ -9,7 +9,7 @@
 namespace alphascope::testing {
 namespace {
 
-constexpr Size kLarge{1280, 1800, 1};
+constexpr Size kLarge{1280, 2200, 1};
 
 GpuDevice a_gpu() {
   return {true, "NVIDIA H200", "", "CUDA driver 13.0", 90, std::size_t{139} << 30};
@@ -83,7 +83,7 @@ TEST(EnginePanel, TheDeviceTellsItsCapability) {
 }
 
 TEST(EnginePanel, ComparingEveryTimeIsOffForLargeMolecules) {
-  Panels p({1280, 1600, 1});
+  Panels p({1280, 1900, 1});
   p.state = loaded_state();
   p.state.window.auto_compare = true;
   p.state.molecule.balls = kMostBallsToCompareUnasked + 1;

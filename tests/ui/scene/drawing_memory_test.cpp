@@ -200,6 +200,7 @@ class WindowMemory : public testing::ViewerTest {
   void open_with(std::uint64_t megabytes) {
     viewer_.reset();
     ViewerOptions options;
+    options.objects = DrawnObjects();
     options.compare = false;
     options.draw_shots_only = true;
     options.drawing_memory_mb = megabytes;
@@ -346,6 +347,7 @@ TEST_F(WindowMemory, TellsAPictureThatIsOutdated) {
     return MadeEngine{std::make_unique<HeldEngine>(std::move(balls), held), ""};
   };
   ViewerOptions options;
+  options.objects = DrawnObjects();
   options.compare = false;
   options.draw_shots_only = true;
   viewer_ = std::make_unique<Viewer>(*host_, options, services);

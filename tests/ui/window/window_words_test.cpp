@@ -54,7 +54,7 @@ TEST(Tooltips, AreBesideWhatTheySpeakOf) {
 
 // For a slider with its value behind it, the tooltip is the slider's.
 TEST(Tooltips, AreTheSliders) {
-  Panels p({1280, 1400, 1});
+  Panels p({1280, 1700, 1});
   p.state = loaded_state();
   p.state.window.closed_sections.clear();
   p.frame(3);

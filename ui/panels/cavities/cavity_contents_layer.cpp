@@ -21,7 +21,7 @@
 namespace alphascope {
 namespace {
 
-// Returns the radius in which held ions and waters are drawn, Å.
+// Returns the radius in which held atoms are drawn, Å.
 double held_radius(DropReason kind) {
   return kind == DropReason::ion ? 0.7 : 0.45;
 }
@@ -45,15 +45,13 @@ void add_layer_of_contents(CavityPage& page) {
   LayerObject ligands{{.kind = ObjectKind::sticks,
                        .colour = ObjectColour::element,
                        .opacity = page.sticks.content_opacity},
-                      {}};
+                      {},
+                      true};
   for (const ContainedAtom& held : page.drawn->held) {
     const Atom& atom = molecule.atoms[held.atom];
     const bool shown = held.in_body || shows(page.beside, held.kind, atom.element);
     if (!shown || page.hidden.contains(references.atom_of_molecule(held.atom))) continue;
-    if (held.kind == DropReason::ligand) {
-      ligands.atoms.push_back(held.atom);
-      continue;
-    }
+    if (held.kind == DropReason::ligand) ligands.atoms.push_back(held.atom);
     const auto angstrom = [&](std::int64_t units) { return molecule.lattice.angstrom(units); };
     layer->atoms.push_back(
         {{angstrom(atom.position.x), angstrom(atom.position.y), angstrom(atom.position.z)},
@@ -82,7 +80,8 @@ void add_layer_of_lining(CavityPage& page) {
   LayerObject sticks{{.kind = ObjectKind::sticks,
                       .colour = ObjectColour::element,
                       .opacity = page.sticks.lining_opacity},
-                     {}};
+                     {},
+                     false};
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     if (atoms[i] && !page.hidden.contains(references.atom_of_molecule(i))) {
       sticks.atoms.push_back(static_cast<std::uint32_t>(i));

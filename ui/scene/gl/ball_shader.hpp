@@ -90,6 +90,7 @@ inline constexpr const char* kOnlyRim = "\n  if (" ALPHASCOPE_FACING " > 0.6) di
 // Scales the depth. So these balls are nearer than everything else, and keep their order among
 // themselves. FinishPass does not shade pixels with depths below its kMarks (0.002).
 inline constexpr const char* kInFront = "\n  gl_FragDepth *= 0.001;\n";
+inline constexpr float kFrontDepth = 0.001F;  // the same for rods
 inline constexpr const char* kDarkRim =
     "\n  if (" ALPHASCOPE_FACING " < 0.4) gl_FragData[0].rgb *= 0.15;\n";
 

@@ -28,6 +28,7 @@
 
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "ui/scene/gl/ball_shader.hpp"
 #include "ui/scene/gl/cell_shader.hpp"
 #include "ui/window/egl_context.hpp"
 
@@ -293,6 +294,7 @@ void CellMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer*
   set_camera_uniforms(program, renderer);
   if (kind_ == Kind::edges) {
     program->SetUniformf("radius", lines_.rod_radius);
+    program->SetUniformf("depthScale", in_front_ ? kFrontDepth : 1.0F);
     program->SetUniformf("radiusPerDepth", lines_.rod_radius_per_depth);
     return;
   }

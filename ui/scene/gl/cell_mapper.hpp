@@ -75,6 +75,8 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   // Draws edges as rods with round ends. Such a mapper can show nothing but edges afterwards.
   void show_edges(const EdgeCells* edges);  // null: nothing
   void set_lines(const CellLines& lines) { lines_ = lines; }
+  // Draws edges in front of everything else, as BallRendering::in_front does balls.
+  void bring_to_front(bool front) { in_front_ = front; }
   // Computes light once for each face instead of each pixel, which makes highlights coarser. It has
   // no effect on faces with normals at corners, nor above 2 million faces (kMostFacesLit).
   void light_faces(bool by_face) { lit_by_face_ = by_face; }
@@ -116,6 +118,7 @@ class CellMapper : public vtkOpenGLPolyDataMapper {
   ShaderBuffer normals_;                // of balls
   Kind kind_ = Kind::faces;
   CellLines lines_;
+  bool in_front_ = false;
   bool lit_by_face_ = false, built_lit_by_face_ = false;  // requested; used by the present shaders
   float shrink_ = 0;
   double upload_milliseconds_ = 0;

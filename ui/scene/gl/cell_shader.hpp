@@ -205,6 +205,7 @@ inline constexpr const char* kRodsPlaced = R"(
   }
 )";
 inline constexpr const char* kRodsToFragments = R"(
+uniform float depthScale;  // below 1: in front of everything else
 uniform mat4 cameraToPicture;
 uniform int parallel;
 flat in vec3 cellColourVSOutput;
@@ -249,7 +250,7 @@ inline constexpr const char* kRodsMet = R"(
     //ALPHASCOPE::CapOfRod
     vertexVC = vec4(rodFrom.xyz + place, 1.0);
     vec4 drawn = cameraToPicture * vertexVC;
-    gl_FragDepth = (drawn.z / drawn.w + 1.0) / 2.0;
+    gl_FragDepth = depthScale * (drawn.z / drawn.w + 1.0) / 2.0;
   }
 )";
 inline constexpr const char* kRodsColoured = R"(

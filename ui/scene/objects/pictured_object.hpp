@@ -11,7 +11,8 @@ struct ObjectMesh;
 
 struct PicturedObject {
   std::shared_ptr<const ObjectMesh> mesh;
-  float opacity = 1;  // above 0, at most 1
+  float opacity = 1;      // above 0, at most 1
+  bool in_front = false;  // its sticks are drawn in front of everything else
 };
 using PicturedObjects = std::vector<PicturedObject>;
 

@@ -25,7 +25,7 @@ MarkedPicture show(Scene& scene, const Picture& p) {
   scene.set_objects(ObjectGroup::settings, std::move(objects));
   std::vector<SceneObject> of_layers;
   for (const PicturedObject& o : p.layer_objects) {
-    of_layers.push_back({make_object_data(o.mesh), o.opacity});
+    of_layers.push_back({make_object_data(o.mesh), o.opacity, o.in_front});
   }
   scene.set_objects(ObjectGroup::layers, std::move(of_layers));
   if (p.viewpoint) scene.set_viewpoint(*p.viewpoint);

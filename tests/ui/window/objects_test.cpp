@@ -45,6 +45,20 @@ TEST_F(ObjectsTest, EachKindDrawsAndUndoTakesItBack) {
   EXPECT_GT(differing_pixels(nothing, picture()), 500);
 }
 
+TEST_F(ObjectsTest, AtomsColoursAndHidingAreFollowed) {
+  open_crambin();
+  only_objects();
+  run("view.objects sticks\nwait-idle\n");
+  Image last = picture();
+  for (const char* change : {"view.objects sticks:resi 1-20", "view.objects sticks,chain:resi 1-20",
+                             "atoms.hide resi 1-10", "view.objects sticks,chain,40%:resi 1-20"}) {
+    run(std::string(change) + "\nwait-idle\n");
+    const Image now = picture();
+    EXPECT_GT(differing_pixels(last, now), 100) << change;
+    last = now;
+  }
+}
+
 TEST_F(ObjectsTest, CommandsSwitchAndRefuse) {
   open_crambin();
   run("view.cartoon\n");
@@ -121,6 +135,7 @@ TEST_F(ObjectsTest, AChosenCavityHasItsLigandAndItsLiningAsSticks) {
     return LayerObject();
   };
   EXPECT_GT(sticks().atoms.size(), 700u);  // 131 residues line it
+  EXPECT_LT(sticks().atoms.size(), 1500u);
   const Image with = picture();
   run("view.lining_opacity 0.3\nwait-idle\n");
   EXPECT_FLOAT_EQ(sticks().object.opacity, 0.3F);

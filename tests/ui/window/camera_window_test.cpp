@@ -47,7 +47,7 @@ TEST_F(CameraWindow, ADoubleClickSetsTheCentreOfRotation) {
   std::string place;
   for (int i = 0; i < 100 && !state().hovered; ++i) {
     place = "view 0." + std::to_string(3 + i % 5) + " 0." + std::to_string(25 + i / 5);
-    run("move " + place + "\nframes 2\n");
+    run("move " + place + "\nwait-idle\nframes 2\n");
   }
   ASSERT_TRUE(state().hovered);
   const NamedView before = view();

@@ -131,12 +131,23 @@ SessionDocument unusual() {
   s.view.camera = {{7, 8, 9.5}, {1.0 / 3, -2e5, 1e-9}, {4, 5, 6}, {0, 0, 1}, 1.25};
   s.view.panels = {
       "cavities", 301.5, {"engine", "display"}, {AlphaScaling::root, -2, 1e6, true, 2.5}};
-  s.view.picture = {640, 481, true, false, true, read_caption_parts("alpha,hash")};
+  s.view.picture = {.width = 640,
+                    .height = 481,
+                    .dpi = 150,
+                    .background = read_background("transparent").value(),
+                    .letters = 1.5,
+                    .legend = false,
+                    .scale_bar = true,
+                    .caption = read_caption_parts("alpha,hash")};
   s.view.recording = {{RecordingKind::turntable, AlphaScaling::logarithm, 0.5, 3.25, -90.5,
                        TurnAxis::y, 7, true, 12.5},
                       true,
                       3.5,
-                      {800, 600, false, true, true, read_caption_parts("file")}};
+                      {.width = 800,
+                       .height = 600,
+                       .legend = true,
+                       .scale_bar = true,
+                       .caption = read_caption_parts("file")}};
   return s;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 TEST(DisplayFields, NamesAreUnique) {
   std::set<std::string> ids, keys, commands, options, former;
-  ASSERT_EQ(display_fields().size(), 23u);
+  ASSERT_EQ(display_fields().size(), 26u);
   for (const DisplayField& field : display_fields()) {
     EXPECT_TRUE(ids.insert(field.id).second) << field.id;
     EXPECT_TRUE(keys.insert(field.key).second) << field.key;
@@ -46,7 +46,7 @@ TEST(DisplayFields, DefaultsAreWithinTheirBoundsAndOnAStep) {
     EXPECT_NEAR(usual / field.step, std::round(usual / field.step), 1e-5) << field.id;
     EXPECT_LE(field.slider_most, field.rule.most) << field.id;
   }
-  EXPECT_EQ(numbers, 11);
+  EXPECT_EQ(numbers, 13);
 }
 
 TEST(DisplayFields, ValuesAreSetAndRead) {

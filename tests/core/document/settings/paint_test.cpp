@@ -152,7 +152,7 @@ TEST(PaintBalls, ClassesOfResidues) {
 TEST(PaintBalls, ElementsAndChainsAreListedAsFarAsThereAreBalls) {
   const Balls balls;
   EXPECT_EQ(names(balls.painted({.by = ColourBy::element})), (Names{"N", "C", "Fe", "O"}));
-  EXPECT_EQ(names(balls.painted({.by = ColourBy::chain})), (Names{"A", "B"}));
+  EXPECT_EQ(names(balls.painted({.by = ColourBy::chain})), (Names{"A", "B", "ligand", "water"}));
   const std::vector<std::uint32_t> only_b{4};
   const PaintedBalls b = paint_balls({balls.molecule, only_b}, {.by = ColourBy::chain});
   EXPECT_EQ(names(b), Names{"B"});
@@ -171,7 +171,8 @@ TEST(PaintBalls, CopiesOfAnAssemblyAreChainsOfTheirOwnWithTheSamePlaces) {
   }
   m.models[0].end = m.atoms.size();
   balls.atoms = all_indices(m);
-  EXPECT_EQ(names(balls.painted({.by = ColourBy::chain})), (Names{"A", "B", "A-2", "B-2"}));
+  EXPECT_EQ(names(balls.painted({.by = ColourBy::chain})),
+            (Names{"A", "B", "ligand", "water", "A-2", "B-2"}));
   for (const ColourBy by : {ColourBy::residue_index, ColourBy::b_factor}) {
     const std::vector<Rgb8> colours = balls.painted({.by = by}).colours;
     for (std::size_t i = 0; i < deposited; ++i) EXPECT_EQ(colours[i], colours[deposited + i]);

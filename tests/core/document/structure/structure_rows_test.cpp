@@ -33,7 +33,7 @@ TEST(StructureRows, CrambinHasItsSequence) {
              : row.secondary == SecondaryStructure::strand ? 'E'
                                                            : '-';
   }
-  EXPECT_EQ(letters, "TTCCPSIVARSNFNVCRLPGTPEALCATYTGCIIIPGATCPGDYAN");  // PDB entry 1CRN
+  EXPECT_EQ(letters, "TTCCPSIVARSNFNVCRLPGTPEAICATYTGCIIIPGATCPGDYAN");  // PDB entry 1CRN
   EXPECT_EQ(kinds.substr(6, 13), "HHHHHHHHHHHHH");  // its first HELIX record: residues 7 to 19
   EXPECT_EQ(residue_title(molecule, rows.residues[1]), "THR 2");
 }

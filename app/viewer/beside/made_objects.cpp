@@ -35,7 +35,10 @@ void MadeObjects::follow(const SceneControls& controls) {
   }
   const DrawnObjects wanted = shown_of(controls.objects);
   const bool same_molecule = of_ == picture_.molecule;
-  if (wanted.empty() && drawn_.empty()) return worker_.cancel();
+  if (wanted.empty() && drawn_.empty()) {
+    not_drawn_.clear();  // of an object that was removed since
+    return worker_.cancel();
+  }
   if (same_molecule && set_opacities(controls)) return worker_.cancel();
   Made from;
   from.molecule = picture_.molecule;

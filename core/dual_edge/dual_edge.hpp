@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dual edge of a triangle ijk: the part of the line { x : pi_i = pi_j = pi_k } that is left
 // when the bisectors of i and its other neighbours have cut it. Its ends are the orthocentres of
-// the tetrahedra ijkl. One template body serves single and double precision. Single precision is
-// the hot path of the GPU, as laptop GPUs have almost no double precision. Double precision is for
-// the CPU, and for triangles that single precision leaves open. Every decision is certified or
-// `unknown`; exact_dual_edge.hpp decides the unknown ones.
+// the tetrahedra ijkl. Single precision is the hot path of the GPU, as laptop GPUs have almost no
+// double precision. Double precision is for the CPU, and for triangles that single precision leaves
+// open. Every decision is certified or `unknown`; exact_dual_edge.hpp decides the unknown ones.
+// power_line.hpp has the line, the legend and the cuts.
 //
-// Legend (origin p_i; lifted vectors (d, c) as in core/predicates/lifted.hpp; u: unit roundoff):
-//   line     x(s) = foot + s n,  n = d_j × d_k,  foot = g × n / (2 |n|²),  g = c_j d_k - c_k d_j
-//   ball m   cuts off 2 d_m·x > c_m, which is s (d_m·n) > c_m / 2 - d_m·foot
-//   N, F, P, G  largest coordinates of n, foot, g × n, g
 // Only the part with pi_i <= alpha matters: |x|² <= w_i + alpha.
 //
 // Source: Masood, Ray, Natarajan, Comput. Geom. 90 (2020), compute the alpha complex per simplex.
@@ -17,39 +13,16 @@
 // 4-tuple and ball.
 #pragma once
 
+#include "core/dual_edge/power_line.hpp"
 #include "core/predicates/rough_math.hpp"
-#include "core/predicates/rounding.hpp"
 #include "core/predicates/simplex_decisions.hpp"
 
 namespace alphascope {
 
-// a b - c d within 2 u of its value. Single precision: the method of W. Kahan, see C.-P. Jeannerod
-// et al., Math. Comp. 82 (2013). Double precision: exact for coordinates of d, which are integers
-// below 2^25.
-ALPHASCOPE_INLINE float difference_of_products(float a, float b, float c, float d) {
-  const float product = c * d;
-  return fmaf(a, b, -product) + fmaf(-c, d, product);
-}
-ALPHASCOPE_INLINE double difference_of_products(double a, double b, double c, double d) {
-  return a * b - c * d;
-}
-
-// a b + c, by fma where that is one instruction. The error bounds hold either way.
-ALPHASCOPE_INLINE float multiply_add(float a, float b, float c) {
-  return fmaf(a, b, c);
-}
-ALPHASCOPE_INLINE double multiply_add(double a, double b, double c) {
-  return a * b + c;
-}
-
-template <class Vector>
-ALPHASCOPE_INLINE auto largest_coordinate(const Vector& v) {
-  return larger(larger(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
-}
-
 template <class Real>
-class DualEdge {
+class DualEdge : public PowerLine<Real> {
  public:
+  using typename PowerLine<Real>::Cut;
   // An end of the edge, made by ball `cutter`: s = t at the high end and s = -t at the low end,
   // within `error`. cutter -1: no ball; the end is at the boundary of the disc, or slightly beyond.
   struct End {
@@ -62,27 +35,8 @@ class DualEdge {
   // + alpha in the units of the vectors squared; kLimit allows for its error.
   ALPHASCOPE_INLINE bool start(const LiftedVector<Real>& j, const LiftedVector<Real>& k,
                                Real radius_square) {
-    n_ = {difference_of_products(j.y, k.z, j.z, k.y), difference_of_products(j.z, k.x, j.x, k.z),
-          difference_of_products(j.x, k.y, j.y, k.x)};
-    q_ = multiply_add(n_.x, n_.x, multiply_add(n_.y, n_.y, n_.z * n_.z));
-    if (!(q_ > 0)) return false;
-    const Vector3<Real> g{j.c * k.x - k.c * j.x, j.c * k.y - k.c * j.y, j.c * k.z - k.c * j.z};
-    const Vector3<Real> p{g.y * n_.z - g.z * n_.y, g.z * n_.x - g.x * n_.z,
-                          g.x * n_.y - g.y * n_.x};
-    const Real r = Real(0.5) * rough_reciprocal(q_);
-    foot_ = {p.x * r, p.y * r, p.z * r};
-    // Each product of g errs by 2 u (one from c), its difference by u. n errs by 2 u. Each product
-    // of p errs by u, its difference by u. 1/|n|² errs by 12 u.
-    const Real n = largest_coordinate(n_), f = largest_coordinate(foot_),
-               size = largest_coordinate(g);
-    const Real products =
-        magnitude(j.c) * largest_coordinate(k) + magnitude(k.c) * largest_coordinate(j);
-    const Real g_error = kU * (2 * products + size);
-    foot_error_ = Real(1.01) * r * n * (2 * g_error + Real(6.1) * kU * size) + 15 * kU * f;
-    slope_error_ = Real(5.1) * kU * n;
-    offset_error_ = foot_error_ + Real(5.1) * kU * f;
-    foot_square_ =
-        multiply_add(foot_.x, foot_.x, multiply_add(foot_.y, foot_.y, foot_.z * foot_.z));
+    if (!this->set(j, k)) return false;
+    const Real f = largest_coordinate(foot_);
     square_error_ =
         foot_error_ * (6 * f + 3 * foot_error_) + kU * (5 * foot_square_ + kLimit * radius_square);
     const Real room = radius_square - foot_square_ + square_error_;
@@ -90,7 +44,7 @@ class DualEdge {
     const Real tiny = Real(1e-30);
     // The bound is above the radius of the disc on the line: q errs by 8 u, and there are a few
     // roundings.
-    reach_ = rough_square_root((room <= tiny ? tiny : room) * 2 * r) * Real(1.000003);
+    reach_ = rough_square_root((room <= tiny ? tiny : room) * 2 * half_inverse_) * Real(1.000003);
     high_ = low_ = {reach_, 0, -1};
     unsure_ = false;
     return true;
@@ -114,28 +68,6 @@ class DualEdge {
     return g_square * (1 - 8 * kU) - 2 * g_error * g_sum >
            Real(4) * radius_square * (1 + 8 * kU) *
                (n_square + n_error * (2 * n_sum + 3 * n_error));
-  }
-
-  // The cut of ball m at s · slope = offset, without error bounds.
-  struct LineCut {
-    Real slope, offset;
-  };
-  ALPHASCOPE_INLINE LineCut line_cut(const LiftedVector<Real>& m) const {
-    return {
-        multiply_add(m.x, n_.x, multiply_add(m.y, n_.y, m.z * n_.z)),
-        multiply_add(-m.x, foot_.x,
-                     multiply_add(-m.y, foot_.y, multiply_add(-m.z, foot_.z, Real(0.5) * m.c)))};
-  }
-  // The cut of ball m: s (d_m·n) = c_m / 2 - d_m·foot, that is s · slope = offset, each with its
-  // error.
-  struct Cut {
-    Real slope, offset, slope_error, offset_error;
-  };
-  ALPHASCOPE_INLINE Cut cut_by(const LiftedVector<Real>& m) const {
-    const Real length = magnitude(m.x) + magnitude(m.y) + magnitude(m.z);
-    const LineCut cut = line_cut(m);
-    return {cut.slope, cut.offset, length * slope_error_,
-            multiply_add(Real(2.6) * kU, magnitude(m.c), length * offset_error_)};
   }
 
   // The part of the remaining edge that a cut removes: certainly nothing, certainly all, or perhaps
@@ -190,17 +122,10 @@ class DualEdge {
     return high_.cutter < 0 || low_.cutter < 0 || high_.t + low_.t > high_.error + low_.error;
   }
 
-  // Errors of slope and offset in line_cut(), per |x| + |y| + |z| of the vector. The offset errs by
-  // 2.6 u |c| in addition.
-  ALPHASCOPE_INLINE Real slope_error() const { return slope_error_; }
-  ALPHASCOPE_INLINE Real offset_error() const { return offset_error_; }
   // All of the remaining edge has |s| <= reach().
   ALPHASCOPE_INLINE Real reach() const { return reach_; }
 
-  // For display: x(s), measured from p_i, with s from -low().t to high().t.
-  ALPHASCOPE_INLINE const Vector3<Real>& foot() const { return foot_; }
-  ALPHASCOPE_INLINE const Vector3<Real>& direction() const { return n_; }
-
+  // The edge is x(s) with s from -low().t to high().t.
   ALPHASCOPE_INLINE const End& high() const { return high_; }
   ALPHASCOPE_INLINE const End& low() const { return low_; }
 
@@ -228,16 +153,13 @@ class DualEdge {
   }
 
  private:
-  static constexpr Real kU = Rounding<Real>::u;
+  using PowerLine<Real>::kU, PowerLine<Real>::q_, PowerLine<Real>::half_inverse_,
+      PowerLine<Real>::foot_, PowerLine<Real>::foot_square_, PowerLine<Real>::foot_error_;
   // Error of radius_square in units of u, with two roundings of sums with it. Its own error is 3 u
   // in double (LatticeAlpha::plus()) and one rounding in single precision.
   static constexpr Real kLimit = sizeof(Real) == sizeof(float) ? 3 : 5;
 
-  Vector3<Real> n_, foot_;
-  Real q_;  // |n|²
-  Real foot_square_, square_error_;
-  Real foot_error_;
-  Real slope_error_, offset_error_;  // per length of d_m
+  Real square_error_;
   Real reach_;
   bool unsure_;
   End high_, low_;  // low_.t = -s

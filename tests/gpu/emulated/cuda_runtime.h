@@ -175,11 +175,26 @@ T atomicOr(T* to, std::type_identity_t<T> value) {
   return old;
 }
 
+template <class T>
+T atomicCAS(T* to, std::type_identity_t<T> expected, std::type_identity_t<T> value) {
+  const T old = *to;
+  if (old == expected) *to = value;
+  return old;
+}
+inline void __threadfence() {}
+template <class T>
+T __ldcg(const T* from) {
+  return *from;
+}
+
 inline int __popc(unsigned bits) {
   return std::popcount(bits);
 }
 inline int __ffs(int bits) {
   return __builtin_ffs(bits);
+}
+inline int __ffsll(long long bits) {
+  return bits == 0 ? 0 : std::countr_zero(static_cast<unsigned long long>(bits)) + 1;
 }
 inline unsigned __float_as_uint(float value) {
   return std::bit_cast<unsigned>(value);

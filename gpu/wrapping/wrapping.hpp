@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Completes a triangulation on a GPU: from some of its tetrahedra it finds all others. Plain C++.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/geometry/ball_index.hpp"
+#include "core/run/cancel_token.hpp"
+
+namespace alphascope {
+
+struct BallSet;
+
+namespace gpu {
+
+struct WrappingResult {
+  // Those that were not known. The balls of each ascend; the order is that in which they were
+  // found.
+  std::vector<std::array<BallIndex, 4>> found;
+  std::size_t known = 0, hull = 0;   // numbers of known tetrahedra, of faces on the hull
+  std::size_t open = 0, needed = 0;  // open faces of the known, and balls that can touch them
+  std::size_t rounds = 0, searched = 0, exact = 0;  // exact: faces that kernel III decided
+  bool fits = true;                                 // false: there was no room for all
+  // Milliseconds by the device's clock.
+  double order_ms = 0, open_ms = 0, tree_ms = 0, front_ms = 0, search_ms = 0;
+};
+
+class Wrapping {
+ public:
+  // Copies the balls to the device, and puts them in order. Throws std::bad_alloc and DeviceError.
+  explicit Wrapping(const BallSet& balls);
+  ~Wrapping();
+
+  // `known`: at least one tetrahedron of the regular triangulation. `room`: of new tetrahedra.
+  // `bring`: whether the result has `found`. `timed`: measures search_ms too, which takes longer.
+  // Throws Cancelled, std::bad_alloc and DeviceError.
+  WrappingResult run(std::span<const std::array<BallIndex, 4>> known, std::size_t room, bool bring,
+                     const CancelToken& cancel, bool timed = false);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace gpu
+}  // namespace alphascope

@@ -14,12 +14,16 @@ namespace alphascope::gpu {
 
 // A face of a tetrahedron: four times the tetrahedron's number plus the corner opposite the face.
 using FaceRef = std::uint32_t;
-inline constexpr FaceRef kOpen = ~0u;              // as a neighbour: none is known
-inline constexpr FaceRef kEmptyEntry = ~0u;        // in a table
-inline constexpr std::uint32_t kHull = ~0u;        // as an apex: the face is on the hull
-inline constexpr std::uint32_t kUnsure = ~0u - 1;  // as an apex: kernel III must decide
-inline constexpr std::uint32_t kClosed =
-    ~0u - 2;  // as an apex: the face has two tetrahedra already
+inline constexpr FaceRef kOpen = ~0u;        // as a neighbour: none is known
+inline constexpr FaceRef kEmptyEntry = ~0u;  // in a table
+
+// The ball before a face, or one of these.
+inline constexpr std::uint32_t kUnsearched = ~0u;
+inline constexpr std::uint32_t kHull = ~0u - 1;     // there is none
+inline constexpr std::uint32_t kClaimed = ~0u - 2;  // another face of the same tetrahedron has it
+__device__ inline bool is_ball(std::uint32_t apex) {
+  return apex < kClaimed;
+}
 
 // Slots a < b < c < d. The top bit of a is set if d lies behind abc: det(b - a, c - a, d - a) < 0.
 using Quad = uint4;
@@ -61,14 +65,22 @@ struct Faces {
 // A table of faces with open addressing. Entries are never removed.
 struct FaceTable {
   FaceRef* entries;
-  std::uint32_t mask;  // number of entries minus one; a power of two minus one
+  std::uint32_t size;
 };
 
 __device__ inline std::uint32_t hash_face(const FaceBalls& f) {
   std::uint32_t h = f.i * 0x9e3779b1u ^ f.j * 0x85ebca77u ^ f.k * 0xc2b2ae3du;
   h ^= h >> 15;
   h *= 0x2c1b3c6du;
-  return h ^ h >> 13;
+  h ^= h >> 13;
+  return h * 0x9e3779b1u;
+}
+// The entry at which the search for a face begins, and the one after another.
+__device__ inline std::uint32_t first_entry(const FaceTable& table, const FaceBalls& f) {
+  return static_cast<std::uint32_t>((std::uint64_t{hash_face(f)} * table.size) >> 32);
+}
+__device__ inline std::uint32_t next_entry(const FaceTable& table, std::uint32_t at) {
+  return at + 1 < table.size ? at + 1 : 0;
 }
 __device__ inline bool is_face(const Faces& faces, FaceRef ref, const FaceBalls& f) {
   const FaceBalls g = face_of(__ldcg(&faces.quads[ref >> 2]), static_cast<int>(ref & 3));
@@ -77,7 +89,7 @@ __device__ inline bool is_face(const Faces& faces, FaceRef ref, const FaceBalls&
 // Returns the face's entry, or kEmptyEntry.
 __device__ inline FaceRef find_face(const FaceTable& table, const Faces& faces,
                                     const FaceBalls& f) {
-  for (std::uint32_t at = hash_face(f) & table.mask;; at = (at + 1) & table.mask) {
+  for (std::uint32_t at = first_entry(table, f);; at = next_entry(table, at)) {
     const FaceRef entry = __ldcg(&table.entries[at]);
     if (entry == kEmptyEntry || is_face(faces, entry, f)) return entry;
   }
@@ -86,7 +98,7 @@ __device__ inline FaceRef find_face(const FaceTable& table, const Faces& faces,
 // of `own` must be visible to all threads before.
 __device__ inline FaceRef enter_face(const FaceTable& table, const Faces& faces, const FaceBalls& f,
                                      FaceRef own) {
-  for (std::uint32_t at = hash_face(f) & table.mask;; at = (at + 1) & table.mask) {
+  for (std::uint32_t at = first_entry(table, f);; at = next_entry(table, at)) {
     FaceRef entry = __ldcg(&table.entries[at]);
     if (entry == kEmptyEntry) {
       entry = atomicCAS(&table.entries[at], kEmptyEntry, own);
@@ -96,22 +108,26 @@ __device__ inline FaceRef enter_face(const FaceTable& table, const Faces& faces,
   }
 }
 
+// The searches of a face, each for those that the ones before leave over: in a grid; in the
+// tree; in the tree by a whole block; among listed candidates by integers; in the tree
+// by integers.
+enum Search { kNear, kFar, kWide, kDoubtful, kExact, kSearches };
+
 // Numbers of the front. Faces [begin, end) of the queue are searched in this round.
 struct FrontCounts {
   std::uint32_t begin, end, tail;     // tail: end of the queue, which the next round searches
   std::uint32_t quads, quads_before;  // all, and those before this round
-  std::uint32_t next;                 // of the queue, for the next free lanes
-  std::uint32_t unsure;               // faces of this round for kernel III
-  std::uint32_t next_unsure;
-  std::uint32_t rounds, searches, exact, hull, full;
+  std::uint32_t rounds, hull, full;
+  std::uint32_t listed[kSearches];  // faces of this round for each search; kNear: unused
+  std::uint32_t next[kSearches];    // of those, or of the queue, for the next free lanes
+  std::uint32_t all[kSearches];     // faces of all rounds for each search
 };
 
 struct Front {
   Faces faces;
   FaceTable table;
   FaceRef* queue;
-  std::uint32_t* apex;    // by place in the queue
-  std::uint32_t* unsure;  // places in the queue
+  std::uint32_t* apex;  // by face
   std::uint32_t quad_room, queue_room;
   FrontCounts* counts;
 };
@@ -195,65 +211,85 @@ __global__ void begin_round(FrontCounts* counts) {
   if (grid_thread() != 0) return;
   FrontCounts& c = *counts;
   c.begin = c.end;
-  c.end = c.tail;
-  c.next = c.begin;
+  c.end = c.full != 0 ? c.begin : c.tail;
   c.quads_before = c.quads;
-  c.exact += c.unsure;
-  c.unsure = c.next_unsure = 0;
+  for (int search = 0; search < kSearches; ++search) {
+    c.all[search] += c.listed[search];
+    c.listed[search] = c.next[search] = 0;
+  }
+  c.listed[kNear] = c.end - c.begin;
   if (c.begin < c.end) ++c.rounds;
 }
 
+// Adds the values of lanes to a list in shared or global memory. Every lane of the warp must call
+// it.
+__device__ inline void append(bool adds, std::uint32_t value, std::uint32_t* list,
+                              std::uint32_t room, std::uint32_t* count) {
+  const int lane = static_cast<int>(threadIdx.x & 31);
+  const unsigned votes = __ballot_sync(~0u, adds);
+  std::uint32_t base = 0;
+  if (lane == 0 && votes != 0) base = atomicAdd(count, static_cast<std::uint32_t>(__popc(votes)));
+  base = __shfl_sync(~0u, base, 0) + static_cast<std::uint32_t>(__popc(votes & ((1u << lane) - 1)));
+  if (adds && base < room) list[base] = value;
+}
+
 // Adds the tetrahedra that this round found. Faces of one tetrahedron that were searched in this
-// round all found it; the one with the least reference adds it.
+// round all found it, unless one claimed it first. The one with the least reference adds it.
 __global__ void extend_front(Front front) {
   const FrontCounts& c = *front.counts;
   if (c.full != 0) return;
   const std::uint32_t begin = c.begin, end = c.end, before = c.quads_before;
-  for (std::uint32_t n = begin + grid_thread(); n < end; n += gridDim.x * blockDim.x) {
-    const std::uint32_t apex = front.apex[n];
-    if (apex == kClosed) continue;
-    if (apex == kHull) {
-      atomicAdd(&front.counts->hull, 1u);
-      continue;
+  const int lane = static_cast<int>(threadIdx.x & 31);
+  for (std::uint32_t base = begin + blockIdx.x * blockDim.x; base < end;
+       base += gridDim.x * blockDim.x) {
+    const std::uint32_t n = base + threadIdx.x;
+    const FaceRef own = n < end ? front.queue[n] : 0;
+    const std::uint32_t apex = n < end ? front.apex[own] : kUnsearched;
+    const unsigned hulls = __ballot_sync(~0u, apex == kHull);
+    if (lane == 0 && hulls != 0)
+      atomicAdd(&front.counts->hull, static_cast<std::uint32_t>(__popc(hulls)));
+    bool adds = is_ball(apex);
+    QuadAtFace made{};
+    FaceRef other[4] = {kEmptyEntry, kEmptyEntry, kEmptyEntry, kEmptyEntry};
+    if (adds) {
+      made = quad_of(face_of(front.faces.quads[own >> 2], static_cast<int>(own & 3)), apex);
+      for (int corner = 0; corner < 4; ++corner) {
+        if (corner == made.corner || !adds) continue;
+        const FaceRef entry = find_face(front.table, front.faces, face_of(made.quad, corner));
+        if (entry == kEmptyEntry || entry >> 2 >= before) continue;
+        other[corner] = entry;
+        adds = own < entry || !is_ball(front.apex[entry]);
+      }
     }
-    const FaceRef own = front.queue[n];
-    const FaceBalls face = face_of(front.faces.quads[own >> 2], static_cast<int>(own & 3));
-    const QuadAtFace made = quad_of(face, apex);
-    bool adds = true;
-    FaceRef other[4];
-    for (int corner = 0; corner < 4 && adds; ++corner) {
-      other[corner] = kEmptyEntry;
-      if (corner == made.corner) continue;
-      const FaceRef entry = find_face(front.table, front.faces, face_of(made.quad, corner));
-      if (entry == kEmptyEntry || entry >> 2 >= before) continue;
-      other[corner] = entry;
-      adds = own < entry;
-    }
-    if (!adds) continue;
-    const std::uint32_t t = atomicAdd(&front.counts->quads, 1u);
-    if (t >= front.quad_room) {
+    const unsigned votes = __ballot_sync(~0u, adds);
+    std::uint32_t t = 0;
+    if (lane == 0 && votes != 0)
+      t = atomicAdd(&front.counts->quads, static_cast<std::uint32_t>(__popc(votes)));
+    t = __shfl_sync(~0u, t, 0) + static_cast<std::uint32_t>(__popc(votes & ((1u << lane) - 1)));
+    if (adds && t >= front.quad_room) {
       front.counts->full = 1;
-      continue;
+      adds = false;
     }
-    front.faces.quads[t] = made.quad;
-    __threadfence();
+    if (adds) {
+      front.faces.quads[t] = made.quad;
+      __threadfence();
+    }
     for (int corner = 0; corner < 4; ++corner) {
-      const FaceRef ref = 4 * t + corner;
-      FaceRef entry = corner == made.corner ? own : other[corner];
-      if (entry == kEmptyEntry)
-        entry = enter_face(front.table, front.faces, face_of(made.quad, corner), ref);
-      if (entry != kEmptyEntry) {
-        front.faces.neighbours[ref] = entry;
-        front.faces.neighbours[entry] = ref;
-        continue;
+      const FaceRef ref = 4 * t + static_cast<FaceRef>(corner);
+      bool opens = false;
+      if (adds) {
+        FaceRef entry = corner == made.corner ? own : other[corner];
+        if (entry == kEmptyEntry)
+          entry = enter_face(front.table, front.faces, face_of(made.quad, corner), ref);
+        opens = entry == kEmptyEntry;
+        if (!opens) {
+          front.faces.neighbours[ref] = entry;
+          front.faces.neighbours[entry] = ref;
+        }
       }
-      const std::uint32_t at = atomicAdd(&front.counts->tail, 1u);
-      if (at < front.queue_room) {
-        front.queue[at] = ref;
-      } else {
-        front.counts->full = 1;
-      }
+      append(opens, ref, front.queue, front.queue_room, &front.counts->tail);
     }
+    if (front.counts->tail > front.queue_room) front.counts->full = 1;
   }
 }
 

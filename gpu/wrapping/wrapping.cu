@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "core/geometry/ball_set.hpp"
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/handles.cuh"
 #include "gpu/memory/launch.cuh"
 #include "gpu/memory/prefix_sum.cuh"
-#include "gpu/wrapping/front_search.cuh"
+#include "gpu/wrapping/near_search.cuh"
+#include "gpu/wrapping/tree_search.cuh"
+#include "gpu/wrapping/wide_search.cuh"
 
 namespace alphascope::gpu {
 
@@ -21,6 +24,7 @@ namespace {
 
 constexpr unsigned kEachThreads = 256;
 constexpr int kRoundsAtOnce = 8;
+constexpr double kCellsPerGuess = 1.3;  // width of a cell in guessed radii
 
 class Timer {
  public:
@@ -44,6 +48,8 @@ class Timer {
 
 }  // namespace
 
+static_assert(WrappingResult::kSearches == kSearches);
+
 struct Wrapping::State {
   Stream stream;
   std::uint32_t n = 0;
@@ -58,13 +64,21 @@ struct Wrapping::State {
   DeviceBuffer<std::uint32_t> vertices;
   DeviceBuffer<Quad> quads;
   DeviceBuffer<FaceRef> neighbours, known_table, table, queue;
-  DeviceBuffer<std::uint32_t> apex, unsure;
+  DeviceBuffer<std::uint32_t> apex, list[kSearches];  // list: see FrontCounts::listed
+  struct GridMemory {
+    DeviceBuffer<int4> ball;
+    DeviceBuffer<std::uint32_t> slot, start, cell, rank;
+  } grid;
+  DeviceBuffer<Candidates> candidates;
+  DeviceBuffer<float> bounds;
+  DeviceBuffer<std::uint32_t> wide_nodes;
   DeviceBuffer<FrontCounts> counts;
   PinnedBuffer<FrontCounts> host_counts;
   PinnedBuffer<std::uint32_t> host_number;
   PinnedBuffer<Quad> host_quads;
   std::vector<BallIndex> ball_of_slot;
   int4 origin{};
+  std::int32_t extent[3] = {0, 0, 0};
   float scale = 1, weight = 0;
   double order_ms = 0;
 
@@ -83,6 +97,7 @@ struct Wrapping::State {
 
   void load(const BallSet& set);
   BallTree grow_tree();
+  NearGrid make_grid(const BallTree& tree, double width);
   FrontCounts read_counts() {
     check(cudaMemcpyAsync(host_counts.get(), counts.get(), sizeof(FrontCounts),
                           cudaMemcpyDeviceToHost, stream),
@@ -105,9 +120,11 @@ void Wrapping::State::load(const BallSet& set) {
     radius = std::max(radius, set.radii[i]);
   }
   origin = make_int4(least.x, least.y, least.z, 0);
-  const auto extent = static_cast<std::uint32_t>(
-      std::max({most.x - least.x, most.y - least.y, most.z - least.z, 1}));
-  const int bits = std::bit_width(extent);
+  extent[0] = most.x - least.x;
+  extent[1] = most.y - least.y;
+  extent[2] = most.z - least.z;
+  const int bits =
+      std::bit_width(static_cast<std::uint32_t>(std::max({extent[0], extent[1], extent[2], 1})));
   scale = std::ldexp(1.0f, 12 - bits);
   weight = static_cast<float>(radius) * scale;
   weight *= weight * 1.00001f;
@@ -175,6 +192,39 @@ BallTree Wrapping::State::grow_tree() {
   return tree;
 }
 
+// A grid of the tree's balls. Its cells have this width (lattice units), or a larger one if there
+// would be too many.
+NearGrid Wrapping::State::make_grid(const BallTree& tree, double width) {
+  GridMemory& memory = this->grid;
+  NearGrid grid{};
+  const double most = 8.0 * tree.balls + 4096;
+  for (;; width *= 1.25) {
+    grid.width = static_cast<int>(std::clamp(width, 1.0, 1e9));
+    grid.nx = extent[0] / grid.width + 1;
+    grid.ny = extent[1] / grid.width + 1;
+    grid.nz = extent[2] / grid.width + 1;
+    if (1.0 * grid.nx * grid.ny * grid.nz <= most) break;
+  }
+  grid.scaled_width = static_cast<float>(grid.width) * scale;
+  grid.inverse_width = 1 / grid.scaled_width;
+  const std::size_t cells = grid.cells();
+  memory.ball.reserve(tree.balls);
+  memory.slot.reserve(tree.balls);
+  memory.cell.reserve(tree.balls);
+  memory.rank.reserve(tree.balls);
+  memory.start.reserve(cells + 1);
+  grid.ball = memory.ball.get();
+  grid.slot = memory.slot.get();
+  grid.start = memory.start.get();
+  grid.cell = memory.cell.get();
+  grid.rank = memory.rank.get();
+  fill(memory.start, 0, cells + 1);
+  each(count_cells, tree.balls, tree, grid);
+  prefix_sum(memory.start.get(), memory.start.get(), cells + 1, scratch, stream);
+  each(fill_cells, tree.balls, tree, grid);
+  return grid;
+}
+
 Wrapping::Wrapping(const BallSet& balls) : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.stream.create();
@@ -189,8 +239,8 @@ Wrapping::~Wrapping() {
   cudaStreamSynchronize(state_->stream);
 }
 
-WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, std::size_t room,
-                             bool bring, const CancelToken& cancel, bool timed) {
+WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, double radius,
+                             std::size_t room, bool bring, const CancelToken& cancel, bool timed) {
   State& s = *state_;
   WrappingResult result;
   result.known = known.size();
@@ -201,19 +251,20 @@ WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, st
   s.quads.reserve(all);
   s.neighbours.reserve(4 * all);
   s.queue.reserve(queue_room);
-  s.apex.reserve(queue_room);
-  s.unsure.reserve(queue_room);
+  s.apex.reserve(4 * all);
+  for (auto& list : s.list) list.reserve(queue_room);
   s.counts.reserve(1);
   s.host_counts.reserve(1);
   s.needed.reserve(s.n + 1);
   s.found.reserve(s.n);
-  const std::size_t known_entries = std::bit_ceil(6 * known.size() + 16);
+  const std::size_t known_entries = 5 * known.size() + 16;
   s.known_table.reserve(known_entries);
   check(cudaMemcpyAsync(s.vertices.get(), known.data(), known.size_bytes(), cudaMemcpyHostToDevice,
                         s.stream),
         "sending tetrahedra");
   s.fill(s.counts, 0, 1);
   s.fill(s.neighbours, 0xff, 4 * all);
+  s.fill(s.apex, 0xff, 4 * all);
   s.fill(s.known_table, 0xff, known_entries);
   s.fill(s.needed, 0, s.n + 1);
   s.fill(s.found, 0, s.n);
@@ -222,19 +273,19 @@ WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, st
   Timer opening(s.stream);
   s.each(read_quads, count, s.vertices.get(), count, s.slot.get(), s.balls.get(), s.quads.get());
   s.each(join_faces, 4 * known.size(), faces,
-         FaceTable{s.known_table.get(), static_cast<std::uint32_t>(known_entries - 1)}, count);
+         FaceTable{s.known_table.get(), static_cast<std::uint32_t>(known_entries)}, count);
   s.each(mark_found, count, s.quads.get(), count, s.found.get());
   s.each(add_unfound, s.n, s.found.get(), s.n, s.needed.get());
   opening.stop();
-  // Faces that are open at once, and those that were, stay in the table.
-  const std::size_t entries = std::bit_ceil(3 * room + 4 * known.size() / 2 + 1024);
+  // Faces stay in the table. A new tetrahedron opens 1.7 faces on average, and a known one of a
+  // molecule half a face.
+  const std::size_t entries = room * 5 / 2 + known.size() * 3 / 4 + 1024;
   s.table.reserve(entries);
   s.fill(s.table, 0xff, entries);
   const Front front{faces,
-                    {s.table.get(), static_cast<std::uint32_t>(entries - 1)},
+                    {s.table.get(), static_cast<std::uint32_t>(entries)},
                     s.queue.get(),
                     s.apex.get(),
-                    s.unsure.get(),
                     static_cast<std::uint32_t>(all),
                     static_cast<std::uint32_t>(std::min(queue_room, entries / 8 * 7)),
                     s.counts.get()};
@@ -250,6 +301,7 @@ WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, st
         "sending counts");
   Timer growing(s.stream);
   const BallTree tree = s.grow_tree();
+  const NearGrid grid = s.make_grid(tree, kCellsPerGuess * radius);
   growing.stop();
   result.needed = tree.balls;
   result.open_ms = opening.milliseconds() + queueing.milliseconds();
@@ -257,30 +309,65 @@ WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, st
 
   Timer wrapping(s.stream);
   const unsigned blocks = 8u * static_cast<unsigned>(s.multiprocessors);
-  double search_ms = 0;
+  const auto list = [&](Search of) {
+    return SearchList{s.list[of].get(), &s.counts.get()->listed[of]};
+  };
+  const auto task = [&](Search of) {
+    return SearchTask{s.list[of].get(), &s.counts.get()->listed[of], &s.counts.get()->next[of]};
+  };
+  s.candidates.reserve(queue_room);
+  s.bounds.reserve(queue_room);
+  const auto wide_blocks = static_cast<unsigned>(s.multiprocessors);
+  s.wide_nodes.reserve(std::size_t{2} * kWideNodes * wide_blocks);
+  const SearchSpace space{tree,        s.balls.get(),   s.place.get(),
+                          s.weight,    list(kDoubtful), s.candidates.get(),
+                          list(kWide), s.bounds.get(),  list(kExact)};
+  const LaunchShape searching{blocks, kSearchThreads, s.stream};
+  const float guess = static_cast<float>(radius) * s.scale;
   for (;;) {
     cancel.throw_if_cancelled();
     for (int round = 0; round < (timed ? 1 : kRoundsAtOnce); ++round) {
+      std::optional<Timer> timer;
+      WrappingResult::Round times;
+      const auto next = [&](int search) {
+        if (!timed) return;
+        if (timer) {
+          timer->stop();
+          times.milliseconds[static_cast<std::size_t>(search)] = timer->milliseconds();
+        }
+        timer.emplace(s.stream);
+      };
       launch(begin_round, {1, 32, s.stream}, s.counts.get());
-      Timer searching(s.stream);
-      launch(search_faces<float>, {blocks, kSearchThreads, s.stream}, front, tree, s.balls.get(),
-             s.place.get(), s.weight);
-      launch(search_faces<double>, {blocks, kSearchThreads, s.stream}, front, tree, s.balls.get(),
-             s.place.get(), s.weight);
-      searching.stop();
+      next(0);
+      launch(search_near, searching, front, space, grid, guess, &s.counts.get()->next[kNear],
+             list(kFar));
+      next(kNear);
+      launch(search_tree<false>, searching, front, space, task(kFar));
+      next(kFar);
+      launch(search_widely, {wide_blocks, kWideThreads, s.stream}, front, space, task(kWide),
+             s.wide_nodes.get());
+      next(kWide);
+      launch(decide_faces, {blocks, kSearchThreads, s.stream}, front, s.balls.get(),
+             list(kDoubtful), s.candidates.get());
+      next(kDoubtful);
+      launch(search_tree<true>, searching, front, space, task(kExact));
+      next(kExact);
       launch(extend_front, {4 * blocks, kEachThreads, s.stream}, front);
+      next(kSearches);
       check(cudaGetLastError(), "starting a kernel");
-      if (timed) search_ms += searching.milliseconds();
+      if (!timed) continue;
+      counts = s.read_counts();
+      std::copy_n(counts.listed, +kSearches, times.faces.begin());
+      result.timed.push_back(times);
     }
     counts = s.read_counts();
     if (counts.full != 0 || counts.end == counts.tail) break;
   }
   wrapping.stop();
   result.front_ms = wrapping.milliseconds();
-  result.search_ms = search_ms;
   result.rounds = counts.rounds;
-  result.searched = counts.end;
-  result.exact = counts.exact;
+  for (std::size_t search = 0; search < kSearches; ++search)
+    result.searched[search] = counts.all[search] + counts.listed[search];
   result.hull = counts.hull;
   result.fits = counts.full == 0;
   if (!bring || !result.fits) return result;

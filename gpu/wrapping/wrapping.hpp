@@ -23,10 +23,19 @@ struct WrappingResult {
   std::vector<std::array<BallIndex, 4>> found;
   std::size_t known = 0, hull = 0;   // numbers of known tetrahedra, of faces on the hull
   std::size_t open = 0, needed = 0;  // open faces of the known, and balls that can touch them
-  std::size_t rounds = 0, searched = 0, exact = 0;  // exact: faces that kernel III decided
-  bool fits = true;                                 // false: there was no room for all
+  std::size_t rounds = 0;
+  // Numbers of faces for each search (front.cuh).
+  static constexpr int kSearches = 5;
+  std::array<std::size_t, kSearches> searched{};
+  bool fits = true;  // false: there was no room for all
   // Milliseconds by the device's clock.
-  double order_ms = 0, open_ms = 0, tree_ms = 0, front_ms = 0, search_ms = 0;
+  double order_ms = 0, open_ms = 0, tree_ms = 0, front_ms = 0;
+  // Of a timed run: numbers and milliseconds of each round.
+  struct Round {
+    std::array<std::size_t, kSearches> faces{};
+    std::array<double, kSearches + 1> milliseconds{};  // the last: adding tetrahedra
+  };
+  std::vector<Round> timed;
 };
 
 class Wrapping {
@@ -35,11 +44,12 @@ class Wrapping {
   explicit Wrapping(const BallSet& balls);
   ~Wrapping();
 
-  // `known`: at least one tetrahedron of the regular triangulation. `room`: of new tetrahedra.
-  // `bring`: whether the result has `found`. `timed`: measures search_ms too, which takes longer.
+  // `known`: at least one tetrahedron of the regular triangulation. `radius`: a guess at the radius
+  // of the next orthospheres, lattice units; it changes only the time. `room`: of new tetrahedra.
+  // `bring`: whether the result has `found`. `timed`: measures each round, which takes longer.
   // Throws Cancelled, std::bad_alloc and DeviceError.
-  WrappingResult run(std::span<const std::array<BallIndex, 4>> known, std::size_t room, bool bring,
-                     const CancelToken& cancel, bool timed = false);
+  WrappingResult run(std::span<const std::array<BallIndex, 4>> known, double radius,
+                     std::size_t room, bool bring, const CancelToken& cancel, bool timed = false);
 
  private:
   struct State;

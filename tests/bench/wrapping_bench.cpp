@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -42,8 +43,9 @@ bool time_set(const std::string& name, const BallSet& balls, double alpha, int r
   const gpu::PipelineResult within = pipeline.run(on_lattice, true, {}, nullptr);
   const auto& known = within.tetrahedra.simplices;
   gpu::Wrapping wrapping(balls);
+  const double radius = std::sqrt(alpha) * balls.lattice.units_per_angstrom();
   const std::size_t room = whole.tetrahedra.size() - known.size() + 1024;
-  gpu::WrappingResult result = wrapping.run(known, room, true, {});
+  gpu::WrappingResult result = wrapping.run(known, radius, room, true, {});
   Tetrahedra all(known.begin(), known.end());
   all.insert(all.end(), result.found.begin(), result.found.end());
   std::sort(all.begin(), all.end());
@@ -51,22 +53,28 @@ bool time_set(const std::string& name, const BallSet& balls, double alpha, int r
                                                whole.tetrahedra.end());
   std::vector<double> open, tree, front;
   for (int run = 0; run < runs + 2; ++run) {
-    const gpu::WrappingResult next = wrapping.run(known, room, false, {});
+    const gpu::WrappingResult next = wrapping.run(known, radius, room, false, {});
     if (run < 2) continue;
     open.push_back(next.open_ms);
     tree.push_back(next.tree_ms);
     front.push_back(next.front_ms);
   }
-  const double search = wrapping.run(known, room, false, {}, true).search_ms;
+  const auto rounds = wrapping.run(known, radius, room, false, {}, true).timed;
   std::printf(
       "%s %s: balls %zu, tetrahedra %zu, known %zu, found %zu (CGAL %.1f ms, 16 threads)\n"
-      "  open faces %zu, balls needed %zu, rounds %zu, searches %zu, exact %zu, hull %zu (%zu)\n"
-      "  order %.3f, open faces %.3f, tree %.3f, front %.3f (search alone, one round at a time: "
-      "%.3f)\n",
+      "  open faces %zu, balls needed %zu, rounds %zu, hull %zu (%zu)\n"
+      "  order %.3f, open faces %.3f, tree and grids %.3f, front %.3f\n",
       equal ? "ok  " : "DIFF", name.c_str(), balls.size(), whole.tetrahedra.size(), known.size(),
-      result.found.size(), cgal, result.open, result.needed, result.rounds, result.searched,
-      result.exact, result.hull, whole.hull.size(), result.order_ms, median(open), median(tree),
-      median(front), search);
+      result.found.size(), cgal, result.open, result.needed, result.rounds, result.hull,
+      whole.hull.size(), result.order_ms, median(open), median(tree), median(front));
+  constexpr const char* kNames[] = {"near", "far", "wide", "doubtful", "exact"};
+  for (const auto& round : rounds) {
+    std::printf("  round:");
+    for (std::size_t search = 0; search < round.faces.size(); ++search)
+      std::printf(" %s %zu in %.3f,", kNames[search], round.faces[search],
+                  round.milliseconds[search]);
+    std::printf(" extending %.3f\n", round.milliseconds.back());
+  }
   std::fflush(stdout);
   return equal;
 }

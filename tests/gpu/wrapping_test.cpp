@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,17 @@ class GpuWrapping : public ::testing::Test {
     if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
   }
 
+  // The cube root of the volume for each ball.
+  static double typical_radius(const BallSet& balls) {
+    double volume = 1;
+    for (const auto axis : {&LatticePoint::x, &LatticePoint::y, &LatticePoint::z}) {
+      const auto [low, high] =
+          std::ranges::minmax(balls.centres, {}, [=](const LatticePoint& p) { return p.*axis; });
+      volume *= high.*axis - low.*axis + 1.0;
+    }
+    return std::cbrt(volume / static_cast<double>(balls.size()));
+  }
+
   // Completes the triangulation from every `step`-th of its tetrahedra, and from the first alone.
   // Returns the number of those found.
   static std::size_t expect_cgal(const BallSet& balls, std::size_t step) {
@@ -36,13 +48,14 @@ class GpuWrapping : public ::testing::Test {
     const Tetrahedra expected(whole.tetrahedra.begin(), whole.tetrahedra.end());
     gpu::Wrapping wrapping(balls);
     std::size_t all = 0;
+    const double radius = typical_radius(balls);
     for (const bool one : {true, false}) {
       Tetrahedra known;
       for (std::size_t t = 0; t < expected.size(); t += step) {
         if (t == 0 || !one) known.push_back(expected[t]);
       }
       const gpu::WrappingResult result =
-          wrapping.run(known, expected.size() + 64, true, CancelToken{});
+          wrapping.run(known, radius, expected.size() + 64, true, CancelToken{});
       EXPECT_TRUE(result.fits);
       Tetrahedra got = result.found;
       got.insert(got.end(), known.begin(), known.end());

@@ -25,6 +25,7 @@ MoleculeContents contents_of(const Molecule& molecule) {
     ++contents.chains[chain].atoms;
     ++contents.chains[chain].kinds[kind];
     ++contents.kinds[kind];
+    contents.kinds_with_names[kind] += atom.residue_name != 0;
     contents.hydrogens += atom.element == kHydrogen;
     contents.with_altloc += atom.altloc != ' ';
   }

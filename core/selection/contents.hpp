@@ -32,6 +32,7 @@ struct ChainContents {
 struct MoleculeContents {
   std::vector<ChainContents> chains;  // in order of first appearance
   KindCounts kinds{};
+  KindCounts kinds_with_names{};  // atoms whose residue has a name
   std::size_t hydrogens = 0;
   std::size_t with_altloc = 0;  // atoms with the letter of an alternative location
 };

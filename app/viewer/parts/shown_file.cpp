@@ -2,7 +2,6 @@
 // Settings, colours, title and dialogs at the opening of a file.
 #include "app/viewer/parts/shown_file.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/viewer/molecule_info.hpp"
@@ -22,7 +21,7 @@ bool ShownFile::take_molecule(float line_scale) {
   state.molecule = describe_molecule(*s.opened);
   state.molecule.radii = grown_radii(*s.prepared, state.settings.request);
   if (another) {
-    colour_by_what_differs(*s.molecule);
+    colour_by_what_differs(state.molecule.contents);
     if (file_ != s.opened->deposited) take_file();
     // Colours and looks that the molecule decides, before its first picture.
     p_.sender.send_look(line_scale);
@@ -46,7 +45,7 @@ void ShownFile::take_file() {
   Settings fresh;  // gets the settings that do not belong to one file
   fresh.request = state.settings.request;
   fresh.display = state.settings.display;
-  fresh.objects = first_objects_ ? *first_objects_ : usual_objects(*s.molecule);
+  fresh.objects = first_objects_ ? *first_objects_ : usual_objects(state.molecule.contents);
   state.settings.all = fresh;
   p_.sender.take_options();
   state.expression_error.reset();
@@ -84,14 +83,11 @@ void ShownFile::close_dialogs() {
 
 // Colours by element if there is only one chain, else by chain. Colours that the user has chosen
 // stay.
-void ShownFile::colour_by_what_differs(const Molecule& molecule) {
+void ShownFile::colour_by_what_differs(const MoleculeContents& contents) {
   DisplaySettings& d = p_.state.settings.display;
   const Paint automatic{automatic_colour_, {}, {}, {}};
   if (d.ball_paint != automatic || d.complex_paint != automatic) return;
-  const bool one_chain =
-      std::all_of(molecule.atoms.begin(), molecule.atoms.end(),
-                  [&](const Atom& a) { return a.chain == molecule.atoms.front().chain; });
-  automatic_colour_ = one_chain ? ColourBy::element : ColourBy::chain;
+  automatic_colour_ = contents.chains.size() <= 1 ? ColourBy::element : ColourBy::chain;
   d.ball_paint = d.complex_paint = {automatic_colour_, {}, {}, {}};
 }
 

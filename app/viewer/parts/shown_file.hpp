@@ -52,7 +52,7 @@ class ShownFile {
   void close_dialogs();
   void start_preset();
   void open_picture_dialog();
-  void colour_by_what_differs(const Molecule& molecule);
+  void colour_by_what_differs(const MoleculeContents& contents);
 
   Parts p_;
   Opening opening_;

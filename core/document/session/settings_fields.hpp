@@ -10,6 +10,7 @@
 #include "core/document/commands/number_input.hpp"
 #include "core/document/session/session_file.hpp"
 #include "core/document/settings/display_fields.hpp"
+#include "core/document/settings/drawn_object.hpp"
 #include "core/document/settings/settings.hpp"
 
 namespace alphascope {
@@ -17,7 +18,7 @@ namespace alphascope {
 inline constexpr NumberRule kThreadsRule{"The number of threads", 0, 1024, "", true};
 inline constexpr NumberRule kStreamsRule{"The number of streams", 1, 8, "", true};
 inline constexpr NumberRule kBatchRule{"The number of tuples", 0, 2e9, "", true};
-inline constexpr NumberRule kObjectOpacityRule{"The opacity", 0.01, 1};
+inline constexpr NumberRule kObjectOpacityRule{"The opacity", kLeastOpacity, 1};
 inline constexpr NumberRule kPlaceRule{"A coordinate", -1e9, 1e9, "Å"};
 inline constexpr NumberRule kAspectRule{"The aspect", 0, 1e6};
 inline constexpr NumberRule kPageHeightRule{"The height", 0, 1e5};

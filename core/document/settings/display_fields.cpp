@@ -2,6 +2,8 @@
 // The table of the settings of the display. display_values.cpp reads and sets their values.
 #include "core/document/settings/display_fields.hpp"
 
+#include "core/document/settings/drawn_object.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -105,7 +107,7 @@ constexpr DisplayField kFields[] = {
      .help = "How opaque balls are; 1: nothing shines through",
      .command = "view.ball_opacity",
      .option = {"--ball-opacity"},
-     .rule = {"The opacity of balls", 0.05, 1},
+     .rule = {"The opacity of balls", kLeastOpacity, 1},
      .step = 0.01,
      .percent = true,
      .synonyms = kTransparency},
@@ -118,7 +120,7 @@ constexpr DisplayField kFields[] = {
      .help = "How opaque tetrahedra, triangles and boundary are; 1: nothing shines through",
      .command = "view.complex_opacity",
      .option = {"--complex-opacity"},
-     .rule = {"The opacity of simplices", 0.05, 1},
+     .rule = {"The opacity of simplices", kLeastOpacity, 1},
      .step = 0.01,
      .percent = true,
      .synonyms = kTransparency},
@@ -130,7 +132,7 @@ constexpr DisplayField kFields[] = {
      .label = "Opacity",
      .help = "How opaque chosen cavities are; below 1 their contents shine through",
      .command = "view.cavity_opacity",
-     .rule = {"The opacity of cavities", 0.05, 1},
+     .rule = {"The opacity of cavities", kLeastOpacity, 1},
      .step = 0.01,
      .percent = true,
      .kept_by_presets = true,
@@ -152,7 +154,7 @@ constexpr DisplayField kFields[] = {
      .label = "Lining",
      .help = "How opaque the sticks of the residues are that line a chosen cavity",
      .command = "view.lining_opacity",
-     .rule = {"The opacity of lining residues", 0.05, 1},
+     .rule = {"The opacity of lining residues", kLeastOpacity, 1},
      .step = 0.01,
      .percent = true,
      .kept_by_presets = true,
@@ -165,7 +167,7 @@ constexpr DisplayField kFields[] = {
      .label = "Ligands",
      .help = "How opaque ligands in a chosen cavity are",
      .command = "view.content_opacity",
-     .rule = {"The opacity of ligands in cavities", 0.05, 1},
+     .rule = {"The opacity of ligands in cavities", kLeastOpacity, 1},
      .step = 0.01,
      .percent = true,
      .kept_by_presets = true,

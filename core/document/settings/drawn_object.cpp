@@ -10,7 +10,7 @@
 
 #include "core/chart/colour_text.hpp"
 #include "core/files/line_reader.hpp"
-#include "core/molecule/molecule.hpp"
+#include "core/selection/contents.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "core/text/choices.hpp"
 #include "core/text/text_parts.hpp"
@@ -34,14 +34,16 @@ constexpr std::array kColours{
 constexpr const char *kHidden = "hidden", *kNone = "none";
 constexpr const char* kExample = "\"cartoon,secondary,40%:chain A\"";
 
-// The share of "40%"; empty if it is none of 1 to 100 percent.
+constexpr double kLeastPercent = 100 * kLeastOpacity;
+
+// The share of "40%"; empty if it is none of kLeastPercent to 100 percent.
 std::optional<float> read_share(std::string_view word) {
   if (!word.ends_with('%')) return std::nullopt;
   word.remove_suffix(1);
   double percent = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), percent);
   if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  if (!(percent >= 1 && percent <= 100)) return std::nullopt;
+  if (!(percent >= kLeastPercent && percent <= 100)) return std::nullopt;
   return static_cast<float>(percent / 100);
 }
 
@@ -60,7 +62,8 @@ std::string take_word(std::string_view word, DrawnObject& object) {
     object.shown = false;
   } else {
     return in_quotes(word) + " is neither a colour (" + in_words(object_colour_ids()) +
-           ", or one such as #5aa9e6) nor an opacity from 1% to 100%. Write for instance " +
+           ", or one such as #5aa9e6) nor an opacity from " +
+           std::to_string(std::lround(kLeastPercent)) + "% to 100%. Write for instance " +
            kExample + ".";
   }
   return {};
@@ -131,7 +134,7 @@ std::string object_text(const DrawnObject& object) {
     text += std::string(",") + object_colour_info(object.colour).id;
   }
   if (object.opacity < 1) {
-    text += "," + std::to_string(std::lround(std::max(1.0F, 100 * object.opacity))) + "%";
+    text += "," + std::to_string(std::lround(100 * object.opacity)) + "%";
   }
   if (!object.shown) text += std::string(",") + kHidden;
   if (!object.atoms.empty()) text += ":" + object.atoms;
@@ -162,16 +165,11 @@ std::string objects_text(const DrawnObjects& objects) {
   return text.empty() ? kNone : text;
 }
 
-DrawnObjects usual_objects(const Molecule& molecule) {
-  const auto any = [&](ResidueKind kind) {
-    return std::any_of(molecule.atoms.begin(), molecule.atoms.end(), [kind](const Atom& atom) {
-      return atom.kind == kind && atom.residue_name != 0;
-    });
-  };
-  if (!any(ResidueKind::polymer)) return {};
+DrawnObjects usual_objects(const MoleculeContents& contents) {
+  if (of_kind(contents.kinds_with_names, ResidueKind::polymer) == 0) return {};
   // It is opaque: a translucent one takes five times as long to draw without a GPU.
   DrawnObjects objects{{.kind = ObjectKind::cartoon}};
-  if (any(ResidueKind::ligand)) {
+  if (of_kind(contents.kinds_with_names, ResidueKind::ligand) > 0) {
     objects.push_back(
         {.kind = ObjectKind::sticks, .atoms = "ligand", .colour = ObjectColour::element});
   }

@@ -15,7 +15,9 @@
 
 namespace alphascope {
 
-struct Molecule;
+struct MoleculeContents;
+
+inline constexpr double kLeastOpacity = 0.05;  // of all that is drawn; less is hardly visible
 
 enum class ObjectKind : std::uint8_t {
   cartoon,           // ribbons of proteins, ladders of nucleic acids
@@ -37,7 +39,7 @@ struct DrawnObject {
   ObjectColour colour = ObjectColour::chain;
   Rgb8 own{200, 200, 200};  // of ObjectColour::single
   bool shown = true;
-  float opacity = 1;  // above 0, at most 1
+  float opacity = 1;  // kLeastOpacity to 1
   friend bool operator==(const DrawnObject&, const DrawnObject&) = default;
 };
 using DrawnObjects = std::vector<DrawnObject>;
@@ -78,7 +80,7 @@ struct ObjectListWords {
 ObjectListWords read_objects(std::string_view text);
 std::string objects_text(const DrawnObjects& objects);
 // The objects of a molecule that is opened: a cartoon and the ligands of a protein or nucleic acid.
-DrawnObjects usual_objects(const Molecule& molecule);
+DrawnObjects usual_objects(const MoleculeContents& contents);
 // "Cartoon", "Sticks of ligand".
 std::string object_title(const DrawnObject& object);
 std::string object_kind_ids();    // "cartoon|sticks|…"

@@ -28,7 +28,6 @@ namespace {
 using D = DisplaySettings;
 
 constexpr float kSlider = 110, kButton = 24;  // pixels at scale 1
-constexpr double kLeastOpacity = 0.05;
 
 // A button with an eye, which is closed while the thing is hidden.
 void eye(PanelContext& ctx, const std::string& name, const std::string& what, bool& shown) {

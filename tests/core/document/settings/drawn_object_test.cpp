@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/read/read_molecule.hpp"
+#include "core/selection/contents.hpp"
 
 namespace alphascope {
 namespace {
@@ -37,8 +38,8 @@ TEST(DrawnObject, KindsHaveTheirUsualColours) {
 TEST(DrawnObject, FaultsNameTheRemedy) {
   EXPECT_NE(read_object("ribbon").error.find("Write cartoon, sticks"), std::string::npos);
   EXPECT_NE(read_object("").error.find("is no object"), std::string::npos);
-  for (const char* text : {"cartoon,blue", "cartoon,0%", "cartoon,101%", "cartoon,4x%", "cartoon,",
-                           "cartoon,nan%", "cartoon,#12345"}) {
+  for (const char* text : {"cartoon,blue", "cartoon,0%", "cartoon,4%", "cartoon,101%",
+                           "cartoon,4x%", "cartoon,", "cartoon,nan%", "cartoon,#12345"}) {
     EXPECT_NE(read_object(text).error.find("1% to 100%"), std::string::npos) << text;
   }
   EXPECT_NE(read_object("sticks:chain").error, "");
@@ -57,14 +58,18 @@ TEST(DrawnObject, ListsAreSeparatedBySemicolons) {
   EXPECT_NE(read_objects(many).error.find("at most 32"), std::string::npos);
 }
 
-Molecule sample(const char* file) {
-  return read_molecule(std::filesystem::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules" / file);
+MoleculeContents sample(const char* file) {
+  return contents_of(
+      read_molecule(std::filesystem::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules" / file));
 }
 
 TEST(DrawnObject, AProteinOpensWithACartoonAndItsLigands) {
   EXPECT_EQ(objects_text(usual_objects(sample("4hhb.pdb.gz"))), "cartoon; sticks:ligand");
   EXPECT_EQ(objects_text(usual_objects(sample("1crn.pdb"))), "cartoon");
-  EXPECT_TRUE(usual_objects(Molecule()).empty());
+  EXPECT_TRUE(usual_objects(MoleculeContents()).empty());
+  MoleculeContents points;  // of a list of points, without residues
+  points.kinds[static_cast<std::size_t>(ResidueKind::polymer)] = 5;
+  EXPECT_TRUE(usual_objects(points).empty());
 }
 
 }  // namespace

@@ -73,6 +73,15 @@ Rgb8 element_colour(Element element) {
   }
 }
 
+// The colours of Okabe and Ito.
+std::optional<Rgb8> secondary_colour(SecondaryStructure kind) {
+  if (is_helix(kind)) return Rgb8{213, 94, 0};
+  if (kind == SecondaryStructure::strand || kind == SecondaryStructure::bridge) {
+    return Rgb8{0, 114, 178};
+  }
+  return std::nullopt;
+}
+
 Rgb8 chain_colour(std::size_t n) {
   return kColoursOfChains[n % kChainColours];
 }

@@ -11,9 +11,10 @@ void BesideAtoms::follow(const SceneControls& controls) {
   }
   worker_.submit([this, drawn = picture_.molecule, shown = controls.display.beside,
                   hidden = controls.appearance.hidden](const RunContext& c) -> Worker::Delivery {
-    BesideBody atoms = build_beside_body(
-        *drawn->geometry, *drawn->molecule,
-        left_out_and_shown(*drawn->molecule, *drawn->prepared, hidden), shown, c.cancel);
+    BesideBody atoms =
+        build_beside_body(*drawn->geometry, *drawn->molecule,
+                          left_out_and_shown(*drawn->molecule, *drawn->prepared, hidden),
+                          facts_.of(*drawn, c)->bonds, shown, c.cancel);
     std::optional<PickLayer> pick;
     if (atoms.mesh) pick = ball_layer(kBesideBody, atoms.mesh->opaque.spheres, 1);
     return [this, drawn, pick, data = make_layer_data(atoms.mesh), atoms] {

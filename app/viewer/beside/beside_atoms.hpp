@@ -11,6 +11,7 @@
 #include "app/viewer/scene/scene_controls.hpp"
 #include "core/run/worker.hpp"
 #include "ui/scene/mesh/beside_body.hpp"
+#include "ui/scene/objects/object_mesh.hpp"
 #include "ui/scene/pick/pick.hpp"
 
 namespace alphascope {
@@ -18,8 +19,9 @@ namespace alphascope {
 class BesideAtoms {
  public:
   // `wake` as in Worker.
-  BesideAtoms(std::function<void()> wake, Canvas& canvas, const DrawnPicture& picture)
-      : canvas_(canvas), picture_(picture), worker_(std::move(wake)) {}
+  BesideAtoms(std::function<void()> wake, Canvas& canvas, const DrawnPicture& picture,
+              FactsOnce& facts)
+      : canvas_(canvas), picture_(picture), facts_(facts), worker_(std::move(wake)) {}
 
   // Makes the drawing anew. The last drawn atoms stay until the new ones are ready.
   void follow(const SceneControls& controls);
@@ -34,6 +36,7 @@ class BesideAtoms {
  private:
   Canvas& canvas_;
   const DrawnPicture& picture_;
+  FactsOnce& facts_;
   BesideBody body_;
   std::optional<PickLayer> pick_;
   Worker worker_;  // last member, so that its thread is joined first

@@ -31,7 +31,7 @@ bool keeps_any(const Cut& cut, const BallGeometry& balls) {
 ShownPicture::ShownPicture(const std::function<void()>& wake, std::chrono::milliseconds finishes,
                            const FreeMemory& free_memory, const SceneControls& controls)
     : controls_(controls),
-      beside_(wake, canvas_, picture_),
+      beside_(wake, canvas_, picture_, facts_),
       objects_(wake, free_memory, canvas_, picture_, facts_),
       layers_(wake, free_memory, canvas_, picture_, facts_),
       picking_(wake, canvas_, picture_),

@@ -84,8 +84,8 @@ class ShownPicture {
   Cameras cameras_{canvas_, picture_};
   Pacing pacing_{canvas_, picture_};
   BesideAtoms beside_;
-  SelectionMarks marks_{canvas_, picture_, beside_};
   FactsOnce facts_;
+  SelectionMarks marks_{canvas_, picture_, beside_};
   MadeObjects objects_;
   PanelLayers layers_;
   Picking picking_;

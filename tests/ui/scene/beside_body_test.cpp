@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "app/session/open_molecule.hpp"
+#include "core/bonds/bonds.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -27,7 +28,8 @@ class BesideBodyTest : public ::testing::Test {
   }
   BesideBody built(const AtomsBesideBody& shown) {
     const BallGeometry balls(*opened_.prepared->balls);
-    return build_beside_body(balls, *opened_.molecule, *opened_.prepared, shown);
+    const BondList bonds = find_bonds(*opened_.molecule, opened_.molecule->models.front());
+    return build_beside_body(balls, *opened_.molecule, *opened_.prepared, bonds.bonds, shown);
   }
   OpenedMolecule opened_;
 };
@@ -37,10 +39,9 @@ TEST_F(BesideBodyTest, LigandsHaveBallsAndTheirBonds) {
   ASSERT_EQ(atoms.atoms.size(), 174u);  // four haems of 43 atoms, two phosphorus atoms
   ASSERT_TRUE(atoms.mesh);
   EXPECT_EQ(atoms.mesh->opaque.spheres->centres.size(), 174u);
-  // A haem has 43 atoms and eight independent rings, those at the iron included, so 50 bonds. In
-  // this old structure six bonds of the acids are too long for the rule. One pair of atoms is too
-  // near.
-  EXPECT_EQ(atoms.mesh->tubes.points(), 195 * kStickPoints);
+  // A haem has 43 atoms and eight independent rings, those at the iron included, so 50 bonds. The
+  // file lists all of them.
+  EXPECT_EQ(atoms.mesh->tubes.points(), 200 * kStickPoints);
   EXPECT_FALSE(atoms.mesh->fades_rest);
   const LatticePoint& p = opened_.molecule->atoms[atoms.atoms[7].atom].position;
   const double x = opened_.molecule->lattice.angstrom(p.x);

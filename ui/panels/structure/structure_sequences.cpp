@@ -8,20 +8,16 @@
 #include <vector>
 
 #include "core/document/reference/reference.hpp"
+#include "core/molecule/atom_colours.hpp"
 #include "core/molecule/molecule.hpp"
 #include "ui/panels/structure/structure_page.hpp"
+#include "ui/rgb8.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 namespace {
-
-Colour secondary_colour(const PanelContext& ctx, SecondaryStructure kind) {
-  if (is_helix(kind)) return {0.84F, 0.37F, 0, 1};
-  if (kind == SecondaryStructure::strand) return {0, 0.45F, 0.70F, 1};
-  return ctx.palette.text_muted;
-}
 
 // Letters of one chain that stand in one line.
 void sequence_line(StructurePage& page, const ResidueBranch& branch, std::size_t begin,
@@ -61,13 +57,11 @@ void sequence_line(StructurePage& page, const ResidueBranch& branch, std::size_t
     const ResidueRow& residue = page.rows.residues[row];
     const ImVec2 at{left + static_cast<float>(row - begin) * cell.x, corner.y};
     const ImVec2 to{at.x + cell.x, at.y + cell.y};
-    const Colour colour = secondary_colour(ctx, residue.secondary);
-    const bool coil =
-        !is_helix(residue.secondary) && residue.secondary != SecondaryStructure::strand;
+    const auto colour = secondary_colour(residue.secondary);
     if (is_selected(page, row)) {
       draw->AddRectFilled(at, to, to_u32(ctx.palette.selected, 0.55F));
-    } else if (!coil) {
-      draw->AddRectFilled({at.x, at.y + cell.y * 0.86F}, {to.x, to.y}, to_u32(colour));
+    } else if (colour) {
+      draw->AddRectFilled({at.x, at.y + cell.y * 0.86F}, {to.x, to.y}, to_u32(to_colour(*colour)));
     }
     if (page.pointed == row) draw->AddRect(at, to, to_u32(ctx.palette.accent), 2);
     const char letter[2] = {residue.letter, 0};

@@ -89,11 +89,18 @@ void main()
 inline constexpr const char* kOnlyRim = "\n  if (" ALPHASCOPE_FACING " > 0.6) discard;\n";
 // Scales the depth. So these balls are nearer than everything else, and keep their order among
 // themselves. FinishPass does not shade pixels with depths below its kMarks (0.002).
-inline constexpr const char* kInFront = "\n  gl_FragDepth *= 0.001;\n";
-inline constexpr float kFrontDepth = 0.001F;  // the same for rods
+#define ALPHASCOPE_FRONT_DEPTH 0.001
+#define ALPHASCOPE_TEXT_OF(number) #number
+#define ALPHASCOPE_NUMBER_TEXT(number) ALPHASCOPE_TEXT_OF(number)
+inline constexpr const char* kInFront =
+    "\n  gl_FragDepth *= " ALPHASCOPE_NUMBER_TEXT(ALPHASCOPE_FRONT_DEPTH) ";\n";
+inline constexpr float kFrontDepth = ALPHASCOPE_FRONT_DEPTH;  // for rods
 inline constexpr const char* kDarkRim =
     "\n  if (" ALPHASCOPE_FACING " < 0.4) gl_FragData[0].rgb *= 0.15;\n";
 
 #undef ALPHASCOPE_FACING
+#undef ALPHASCOPE_FRONT_DEPTH
+#undef ALPHASCOPE_TEXT_OF
+#undef ALPHASCOPE_NUMBER_TEXT
 
 }  // namespace alphascope

@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/document/settings/display.hpp"
+#include "core/molecule/bond.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/scene/mesh/layer_mesh.hpp"
@@ -22,9 +24,10 @@ struct BesideBody {
 };
 
 // Draws the atoms that `prepared` left out, of the kinds that `shown` contains. `balls` is the
-// geometry of `prepared`. Without balls the result is empty.
+// geometry of `prepared`, and `bonds` are those of the molecule, as find_bonds() lists them.
+// Without balls the result is empty.
 BesideBody build_beside_body(const BallGeometry& balls, const Molecule& molecule,
-                             const PreparedBalls& prepared, const AtomsBesideBody& shown,
-                             const CancelToken& cancel = {});
+                             const PreparedBalls& prepared, std::span<const Bond> bonds,
+                             const AtomsBesideBody& shown, const CancelToken& cancel = {});
 
 }  // namespace alphascope

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "core/molecule/altlocs.hpp"
@@ -18,14 +19,7 @@ namespace {
 constexpr float kStick = 0.2F, kThinStick = 0.13F;
 constexpr float kBall = 0.4F, kHydrogenBall = 0.25F, kLoneBall = 0.45F;
 
-// The colours of Okabe and Ito for helices and strands, and a light grey.
-Rgb8 secondary_colour(SecondaryStructure kind) {
-  if (is_helix(kind)) return {213, 94, 0};
-  if (kind == SecondaryStructure::strand || kind == SecondaryStructure::bridge) {
-    return {0, 114, 178};
-  }
-  return {200, 200, 200};
-}
+constexpr Rgb8 kNoSecondary{200, 200, 200};  // atoms of neither helices nor strands
 
 class ObjectBuilder {
  public:
@@ -93,16 +87,17 @@ class ObjectBuilder {
   void colour(const Appearance& appearance) {
     const auto& atoms = molecule_.atoms;
     colours_.resize(atoms.size());
-    const ChainColours of_chain(molecule_);
+    std::optional<ChainColours> of_chain;
+    if (object_.colour == ObjectColour::chain) of_chain.emplace(molecule_);
     for (std::size_t i = facts_.atoms.begin; i < facts_.atoms.end; ++i) {
       const Atom& atom = atoms[i];
       const bool polymer = atom.kind == ResidueKind::polymer;
       if (object_.colour == ObjectColour::single) {
         colours_[i] = object_.own;
-      } else if (object_.colour == ObjectColour::chain && polymer) {
-        colours_[i] = of_chain.of(atom);
+      } else if (of_chain && polymer) {
+        colours_[i] = of_chain->of(atom);
       } else if (object_.colour == ObjectColour::secondary && polymer) {
-        colours_[i] = secondary_colour(SecondaryStructure::coil);
+        colours_[i] = kNoSecondary;
       } else {
         colours_[i] = element_colour(atom.element);
       }
@@ -120,7 +115,7 @@ class ObjectBuilder {
     const auto& atoms = molecule_.atoms;
     for (std::size_t r = 0; r < facts_.secondary.residues.size(); ++r) {
       const std::size_t first = facts_.secondary.residues[r].first;
-      const Rgb8 colour = secondary_colour(facts_.secondary.kinds[r]);
+      const Rgb8 colour = secondary_colour(facts_.secondary.kinds[r]).value_or(kNoSecondary);
       for (std::size_t i = first; i < atoms.size() && same_residue_number(atoms[i], atoms[first]);
            ++i) {
         colours_[i] = colour;
@@ -285,16 +280,16 @@ std::shared_ptr<const ObjectFacts> FactsOnce::of(const PicturedMolecule& molecul
   return facts_;
 }
 
-PicturedObjects build_objects(const PicturedMolecule& molecule, const DrawnObjects& objects,
-                              const Appearance& appearance, const RunContext& context) {
+PicturedObjects build_objects(const PicturedMolecule& molecule, FactsOnce& facts,
+                              const DrawnObjects& objects, const Appearance& appearance,
+                              const RunContext& context) {
   PicturedObjects built;
-  std::shared_ptr<const ObjectFacts> facts;
   for (const DrawnObject& object : objects) {
     if (!object.shown) continue;
-    if (!facts) facts = find_object_facts(molecule, context);
-    built.push_back({std::make_shared<const ObjectMesh>(
-                         build_object(molecule, *facts, object, appearance, context.cancel)),
-                     object.opacity});
+    built.push_back(
+        {std::make_shared<const ObjectMesh>(build_object(molecule, *facts.of(molecule, context),
+                                                         object, appearance, context.cancel)),
+         object.opacity});
   }
   return built;
 }

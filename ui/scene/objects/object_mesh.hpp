@@ -77,8 +77,9 @@ ObjectMesh build_object(const PicturedMolecule& molecule, const ObjectFacts& fac
                         const Appearance& appearance, const CancelToken& cancel = {});
 
 // The objects that are shown. Throws as build_object() does.
-PicturedObjects build_objects(const PicturedMolecule& molecule, const DrawnObjects& objects,
-                              const Appearance& appearance, const RunContext& context = {});
+PicturedObjects build_objects(const PicturedMolecule& molecule, FactsOnce& facts,
+                              const DrawnObjects& objects, const Appearance& appearance,
+                              const RunContext& context = {});
 
 // Bytes of an object's arrays, those of VTK and OpenGL included.
 std::uint64_t object_bytes(const ObjectMesh& mesh);

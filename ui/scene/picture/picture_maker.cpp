@@ -61,12 +61,15 @@ void PictureMaker::make_molecule(const RunContext& context) {
   }
   const PicturedMolecule& m = *molecule_;
   looks_ = make_ball_appearance(m, settings_.appearance);
-  beside_body_ =
-      build_beside_body(*m.geometry, *m.molecule,
-                        left_out_and_shown(*m.molecule, *m.prepared, settings_.appearance.hidden),
-                        settings_.display.beside, context.cancel)
-          .mesh;
-  objects_ = build_objects(m, settings_.objects, settings_.appearance, context);
+  FactsOnce facts;
+  const PreparedBalls beside =
+      left_out_and_shown(*m.molecule, *m.prepared, settings_.appearance.hidden);
+  if (!beside.left_out.empty()) {
+    beside_body_ = build_beside_body(*m.geometry, *m.molecule, beside, facts.of(m, context)->bonds,
+                                     settings_.display.beside, context.cancel)
+                       .mesh;
+  }
+  objects_ = build_objects(m, facts, settings_.objects, settings_.appearance, context);
 }
 
 Picture PictureMaker::make(const std::shared_ptr<const EngineAnswer>& answer, PictureTexts texts,

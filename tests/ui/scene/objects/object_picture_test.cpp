@@ -37,7 +37,7 @@ class ObjectPicture : public ::testing::Test {
   void show(const std::string& objects) {
     std::vector<SceneObject> shown;
     for (const PicturedObject& o :
-         build_objects(pictured_, read_objects(objects).objects, Appearance())) {
+         build_objects(pictured_, facts_, read_objects(objects).objects, Appearance())) {
       shown.push_back({make_object_data(o.mesh), o.opacity});
     }
     scene_.set_objects(ObjectGroup::settings, std::move(shown));
@@ -70,6 +70,7 @@ class ObjectPicture : public ::testing::Test {
   Scene scene_;
   SceneStyle style_;
   PicturedMolecule pictured_;
+  FactsOnce facts_;
 };
 
 TEST_F(ObjectPicture, CartoonFarAndNear) {

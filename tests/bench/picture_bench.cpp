@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Times pictures:
-//   alphascope_picture_bench FILE [ALPHA [WIDTH HEIGHT [OPACITY]]]
+//   alphascope_picture_bench FILE [ALPHA [WIDTH HEIGHT [OPACITY [OBJECTS [ASSEMBLY]]]]]
+// ASSEMBLY is the number of one; alpha "none" leaves the complex out.
 // Balls have 0.3 of their radius, beside tetrahedra, singular triangles and edges. The view turns
 // slightly before each picture. Prints the least of several times in milliseconds.
 #include <algorithm>
@@ -13,6 +14,7 @@
 
 #include "core/engine/engine.hpp"
 #include "core/geometry/alpha.hpp"
+#include "core/molecule/assembly.hpp"
 #include "core/molecule/atom_colours.hpp"
 #include "core/molecule/chain_colours.hpp"
 #include "core/read/read_molecule.hpp"
@@ -84,22 +86,28 @@ void show_objects(const PicturedMolecule& pictured, const char* text, Scene& sce
 
 int main(int argc, char** argv) try {
   if (argc < 2) {
-    std::fprintf(
-        stderr,
-        "usage: alphascope_picture_bench FILE [ALPHA [WIDTH HEIGHT [OPACITY [OBJECTS]]]]\n");
+    std::fprintf(stderr,
+                 "usage: alphascope_picture_bench FILE [ALPHA [WIDTH HEIGHT [OPACITY [OBJECTS "
+                 "[ASSEMBLY]]]]]\n");
     return 2;
   }
-  const double alpha = argc > 2 ? std::atof(argv[2]) : 1;
+  const bool with_complex = argc < 3 || std::string(argv[2]) != "none";
+  const double alpha = argc > 2 && with_complex ? std::atof(argv[2]) : 1;
   const int width = argc > 4 ? std::atoi(argv[3]) : 1280;
   const int height = argc > 4 ? std::atoi(argv[4]) : 800;
   const double opacity = argc > 5 ? std::atof(argv[5]) : 1;
   PicturedMolecule pictured;
   pictured.molecule = std::make_shared<const Molecule>(read_molecule(argv[1]));
+  if (argc > 7) {
+    pictured.molecule =
+        std::make_shared<const Molecule>(expand_assembly(*pictured.molecule, argv[7]));
+  }
   pictured.prepared = std::make_shared<const PreparedBalls>(prepare_balls(*pictured.molecule));
   const Molecule& molecule = *pictured.molecule;
   const PreparedBalls& prepared = *pictured.prepared;
   const auto geometry = std::make_shared<const BallGeometry>(*prepared.balls);
-  const AlphaComplex complex = make_cpu_engine(prepared.balls)->compute({alpha, false}, {});
+  const AlphaComplex complex =
+      with_complex ? make_cpu_engine(prepared.balls)->compute({alpha, false}, {}) : AlphaComplex();
   const auto colours = colours_by_chain(molecule, prepared.atom_of_ball);
   MeshOptions options{.triangles = true, .edges = true};
   options.translucent = opacity < 1;

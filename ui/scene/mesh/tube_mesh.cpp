@@ -27,14 +27,6 @@ struct Knot {
   Rgb8 colour;
 };
 
-void add_point(const RealPoint& at, const RealPoint& normal, const Rgb8& c, SmoothMesh& mesh) {
-  for (const double x : {at.x, at.y, at.z}) mesh.xyz.push_back(static_cast<float>(x));
-  for (const double x : {normal.x, normal.y, normal.z}) {
-    mesh.normals.push_back(static_cast<float>(x));
-  }
-  mesh.rgb.insert(mesh.rgb.end(), {c.r, c.g, c.b});
-}
-
 class TubeBuilder {
  public:
   TubeBuilder(std::vector<Knot> knots, SmoothMesh& mesh)
@@ -124,7 +116,7 @@ class TubeBuilder {
       normal = outwards;
       at = outer->centre + outer->radius * outwards;
     }
-    add_point(at, normal, knots_[i].colour, mesh_);
+    mesh_.add_point(at, normal, knots_[i].colour);
   }
 
   // Adds a ring on the sphere, `back` radii behind its centre, and joins it to the previous ring.
@@ -167,6 +159,12 @@ class TubeBuilder {
 
 }  // namespace
 
+void SmoothMesh::add_point(const RealPoint& at, const RealPoint& normal, const Rgb8& colour) {
+  for (const double x : {at.x, at.y, at.z}) xyz.push_back(static_cast<float>(x));
+  for (const double x : {normal.x, normal.y, normal.z}) normals.push_back(static_cast<float>(x));
+  rgb.insert(rgb.end(), {colour.r, colour.g, colour.b});
+}
+
 std::size_t tube_points(std::size_t spheres) {
   return spheres == 0 ? 0 : kAround * (spheres + 2 * kEndRings);
 }
@@ -195,7 +193,7 @@ void add_stick(const RealPoint& from, const RealPoint& to, double radius, const 
     for (int k = 0; k < kSides; ++k) {
       const double angle = 2 * M_PI * k / kSides;
       const RealPoint normal = std::cos(angle) * across + std::sin(angle) * up;
-      add_point(end + radius * normal, normal, colour, mesh);
+      mesh.add_point(end + radius * normal, normal, colour);
     }
   }
   for (int k = 0; k < kSides; ++k) {

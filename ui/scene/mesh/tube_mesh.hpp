@@ -19,6 +19,7 @@ struct SmoothMesh {
   std::vector<std::uint8_t> rgb;
   std::vector<std::int32_t> corners;  // indices of points, three a triangle
   std::size_t points() const { return xyz.size() / 3; }
+  void add_point(const RealPoint& at, const RealPoint& normal, const Rgb8& colour);
 };
 
 // Upper bound for the number of points that a tube through this many spheres adds.

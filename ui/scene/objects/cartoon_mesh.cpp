@@ -219,18 +219,9 @@ class Surface {
         normal = normal - (profile.growth / frame.step) * frame.along;
       }
       if (facing != 0) normal = facing * frame.along;
-      add_point(frame.at + x * frame.side + y * frame.up, unit_vector(normal), colour);
+      to.add_point(frame.at + x * frame.side + y * frame.up, unit_vector(normal), colour);
     }
     return first;
-  }
-
-  void add_point(const RealPoint& at, const RealPoint& normal, const Rgb8& c) {
-    SmoothMesh& to = mesh_.surface;
-    for (const double x : {at.x, at.y, at.z}) to.xyz.push_back(static_cast<float>(x));
-    for (const double x : {normal.x, normal.y, normal.z}) {
-      to.normals.push_back(static_cast<float>(x));
-    }
-    to.rgb.insert(to.rgb.end(), {c.r, c.g, c.b});
   }
 
   // A band of triangles between two rings, which face outwards.
@@ -298,7 +289,8 @@ class Surface {
       const RealPoint at = frame.at + (out * profile.width * std::cos(turn)) * frame.side +
                            (out * profile.thickness * std::sin(turn)) * frame.up +
                            (facing * ahead * profile.thickness) * frame.along;
-      add_point(at, unit_vector(out * outwards + (facing * ahead) * frame.along), colour);
+      mesh_.surface.add_point(at, unit_vector(out * outwards + (facing * ahead) * frame.along),
+                              colour);
     }
     return first;
   }
@@ -309,9 +301,25 @@ class Surface {
   CartoonMesh mesh_;
 };
 
+// Where a part begins in the whole surface.
+struct PartStart {
+  std::size_t point = 0, corner = 0, band = 0;
+};
+
 template <class T>
-void append(std::vector<T>& to, const std::vector<T>& more) {
-  to.insert(to.end(), more.begin(), more.end());
+void copy_to(const std::vector<T>& from, std::vector<T>& to, std::size_t begin) {
+  std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(begin));
+}
+
+void copy_part(const CartoonMesh& part, const PartStart& start, CartoonMesh& whole) {
+  copy_to(part.surface.xyz, whole.surface.xyz, 3 * start.point);
+  copy_to(part.surface.normals, whole.surface.normals, 3 * start.point);
+  copy_to(part.surface.rgb, whole.surface.rgb, 3 * start.point);
+  copy_to(part.atom_of_band, whole.atom_of_band, start.band);
+  const auto first = static_cast<std::int32_t>(start.point);
+  std::transform(part.surface.corners.begin(), part.surface.corners.end(),
+                 whole.surface.corners.begin() + static_cast<std::ptrdiff_t>(start.corner),
+                 [first](std::int32_t corner) { return first + corner; });
 }
 
 }  // namespace
@@ -330,27 +338,25 @@ CartoonMesh build_cartoon(const std::vector<Trace>& traces, const CartoonDetail&
     if (!cancel.cancelled()) parts[k] = Surface(traces[k], detail).build();
   });
   cancel.throw_if_cancelled();
+  std::vector<PartStart> starts;
+  PartStart end;
+  for (const CartoonMesh& part : parts) {
+    starts.push_back(end);
+    end.point += part.surface.points();
+    end.corner += part.surface.corners.size();
+    end.band += part.atom_of_band.size();
+  }
   CartoonMesh whole;
   whole.triangles_of_band = 2 * static_cast<std::size_t>(detail.around);
-  std::size_t points = 0, corners = 0;
-  for (const CartoonMesh& part : parts) {
-    points += part.surface.points();
-    corners += part.surface.corners.size();
-  }
-  whole.surface.xyz.reserve(3 * points);
-  whole.surface.normals.reserve(3 * points);
-  whole.surface.rgb.reserve(3 * points);
-  whole.surface.corners.reserve(corners);
-  for (const CartoonMesh& part : parts) {
-    const auto first = static_cast<std::int32_t>(whole.surface.points());
-    append(whole.surface.xyz, part.surface.xyz);
-    append(whole.surface.normals, part.surface.normals);
-    append(whole.surface.rgb, part.surface.rgb);
-    for (const std::int32_t corner : part.surface.corners) {
-      whole.surface.corners.push_back(first + corner);
-    }
-    append(whole.atom_of_band, part.atom_of_band);
-  }
+  whole.surface.xyz.resize(3 * end.point);
+  whole.surface.normals.resize(3 * end.point);
+  whole.surface.rgb.resize(3 * end.point);
+  whole.surface.corners.resize(end.corner);
+  whole.atom_of_band.resize(end.band);
+  parallel_each(0, parts.size(), [&](std::size_t k) {
+    copy_part(parts[k], starts[k], whole);
+    parts[k] = {};
+  });
   return whole;
 }
 

@@ -17,9 +17,11 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/session/result_header.hpp"
 #include "app/session/system_memory.hpp"
+#include "core/document/commands/number_input.hpp"
 #include "core/document/picture/picture_preset.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/geometry/shortest_number.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_parts.hpp"
 #include "ui/annotation_layer.hpp"
@@ -51,7 +53,8 @@ void set_size(const std::string& text, PictureOptions& picture) {
   }
   throw UsageError(
       "--size takes WIDTHxHEIGHT in pixels, such as 1920x1080, or in mm, such as 85x64mm; not \"" +
-      text + "\".");
+      text + "\". Each is from " + shortest_number(kPictureSizeRule.least) + " to " +
+      shortest_number(kPictureSizeRule.most) + " pixels.");
 }
 
 // Reads "ligands,ions" or "none".

@@ -101,6 +101,7 @@ TEST_F(CliFrames, WhatCannotBeIsRefusedBeforeAnythingIsWritten) {
       {"--sweep alpha=0:1:2 --axis x", "belongs to --turntable"},
       {"--sweep alpha=0:1:2 --fps 0", "--fps"},
       {"--sweep alpha=0:1:2 --size 0x0", "--size takes WIDTHxHEIGHT"},
+      {"--sweep alpha=0:1:2 --size 0x0", "from 16 to 16384 pixels"},
       {"--sweep alpha=0:1:2 --size 100000x100", "out of range"}};
   for (const auto& [options, message] : wrong) {
     const Outcome outcome = frames(options);

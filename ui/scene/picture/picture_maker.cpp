@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/document/commands/number_input.hpp"
 #include "ui/scene/camera_place.hpp"
 #include "ui/scene/display_style.hpp"
 #include "ui/scene/mesh/beside_body.hpp"
@@ -24,12 +25,14 @@ void begin(const RunContext& context, const char* step, double share) {
 constexpr const char* kPreparing = "preparing the picture";
 
 void require_size(const PictureOptions& options) {
-  constexpr int kLeast = 16, kMost = 16384;
+  constexpr int kLeast = static_cast<int>(kPictureSizeRule.least),
+                kMost = static_cast<int>(kPictureSizeRule.most);
   if (options.width < kLeast || options.width > kMost || options.height < kLeast ||
       options.height > kMost) {
     throw std::invalid_argument("screenshot size " + std::to_string(options.width) + "x" +
-                                std::to_string(options.height) +
-                                " is out of range; use 16 to 16384 pixels each way");
+                                std::to_string(options.height) + " is out of range; use " +
+                                std::to_string(kLeast) + " to " + std::to_string(kMost) +
+                                " pixels each way");
   }
 }
 

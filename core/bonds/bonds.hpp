@@ -31,7 +31,8 @@ struct BondList {
 };
 
 // Bonds of one model, in this order of evidence:
-//  1. The file's own: CONECT, LINK, SSBOND, struct_conn, the bonds of MOL2.
+//  1. The file's own: CONECT, LINK, SSBOND, struct_conn, the bonds of MOL2. Then chem_comp_bond of
+//     mmCIF, for residues that the next rule does not know.
 //  2. Known structures of amino acids and nucleotides (residue_structures.hpp).
 //  3. C to N and O3' to P of neighbours in a chain, up to 2 Å.
 //  4. Distances, for all other atoms: up to the sum of the covalent radii and 0.45 Å within a

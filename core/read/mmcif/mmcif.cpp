@@ -162,7 +162,10 @@ class MmcifReader : public CifHandler {
       kind_ = recognise();
       take_row();
     }
-    if (builder_.size() == 0 && !component_.empty()) component_.take(builder_, guesser_);
+    if (builder_.size() == 0 && !component_.empty()) {
+      component_.take(builder_, guesser_);
+      atoms_block_ = component_block_;
+    }
     if (builder_.size() == 0) refuse_without_atoms();
     if (sphere_values_ > 0) {
       builder_.molecule().notes.push_back(
@@ -210,6 +213,7 @@ class MmcifReader : public CifHandler {
     if (tags_.front().starts_with("_ihm_sphere_obj_site.")) return Table::spheres;
     if (MmcifComponent::wants(tags_.front()) && component_.empty()) {
       component_.begin(tags_);
+      component_block_ = block_;
       return Table::component;
     }
     if (MmcifEntityTables::wants(tags_.front())) return Table::entity;
@@ -342,7 +346,7 @@ class MmcifReader : public CifHandler {
   std::set<std::int32_t> models_;
   std::int32_t model_ = 0;
   std::size_t rows_ = 0, column_ = 0, ignored_blocks_ = 0;
-  int block_ = 0, atoms_block_ = 0;
+  int block_ = 0, atoms_block_ = 0, component_block_ = 0;
   Table kind_ = Table::undecided;
   bool fractional_ = false;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Collects rows of struct_conn and keeps the bonds.
+// Collects rows of struct_conn and chem_comp_bond, and keeps the bonds.
 #include "core/read/mmcif/mmcif_bonds.hpp"
 
 #include <charconv>
@@ -26,17 +26,29 @@ BondedAtom bonded_atom(const MmcifRow& row, const std::string& partner) {
 BondOrder bond_order(std::string_view text) {
   if (text == "sing") return BondOrder::one;
   if (text == "doub") return BondOrder::two;
+  if (text == "arom" || text == "delo") return BondOrder::aromatic;
   return text == "trip" ? BondOrder::three : BondOrder::unknown;
 }
 
 }  // namespace
 
 void MmcifBondTable::add(int block, std::string_view tag, std::string_view value) {
-  if (!tag.starts_with(kTable)) return;  // the loop mixes tables
+  if (!wants(tag)) return;  // the loop mixes tables
   Block& here = blocks_[block];
-  const std::string column(tag.substr(kTable.size()));
-  if (here.row.contains(column)) take(here);
-  here.row.emplace(column, value);
+  const bool component = tag.starts_with(kComponents);
+  const std::string column(tag.substr(component ? kComponents.size() : kTable.size()));
+  Row& row = component ? here.component_row : here.row;
+  if (row.contains(column)) component ? take_component(here) : take(here);
+  row.emplace(column, value);
+}
+
+void MmcifBondTable::take_component(Block& block) {
+  const MmcifRow row = std::move(block.component_row);
+  block.component_row.clear();
+  ComponentBond bond{value(row, "comp_id"), value(row, "atom_id_1"), value(row, "atom_id_2"),
+                     bond_order(lower_case(value(row, "value_order")))};
+  if (lower_case(value(row, "pdbx_aromatic_flag")) == "y") bond.order = BondOrder::aromatic;
+  if (!bond.residue.empty() && !bond.a.empty() && !bond.b.empty()) block.bonds.add(std::move(bond));
 }
 
 void MmcifBondTable::take(Block& block) {
@@ -58,6 +70,7 @@ void MmcifBondTable::finish(int block, RecordedBonds& bonds) {
   const auto found = blocks_.find(block);
   if (found == blocks_.end()) return;
   take(found->second);
+  take_component(found->second);
   bonds = std::move(found->second.bonds);
 }
 

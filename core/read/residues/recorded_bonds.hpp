@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bonds that a file states: LINK, SSBOND and CONECT of PDB, struct_conn of mmCIF, the list of MOL2.
+// Bonds that a file states: LINK, SSBOND and CONECT of PDB, struct_conn and chem_comp_bond of
+// mmCIF, the list of MOL2.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +35,15 @@ struct NumberedBond {
   BondOrder order = BondOrder::unknown;
 };
 
+// A bond within each residue of this name, as mmCIF's chem_comp_bond lists it.
+struct ComponentBond {
+  std::string residue, a, b;  // names of the residue and of two atoms
+  BondOrder order = BondOrder::unknown;
+};
+
 class RecordedBonds {
  public:
+  void add(ComponentBond bond) { of_components_.push_back(std::move(bond)); }
   void add(NamedBond bond) { named_.push_back(std::move(bond)); }
   // 0 means no atom.
   void add(const NumberedBond& bond) {
@@ -51,10 +59,12 @@ class RecordedBonds {
   using Numbered = std::vector<NumberedBond>;
   const Named& named() const { return named_; }
   const Numbered& numbered() const { return numbered_; }
+  const std::vector<ComponentBond>& of_components() const { return of_components_; }
 
  private:
   Named named_;
   Numbered numbered_;
+  std::vector<ComponentBond> of_components_;
 };
 
 }  // namespace alphascope

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/bonds/residue_structures.hpp"
 #include "core/molecule/element.hpp"
 #include "core/read/residues/recorded_atoms.hpp"
 
@@ -27,6 +28,7 @@ class Statement {
       if (!bonds_.named().empty()) add_named(model);
       if (!bonds_.numbered().empty()) add_numbered(model);
     }
+    add_those_of_components();
     std::vector<Bond>& list = molecule_.stated_bonds;
     // Of equal pairs the one with the known order comes first.
     std::sort(list.begin(), list.end(), [](const Bond& a, const Bond& b) {
@@ -96,6 +98,54 @@ class Statement {
     }
   }
 
+  struct WithinResidue {
+    NameId a = 0, b = 0;
+    BondOrder order = BondOrder::unknown;
+  };
+
+  // Residues whose structure the program knows need none. Atoms that are not in the file, such as
+  // hydrogens, are no fault.
+  void add_those_of_components() {
+    std::map<NameId, std::vector<WithinResidue>> of_name;
+    const NameTable& names = molecule_.names;
+    for (const ComponentBond& bond : bonds_.of_components()) {
+      const NameId residue = names.find(bond.residue);
+      const WithinResidue within{names.find(bond.a), names.find(bond.b), bond.order};
+      const bool known = residue == 0 || residue_structure(bond.residue) != nullptr;
+      if (!known && within.a != 0 && within.b != 0) of_name[residue].push_back(within);
+    }
+    if (of_name.empty()) return;
+    for (const ModelRange& model : molecule_.models) {
+      for (std::size_t i = model.begin; i < model.end;) {
+        const auto found = of_name.find(molecule_.atoms[i].residue_name);
+        i = found == of_name.end() ? i + 1 : bond_residue(i, model.end, found->second);
+      }
+    }
+  }
+
+  // Returns the end of the residue that begins at `begin`. A repeated atom begins another residue.
+  std::size_t bond_residue(std::size_t begin, std::size_t end,
+                           const std::vector<WithinResidue>& bonds) {
+    const auto& atoms = molecule_.atoms;
+    std::map<NameId, Atoms> of_name;
+    std::size_t i = begin;
+    for (; i < end && same_residue_number(atoms[i], atoms[begin]) &&
+           atoms[i].residue_name == atoms[begin].residue_name;
+         ++i) {
+      Atoms& locations = of_name[atoms[i].name];
+      const bool again = std::any_of(locations.begin(), locations.end(), [&](std::uint32_t other) {
+        return atoms[other].altloc == atoms[i].altloc;
+      });
+      if (again) break;
+      if (locations.size() < kMostLocations) locations.push_back(static_cast<std::uint32_t>(i));
+    }
+    for (const WithinResidue& bond : bonds) {
+      const auto a = of_name.find(bond.a), b = of_name.find(bond.b);
+      if (a != of_name.end() && b != of_name.end()) join(a->second, b->second, bond.order);
+    }
+    return i;
+  }
+
   Molecule& molecule_;
   const RecordedBonds& bonds_;
 };
@@ -103,7 +153,9 @@ class Statement {
 }  // namespace
 
 void state_bonds(Molecule& molecule, const RecordedBonds& bonds) {
-  if (!bonds.named().empty() || !bonds.numbered().empty()) Statement(molecule, bonds).make();
+  const bool any =
+      !bonds.named().empty() || !bonds.numbered().empty() || !bonds.of_components().empty();
+  if (any) Statement(molecule, bonds).make();
 }
 
 }  // namespace alphascope

@@ -162,5 +162,55 @@ TEST(StatedBonds, OfMmcifLeaveHydrogenBondsOut) {
   EXPECT_EQ(m.unresolved_bonds, 1u);
 }
 
+std::string component_bonds(const std::string& rows) {
+  return "loop_\n_chem_comp_bond.comp_id\n_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n"
+         "_chem_comp_bond.value_order\n_chem_comp_bond.pdbx_aromatic_flag\n" +
+         rows;
+}
+
+std::string ligand_atoms(const std::string& rows) {
+  std::string table = "data_x\nloop_\n";
+  for (const char* column :
+       {"group_PDB", "id", "type_symbol", "label_atom_id", "label_alt_id", "label_comp_id",
+        "auth_asym_id", "auth_seq_id", "Cartn_x", "Cartn_y", "Cartn_z"}) {
+    table += std::string("_atom_site.") + column + "\n";
+  }
+  return table + rows;
+}
+
+TEST(StatedBonds, OfComponentsAreInEachResidue) {
+  const Molecule m = read_text(
+      "a.cif",
+      ligand_atoms("HETATM 1 C C1 . LIG A 1 0 0 0\n"
+                   "HETATM 2 O O1 A LIG A 1 1.2 0 0\n"
+                   "HETATM 3 O O1 B LIG A 1 0 1.2 0\n"
+                   "HETATM 4 C \"C1'\" . LIG A 1 0 0 1.4\n"
+                   "HETATM 5 C C1 . LIG A 2 9 0 0\n"
+                   "HETATM 6 C \"C1'\" . LIG A 2 9 0 1.4\n"
+                   "HETATM 7 C C1 . LIG A 2 9 9 0\n"  // another residue, by the same number
+                   "HETATM 8 O O1 . LIG A 2 9 9 1.2\n"
+                   "ATOM 9 C CA . GLY A 3 0 0 9\n"
+                   "ATOM 10 C C . GLY A 3 0 0 10.5\n") +
+          "#\n" +
+          component_bonds("LIG C1 O1 DOUB N\nLIG C1 \"C1'\" SING Y\nLIG C1 H1 SING N\n"
+                          "GLY CA C SING N\nABC C1 O1 TRIP N\n"));
+  const std::vector<Bond> expected = {bond(0, 1, BondOrder::two), bond(0, 2, BondOrder::two),
+                                      bond(0, 3, BondOrder::aromatic),
+                                      bond(4, 5, BondOrder::aromatic), bond(6, 7, BondOrder::two)};
+  EXPECT_EQ(m.stated_bonds, expected);
+  EXPECT_EQ(m.unresolved_bonds, 0u) << "hydrogens are often not in the file";
+}
+
+// A component without atom sites, after a block that lists components.
+TEST(StatedBonds, OfAComponentFile) {
+  const std::string atoms = "data_comp_list\n" + component_bonds("LIG C1 O1 TRIP N\n") +
+                            "data_LIG\nloop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n"
+                            "_chem_comp_atom.type_symbol\n_chem_comp_atom.model_Cartn_x\n"
+                            "_chem_comp_atom.model_Cartn_y\n_chem_comp_atom.model_Cartn_z\n"
+                            "LIG C1 C 0 0 0\nLIG O1 O 1.2 0 0\n";
+  const Molecule m = read_text("a.cif", atoms + component_bonds("LIG C1 O1 DOUB N\n"));
+  EXPECT_EQ(m.stated_bonds, std::vector<Bond>{bond(0, 1, BondOrder::two)});
+}
+
 }  // namespace
 }  // namespace alphascope

@@ -102,6 +102,24 @@ struct SettingsParts {
 };
 
 // The parts that need no header of ours.
+// The line in the status bar, which counts how often it was set. So the same text twice is news.
+class Notice {
+ public:
+  Notice& operator=(std::string text) {
+    text_ = std::move(text);
+    ++times_;
+    return *this;
+  }
+  void clear() { text_.clear(); }
+  bool empty() const { return text_.empty(); }
+  const std::string& text() const { return text_; }
+  std::size_t times() const { return times_; }
+
+ private:
+  std::string text_;
+  std::size_t times_ = 0;  // how often a text was set
+};
+
 struct ViewValues {
   std::optional<Ref> hovered;  // thing under the mouse in the picture
   // The selection followed the atoms that line the chosen cavities. The history makes no entry of
@@ -133,7 +151,7 @@ struct ViewValues {
   // Lines that name the opened one of several dropped files. They stay until they are dismissed or
   // another file is opened.
   std::string drop_note;
-  std::string notice;                // one line in the status bar: "saved /tmp/a.png"
+  Notice notice;                     // one line in the status bar: "saved /tmp/a.png"
   std::string undo_text, redo_text;  // the change in words: "alpha"; empty: none
   std::vector<SampleMolecule> samples;
   std::vector<std::filesystem::path> recent;  // files, the latest first

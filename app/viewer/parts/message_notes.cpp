@@ -52,8 +52,10 @@ void MessageNotes::note_errors() {
 
 void MessageNotes::follow() {
   using Kind = Message::Kind;
-  const std::array<std::pair<Kind, std::string>, 6> shown{{
-      {Kind::notice, state_.notice},
+  const Notice& notice = state_.notice;
+  if (notice.times() != seen_notices_ && !notice.empty()) note(Kind::notice, notice.text());
+  seen_notices_ = notice.times();
+  const std::array<std::pair<Kind, std::string>, 5> shown{{
       {Kind::notice, state_.drop_note},
       {Kind::notice, state_.engine_note},
       {Kind::warning, state_.viewport.not_drawn},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,8 @@ class MessageNotes {
   void note_errors();
 
   ViewState& state_;
-  std::array<std::string, 6> seen_;  // texts of the last frame
+  std::size_t seen_notices_ = 0;     // Notice::times() in the last frame
+  std::array<std::string, 5> seen_;  // other texts of the last frame
   std::vector<Titled> seen_errors_;  // in the dialog, and those that wait for it
 };
 

@@ -30,7 +30,7 @@ TEST_F(ExportFromTheWindow, ACommandWritesWhatTheCommandLineDoes) {
   run("alpha.set 1.4\nwait-idle\nfile.export \"" + path("window.obj") + "\" chain\nwait-idle\n");
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
   EXPECT_EQ(
-      viewer_->state().notice,
+      viewer_->state().notice.text(),
       "Saved " + path("window.obj") +
           ": boundary of 41 solids: 850 triangles, 507 vertices, 503.4 Å³; left out, as they "
           "enclose nothing: 164 singular triangles, 22 edges, 0 vertices; 1 unit of the file is 1 "
@@ -86,7 +86,7 @@ TEST_F(ExportFromTheWindow, CancelLeavesNoFile) {
   viewer_->calls().jobs.cancel(JobId::complex);  // in the same frame, before the worker is done
   run("wait-idle\n");
   const bool written = fs::exists(folder_ / "c.vtu");
-  const std::string& notice = viewer_->state().notice;
+  const std::string& notice = viewer_->state().notice.text();
   EXPECT_NE(notice.find(written ? "Saved" : "was not written"), std::string::npos) << notice;
   for (const auto& entry : fs::directory_iterator(folder_)) {
     EXPECT_NE(entry.path().extension(), ".tmp");

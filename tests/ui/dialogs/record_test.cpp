@@ -117,8 +117,8 @@ TEST_F(RecordTest, ACancelledMovieIsNotThereAndFinishedFramesAre) {
   EXPECT_NE(file_job(viewer_->state().jobs), nullptr);
   viewer_->calls().jobs.cancel(JobId::picture);
   run("wait-idle\n");
-  EXPECT_NE(viewer_->state().notice.find("m.mp4 was not written"), std::string::npos)
-      << viewer_->state().notice;
+  EXPECT_NE(viewer_->state().notice.text().find("m.mp4 was not written"), std::string::npos)
+      << viewer_->state().notice.text();
   EXPECT_FALSE(fs::exists(folder_ / "m.mp4"));
 }
 

@@ -124,7 +124,7 @@ TEST_F(LessonRecordTest, ACancelledOneLeavesNoHalfMovie) {
   EXPECT_TRUE(file_job(viewer_->state().jobs) != nullptr);
   viewer_->calls().jobs.cancel(JobId::picture);
   run("wait-idle\n");
-  EXPECT_NE(viewer_->state().notice.find("m.mp4 was not written"), std::string::npos);
+  EXPECT_NE(viewer_->state().notice.text().find("m.mp4 was not written"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "m.mp4"));
 }
 

@@ -131,7 +131,7 @@ TEST_F(CavitiesTest, ACommandChoosesACavityBeforeTheTableIsThere) {
   const std::size_t rows = page().rows.size();
   run("cavities.choose 1000000\n");
   settle();
-  EXPECT_EQ(viewer_->state().notice,
+  EXPECT_EQ(viewer_->state().notice.text(),
             "There is no cavity 1,000,000; the last is " + std::to_string(rows) + ".");
   EXPECT_EQ(page().selected_rows, std::vector<std::size_t>{1});
 }
@@ -147,7 +147,7 @@ TEST_F(CavitiesTest, UndoTakesCavityAndSelectionBackTogether) {
   EXPECT_EQ(viewer_->state().settings.selection.cavities, second);
   EXPECT_EQ(viewer_->state().settings.selection.items, lining);
   EXPECT_EQ(page().selected_rows, std::vector<std::size_t>{1});
-  EXPECT_EQ(viewer_->state().notice, "Undone: selection");
+  EXPECT_EQ(viewer_->state().notice.text(), "Undone: selection");
   run("edit.undo\nwait-idle\nframes 3\n");
   EXPECT_TRUE(viewer_->state().settings.selection.empty());
   EXPECT_TRUE(viewer_->state().layers.empty());
@@ -283,7 +283,7 @@ TEST_F(CavitiesTest, SavedTablesAreThoseOfTheCommandLine) {
   run("click cavities.least\nkey ctrl+a\ntype 30\nkey enter\nframes 3\n");
   save(folder_ / "c.csv");
   const std::string csv = bytes("c.csv");
-  EXPECT_EQ(viewer_->state().notice, "Saved " + (folder_ / "c.csv").string());
+  EXPECT_EQ(viewer_->state().notice.text(), "Saved " + (folder_ / "c.csv").string());
   const std::string file = ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz";
   const std::string by = (folder_ / "by.csv").string();
   ASSERT_EQ(std::system((ALPHASCOPE_CLI " cavities -q '" + file + "' --min-volume 30 --csv '" + by +
@@ -350,7 +350,7 @@ TEST_F(CavitiesTest, FilesForOtherProgramsAreThoseOfTheCommandLine) {
   EXPECT_EQ(bytes("w.cxc"), expected("by.cxc"));
   EXPECT_EQ(geometry(bytes("w-surface.glb")), geometry(bytes("by-surface.glb")));
   EXPECT_FALSE(fs::exists(folder_ / "w.cxc.csv"));
-  EXPECT_EQ(viewer_->state().notice, "Saved " + (folder_ / "w.cxc").string());
+  EXPECT_EQ(viewer_->state().notice.text(), "Saved " + (folder_ / "w.cxc").string());
 }
 
 TEST_F(CavitiesTest, TheEndingOfTheNameSaysTheFormat) {
@@ -380,7 +380,7 @@ TEST_F(CavitiesTest, WhereATableCannotBeWrittenItSaysSoAndLeavesNothing) {
   save(folder_ / "full.csv");
   EXPECT_NE(viewer_->state().error.find((folder_ / "full.csv").string()), std::string::npos)
       << viewer_->state().error;
-  EXPECT_EQ(viewer_->state().notice, "");
+  EXPECT_EQ(viewer_->state().notice.text(), "");
   run("click error.ok\nframes 3\n");
   fs::create_directories(folder_ / "folder.csv");  // no file can have its name
   save(folder_ / "folder.csv");
@@ -423,8 +423,9 @@ TEST_F(CavitiesTest, WhatIsChosenFollowsIntoWhatItMergesWithAndComesBack) {
   ASSERT_EQ(page().selected_rows.size(), 1u);
   EXPECT_EQ(page().merged_into, page().selected_rows);
   EXPECT_TRUE(has("cavities.merged"));
-  EXPECT_EQ(viewer_->state().notice, "The selected cavity has merged into cavity " +
-                                         std::to_string(page().selected_rows.at(0) + 1) + ".");
+  EXPECT_EQ(viewer_->state().notice.text(), "The selected cavity has merged into cavity " +
+                                                std::to_string(page().selected_rows.at(0) + 1) +
+                                                ".");
   run("solvent.set 1.4\n");
   settle();
   EXPECT_EQ(page().selected_rows, std::vector<std::size_t>{row});
@@ -466,7 +467,7 @@ TEST_F(CavitiesTest, ANetworkIsSplitAndSaysWhereItFallsApart) {
   EXPECT_TRUE(has("cavities.networks"));
   run("edit.undo\n");
   settle();
-  EXPECT_EQ(viewer_->state().notice, "Undone: selection and networks of cavities");
+  EXPECT_EQ(viewer_->state().notice.text(), "Undone: selection and networks of cavities");
   ASSERT_EQ(page().rows.size(), 1u);
   run("click cavities.network.radius\n");
   settle();

@@ -43,8 +43,8 @@ TEST_F(ContactsPage, TheCommandSelectsAContactInEitherOrder) {
   EXPECT_EQ(viewer_->state().window.page, "contacts");
   EXPECT_EQ(chains_of_selection(), "AB");
   run("contacts.select A Z\nframes 3\nwait-idle\n");
-  EXPECT_NE(viewer_->state().notice.find("do not touch"), std::string::npos)
-      << viewer_->state().notice;
+  EXPECT_NE(viewer_->state().notice.text().find("do not touch"), std::string::npos)
+      << viewer_->state().notice.text();
   EXPECT_EQ(chains_of_selection(), "AB") << "stays";
 }
 

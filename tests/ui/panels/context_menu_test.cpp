@@ -87,7 +87,7 @@ TEST_F(ContextMenuTest, IsAboutTheAtomUnderTheMouse) {
   EXPECT_EQ(state().settings.annotations.labels[0].text, LabelText::name);
   run("right-click " + place);
   choose("context.copy_name");
-  EXPECT_EQ(state().notice, "Copied " + atom_address(molecule, atom.atom));
+  EXPECT_EQ(state().notice.text(), "Copied " + atom_address(molecule, atom.atom));
   EXPECT_EQ(ImGui::GetClipboardText(), atom_address(molecule, atom.atom));
   run("right-click " + place);
   choose("context.why");

@@ -76,7 +76,7 @@ TEST_F(GuideWindow, LinksLeadToPagesAndBack) {
   EXPECT_TRUE(has("guide.title.window"));
   EXPECT_LT(top_of_text(), -500) << "it is scrolled to the heading";
   run("help.guide nowhere\nframes 3\n");
-  EXPECT_NE(viewer_->state().notice.find("no page \"nowhere\""), std::string::npos);
+  EXPECT_NE(viewer_->state().notice.text().find("no page \"nowhere\""), std::string::npos);
 }
 
 TEST_F(GuideWindow, TakesTheKeysOfAReaderOnly) {

@@ -94,14 +94,14 @@ TEST_F(MeasuresTest, TitlesSortAndRowsAreCopied) {
       << "the largest first";
   run("click measures.copy\n");
   settle();
-  EXPECT_EQ(state().notice, "Areas and volumes copied as CSV.");
+  EXPECT_EQ(state().notice.text(), "Areas and volumes copied as CSV.");
   EXPECT_FALSE(memory().copying);
   const std::string copied = ImGui::GetClipboardText();
   run("click measures.save\nframes 3\n");
   state().save_table.path = (folder_ / "m.csv").string();
   run("click save_table.ok\n");
   settle();
-  EXPECT_EQ(state().notice, "Saved " + (folder_ / "m.csv").string());
+  EXPECT_EQ(state().notice.text(), "Saved " + (folder_ / "m.csv").string());
   EXPECT_EQ(bytes("m.csv"), copied);
 }
 

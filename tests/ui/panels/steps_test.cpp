@@ -116,7 +116,7 @@ TEST_F(StepsTest, ForwardBackAndByName) {
   EXPECT_EQ(memory().at(), 1u);
   run("steps.show nothing\nframes 2\n");
   EXPECT_EQ(memory().at(), 1u);
-  EXPECT_NE(state().notice.find("“nothing”"), std::string::npos) << state().notice;
+  EXPECT_NE(state().notice.text().find("“nothing”"), std::string::npos) << state().notice.text();
   run("click steps.step.4\nframes 2\n");
   EXPECT_EQ(memory().at(), 3u);
   // The page stays at its step when the numbers change.

@@ -59,6 +59,13 @@ TEST(MessagesOfTheWindow, AreKeptWhenTheyHaveGone) {
   s.more_errors.clear();
   notes.follow();
   EXPECT_EQ(s.tasks.messages.size(), 4u);
+  s.notice = "Copied.";
+  notes.follow();
+  s.notice = "Copied.";
+  notes.follow();
+  notes.follow();
+  ASSERT_EQ(s.tasks.messages.size(), 6u) << "copied twice";
+  EXPECT_EQ(s.tasks.messages[1].text, "Copied.");
   for (int n = 0; n < 200; ++n) {
     s.notice = std::to_string(n);
     notes.follow();

@@ -82,11 +82,11 @@ TEST_F(AnnotationsTest, TooManyLabelsAreRefused) {
 TEST_F(AnnotationsTest, MeasuresInTheOrderOfSelection) {
   open_crambin();
   run("key d\n");
-  EXPECT_NE(viewer_->state().notice.find("Select two to four atoms"), std::string::npos);
+  EXPECT_NE(viewer_->state().notice.text().find("Select two to four atoms"), std::string::npos);
   run("select.atoms A:THR 1:CA\nselect.add A:THR 1:N\nkey d\n");
   settle();
   EXPECT_EQ(words(), Words{"1.498 Å"});
-  EXPECT_EQ(viewer_->state().notice, "Distance A:THR 1:CA – A:THR 1:N: 1.498 Å");
+  EXPECT_EQ(viewer_->state().notice.text(), "Distance A:THR 1:CA – A:THR 1:N: 1.498 Å");
   EXPECT_EQ(viewer_->state().undo_text, "measured distances and angles");
   EXPECT_EQ(refusal("measure.atoms"), "This is measured already, as number 1.");
   // N is selected second, so the angle is at N, not at the atom that is second in the file.
@@ -129,7 +129,7 @@ TEST_F(AnnotationsTest, TheListSelectsRemovesAndCopies) {
       "frames 3\nclick details.measured.2\nframes 2\n");
   EXPECT_EQ(viewer_->state().settings.selection.items.size(), 3u);
   run("click details.copy\nframes 3\n");
-  EXPECT_EQ(viewer_->state().notice, "Copied 2 distances and angles");
+  EXPECT_EQ(viewer_->state().notice.text(), "Copied 2 distances and angles");
   run("click details.remove.1\nframes 3\n");
   ASSERT_EQ(annotations().measurements.size(), 1u);
   EXPECT_EQ(annotations().measurements[0].atoms.size(), 3u);

@@ -84,7 +84,7 @@ TEST_F(CopyPicture, ThePictureArrivesAsPng) {
   const Variable path("PATH", folder_.c_str()), x("DISPLAY", ":7"),
       wayland("WAYLAND_DISPLAY", nullptr);
   run("file.copy_picture\nwait-idle\n");
-  EXPECT_EQ(viewer_->state().notice, "Copied the picture");
+  EXPECT_EQ(viewer_->state().notice.text(), "Copied the picture");
   EXPECT_NE(bytes("arguments").find("-selection clipboard -t image/png"), std::string::npos);
   run("file.save_picture " + (folder_ / "saved.png").string() + "\nwait-idle\n");
   const std::string copied = bytes("copied.png");

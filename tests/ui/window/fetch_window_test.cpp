@@ -137,7 +137,7 @@ TEST_F(FetchWindow, ASlowTransferBlocksNothingAndEndsSoonAfterACancel) {
   }
   EXPECT_LT(late, 0.1);
   EXPECT_LT(longest, 0.1);
-  EXPECT_EQ(state().notice, "Fetching pdb:1SLO was cancelled.");
+  EXPECT_EQ(state().notice.text(), "Fetching pdb:1SLO was cancelled.");
   EXPECT_FALSE(state().molecule.loaded);
   EXPECT_EQ(kept_files(), 0);
 }
@@ -208,7 +208,7 @@ TEST_F(FetchWindow, TheLatestRequestWins) {
   begin("1slo");
   run("open " + crambin().string() + "\nwait-idle\n");
   EXPECT_EQ(state().molecule.name, "1crn.pdb");
-  EXPECT_EQ(state().notice, "");
+  EXPECT_EQ(state().notice.text(), "");
   begin("1slo");
   run("file.fetch 1god\nwait-idle\n");
   EXPECT_EQ(state().molecule.name, "1GOD.cif.gz");

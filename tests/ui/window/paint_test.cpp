@@ -97,7 +97,8 @@ TEST_F(PaintTest, AFormerNameOfASchemeIsReadAndTold) {
   open_crambin();
   run("view.colour_balls residue_kind\n");
   EXPECT_EQ(display().ball_paint.by, ColourBy::residue_class);
-  EXPECT_NE(viewer_->state().notice.find("is called \"residue_class\" now"), std::string::npos);
+  EXPECT_NE(viewer_->state().notice.text().find("is called \"residue_class\" now"),
+            std::string::npos);
 }
 
 TEST_F(PaintTest, WhatCannotBeIsSaid) {

@@ -179,7 +179,7 @@ TEST_F(SessionWindowTest, TheDialogSavesBesideTheMolecule) {
   open_molecule();
   run("key ctrl+shift+s\nframes 3\nclick save_session.ok\nwait-idle\n");
   EXPECT_TRUE(fs::exists(folder_ / "m.json"));
-  EXPECT_NE(viewer_->state().notice.find("m.json"), std::string::npos);
+  EXPECT_NE(viewer_->state().notice.text().find("m.json"), std::string::npos);
 }
 
 // The command line's picture of a session equals the one that the window saves.

@@ -235,7 +235,7 @@ TEST_F(ViewerTest, SavesAPictureOfTheChosenSize) {
       folder_ / "picture.png", {.width = 320, .height = 240, .background = kNoBackground}});
   run("wait-idle\n");
   EXPECT_TRUE(viewer_->state().error.empty()) << viewer_->state().error;
-  EXPECT_EQ(viewer_->state().notice, "Saved " + (folder_ / "picture.png").string());
+  EXPECT_EQ(viewer_->state().notice.text(), "Saved " + (folder_ / "picture.png").string());
   const Image saved = testing::pixels_of(folder_ / "picture.png");
   EXPECT_EQ(saved.width, 320);
   EXPECT_EQ(saved.height, 240);
@@ -334,7 +334,7 @@ TEST_F(ViewerTest, ACancelledPictureLeavesTheOldFile) {
       ScreenshotRequest{folder_ / "picture.png", {.width = 3000, .height = 2000}});
   run("frames 3\nclick view.cancel_save\nframes 2\n");
   EXPECT_EQ(file_job(viewer_->state().jobs), nullptr) << "at once";
-  EXPECT_NE(viewer_->state().notice.find("was not written"), std::string::npos);
+  EXPECT_NE(viewer_->state().notice.text().find("was not written"), std::string::npos);
   EXPECT_EQ(bytes("picture.png"), "older");
   // The next picture waits for the last one.
   viewer_->calls().jobs.save_picture(
@@ -431,8 +431,8 @@ TEST_F(ViewerTest, PicturesTooSmallForALegendSaySo) {
   viewer_->calls().jobs.save_picture(
       ScreenshotRequest{folder_ / "picture.png", {.width = 200, .height = 150}});
   run("wait-idle\n");
-  EXPECT_NE(viewer_->state().notice.find("The picture has no legend"), std::string::npos)
-      << viewer_->state().notice;
+  EXPECT_NE(viewer_->state().notice.text().find("The picture has no legend"), std::string::npos)
+      << viewer_->state().notice.text();
 }
 
 TEST_F(ViewerTest, APictureThatCannotBeWrittenLeavesTheViewAsItWas) {

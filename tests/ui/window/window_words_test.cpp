@@ -90,7 +90,7 @@ TEST_F(WindowWords, AnotherFileClosesTheDialogThatAskedAboutTheLast) {
   EXPECT_EQ(state().molecule.name, "4hhb.pdb.gz");
   EXPECT_FALSE(state().dialogs.show_export);
   EXPECT_TRUE(state().dialogs.open.empty());
-  EXPECT_NE(state().notice.find("closed"), std::string::npos) << state().notice;
+  EXPECT_NE(state().notice.text().find("closed"), std::string::npos) << state().notice.text();
 }
 
 TEST_F(WindowWords, AllHiddenIsNotOutOfView) {

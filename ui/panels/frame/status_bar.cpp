@@ -255,9 +255,9 @@ void draw_status_bar(PanelContext& ctx) {
   }
   const float width = ImGui::CalcTextSize(right.c_str()).x;
   if (!s.notice.empty() && room > width + ctx.px(80)) {
-    ImGui::TextUnformatted(fitted_text(s.notice, room - width - ctx.px(24)).c_str());
+    ImGui::TextUnformatted(fitted_text(s.notice.text(), room - width - ctx.px(24)).c_str());
     tasks_button(ctx, "status.notice");
-    tooltip(ctx, (s.notice + "\nClick: tasks and messages.").c_str());
+    tooltip(ctx, (s.notice.text() + "\nClick: tasks and messages.").c_str());
     ImGui::SameLine();
   }
   if (width <= room) {

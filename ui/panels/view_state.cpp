@@ -32,6 +32,7 @@ ViewState::ViewState(const ViewValues& values, ViewParts& parts)
       guide(parts.guide),
       steps(parts.steps),
       cavities(parts.cavities),
+      channels(parts.channels),
       sandbox(parts.sandbox),
       molecule(parts.molecule),
       ours(parts.ours),

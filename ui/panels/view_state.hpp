@@ -32,6 +32,7 @@ struct BenchmarkSettings;
 struct BrowserState;
 struct CavitySettings;
 struct CavityState;
+struct ChannelState;
 struct Clip;
 struct ColdAndWarm;
 struct ContextState;
@@ -101,7 +102,6 @@ struct SettingsParts {
   explicit SettingsParts(Settings& settings);
 };
 
-// The parts that need no header of ours.
 // The line in the status bar, which counts how often it was set. So the same text twice is news.
 class Notice {
  public:
@@ -120,6 +120,7 @@ class Notice {
   std::size_t times_ = 0;  // how often a text was set
 };
 
+// The parts that need no header of ours.
 struct ViewValues {
   std::optional<Ref> hovered;  // thing under the mouse in the picture
   // The selection followed the atoms that line the chosen cavities. The history makes no entry of
@@ -167,6 +168,7 @@ struct ViewState : ViewValues {
   GuideState& guide;
   StepsState& steps;
   CavityState& cavities;
+  ChannelState& channels;
   SandboxState& sandbox;
   MoleculeInfo& molecule;
   ColdAndWarm &ours, &cgal, &cgal_parallel;  // cgal_parallel: with all threads

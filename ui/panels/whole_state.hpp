@@ -10,6 +10,7 @@
 #include "core/selection/selection_error.hpp"
 #include "ui/colour_legend.hpp"
 #include "ui/panels/cavities/cavity_state.hpp"
+#include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/dialogs/benchmark_info.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
@@ -52,6 +53,7 @@ struct ViewParts {
   GuideState guide;
   StepsState steps;
   CavityState cavities;
+  ChannelState channels;
   SandboxState sandbox;
   MoleculeInfo molecule;
   ColdAndWarm ours, cgal, cgal_parallel;

@@ -44,7 +44,7 @@ class ChannelsTest : public ViewerTest {
     settle();
   }
   void settle() { run("frames 3\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
-  const ChannelState& memory() { return memory_of<ChannelState>(viewer_->panels(), "channels"); }
+  const ChannelState& memory() { return viewer_->state().channels; }
   const Channel& channel() { return *memory().shown->channel; }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
   bool has_layer(const std::string& id) {
@@ -114,6 +114,20 @@ TEST_F(ChannelsTest, WaysAreListedAndAClickTakesOne) {
   EXPECT_EQ(memory().shown->way->through, "chain A");
   EXPECT_NEAR(wider - channel().widest_angstrom, 0.4, 0.002);
   EXPECT_TRUE(has_layer("channels.tube"));
+  // The tree of the page Structure has the same ways. The one under the mouse is drawn, or else the
+  // chosen one.
+  run("view.page structure\nwait-idle\nframes 3\nclick structure.channels\n");
+  settle();
+  ASSERT_TRUE(has("structure.channel.2"));
+  EXPECT_FALSE(has_layer("channels.tube")) << "none is chosen there";
+  run("click structure.channel.2\n");
+  settle();
+  run("move structure.channel.1\nframes 3\n");
+  EXPECT_TRUE(has_layer("channels.tube"));
+  EXPECT_EQ(memory().shown->way->through, "chain B");
+  run("move status.memory\nframes 3\n");
+  EXPECT_EQ(memory().shown->way->through, "chain A");
+  EXPECT_EQ(memory().way, 2u);
 }
 
 TEST_F(ChannelsTest, ACupHasNoWayThrough) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/channel/channel_ends.hpp"
+#include "core/document/store/definition.hpp"
 
 namespace alphascope {
 
@@ -27,6 +28,14 @@ struct ChannelRequest {
 ChannelRequest channel_request(PanelContext& ctx, ChannelState& memory);
 // Draws the two rows that choose both ends.
 void draw_channel_ends(PanelContext& ctx, ChannelState& memory);
+// To be called before all else in each frame: follows the molecule and its balls. Returns false
+// while there are none.
+bool follow_molecule_of_channels(PanelContext& ctx, ChannelState& memory);
+// Asks for the ways through the molecule.
+Derived<FoundWays> want_ways(PanelContext& ctx, const ChannelState& memory);
+// Makes this the shown channel.
+void take_found_channel(const PanelContext& ctx, ChannelState& memory,
+                        const std::shared_ptr<const FoundChannel>& found);
 // Draws a line for each way through the molecule. A click chooses the way.
 void draw_ways(PanelContext& ctx, ChannelState& memory, const FoundWays& ways);
 

@@ -57,19 +57,6 @@ Inputs inputs_as_they_are(const ChannelState& memory) {
   return inputs;
 }
 
-void take_answer(const PanelContext& ctx, ChannelState& memory,
-                 const std::shared_ptr<const FoundChannel>& found) {
-  if (memory.shown == found) return;
-  memory.shown = found;
-  memory.layers.clear();
-  memory.cursor = -1;
-  memory.touching.clear();
-  memory.covering.clear();
-  const BallReferences& atoms = *ctx.state.references;
-  if (found->channel) memory.touching = touching_text(atoms, *found->channel);
-  if (found->covering) memory.covering = atom_text(atoms, *found->covering);
-}
-
 void progress(PanelContext& ctx, ChannelState& memory, const Derived<FoundChannel>& found) {
   const std::string text = percent_text(found.share);
   const bool runs = found.state == DerivedState::running;
@@ -116,7 +103,7 @@ bool may_begin(PanelContext& ctx, ChannelState& memory, const AnyDefinition& wan
 // Returns the chosen way in the form of a result of found_channel(). It has no value if there are
 // no ways.
 Derived<FoundChannel> want_way(PanelContext& ctx, ChannelState& memory, Derived<FoundWays>& ways) {
-  ways = ctx.store.want(found_ways(), inputs_as_they_are(memory));
+  ways = want_ways(ctx, memory);
   Derived<FoundChannel> found;
   found.state = ways.state;
   found.share = ways.share;
@@ -158,7 +145,7 @@ void page(PanelContext& ctx, ChannelState& memory) {
   }
   const bool no_way = of_ways && ways.ready() && ways.value->ways.empty();
   if (no_way) memory.shown = nullptr;
-  if (found.ready() && found.value) take_answer(ctx, memory, found.value);
+  if (found.ready() && found.value) take_found_channel(ctx, memory, found.value);
   const bool current = found.ready() && found.value && memory.shown == found.value;
   if (has_question && asked) {
     first_line(ctx, memory, found, current);
@@ -192,7 +179,20 @@ void page(PanelContext& ctx, ChannelState& memory) {
   if (current) show_channel(ctx, memory);
 }
 
-void draw_channels(PanelContext& ctx, ChannelState& memory) {
+void draw_channels(PanelContext& ctx) {
+  ChannelState& memory = ctx.state.channels;
+  if (!follow_molecule_of_channels(ctx, memory)) {
+    muted_wrapped(ctx, "Open a molecule: the channels through it appear here.");
+    record(ctx, "channels.waiting");
+    return;
+  }
+  take_choice(ctx, memory);
+  page(ctx, memory);
+}
+
+}  // namespace
+
+bool follow_molecule_of_channels(PanelContext& ctx, ChannelState& memory) {
   reset_for_molecule(memory, ctx.state.file_hash(), [](const ChannelState& old) {
     ChannelState fresh;
     fresh.balls_key = old.balls_key;  // no two sets of balls may share a key
@@ -200,16 +200,28 @@ void draw_channels(PanelContext& ctx, ChannelState& memory) {
   });
   if (!ctx.state.has_molecule() || !ctx.state.references ||
       ctx.state.references->prepared().balls->size() == 0) {
-    muted_wrapped(ctx, "Open a molecule: the channels through it appear here.");
-    record(ctx, "channels.waiting");
-    return;
+    return false;
   }
   take_balls(ctx, memory);
-  take_choice(ctx, memory);
-  page(ctx, memory);
+  return true;
 }
 
-}  // namespace
+Derived<FoundWays> want_ways(PanelContext& ctx, const ChannelState& memory) {
+  return ctx.store.want(found_ways(), inputs_as_they_are(memory));
+}
+
+void take_found_channel(const PanelContext& ctx, ChannelState& memory,
+                        const std::shared_ptr<const FoundChannel>& found) {
+  if (memory.shown == found) return;
+  memory.shown = found;
+  memory.layers.clear();
+  memory.cursor = -1;
+  memory.touching.clear();
+  memory.covering.clear();
+  const BallReferences& atoms = *ctx.state.references;
+  if (found->channel) memory.touching = touching_text(atoms, *found->channel);
+  if (found->covering) memory.covering = atom_text(atoms, *found->covering);
+}
 
 std::unique_ptr<Panel> channels_panel() {
   return panel_of(draw_channels);

@@ -23,6 +23,7 @@ struct StructurePage {
   const BallReferences& atoms;
   std::optional<std::size_t> pointed;  // row under the mouse, here or in the picture
   std::optional<std::size_t> hovered;  // row under the mouse on this page
+  std::size_t hovered_way = 0;         // way under the mouse on this page, from 1; 0: none
 };
 
 std::string count_text(std::size_t n);  // "1,224"
@@ -43,6 +44,16 @@ void follow_tree_of_cavities(PanelContext& ctx, const StructureState& memory);
 std::size_t lines_of_cavities(const StructurePage& page);
 void draw_title_of_cavities(StructurePage& page);
 void draw_cavity(StructurePage& page, std::size_t row);
+
+// --- structure_channels.cpp
+
+// Asks for the ways through the molecule while their branch is open. Draws the one under the mouse,
+// or else the chosen one.
+void follow_tree_of_channels(PanelContext& ctx, StructureState& memory);
+// Lines of the branch of channels, which comes second: at least its title.
+std::size_t lines_of_channels(const StructurePage& page);
+void draw_title_of_channels(StructurePage& page);
+void draw_channel(StructurePage& page, std::size_t row);
 
 // --- structure_tree.cpp and structure_sequences.cpp
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Structure: a tree of cavities, chains, residues and ligands at the left, and the
-// sequences at the right. A click selects, here and in the picture.
+// The page Structure: a tree of cavities, channels, chains, residues and ligands at the left, and
+// the sequences at the right. A click selects, here and in the picture.
 #include <imgui.h>
 
 #include <optional>
@@ -52,7 +52,8 @@ void draw_structure(PanelContext& ctx, StructureState& memory) {
     memory.of = rows.value;
   }
   follow_tree_of_cavities(ctx, memory);
-  StructurePage page{ctx, memory, *rows.value, *ctx.inputs.atoms, {}, {}};
+  follow_tree_of_channels(ctx, memory);
+  StructurePage page{ctx, memory, *rows.value, *ctx.inputs.atoms, {}, {}, 0};
   page.pointed = memory.hovered ? memory.hovered : row_in_picture(page);
   const float height = ImGui::GetContentRegionAvail().y;
   ImGui::BeginChild("structure.tree", {ctx.px(kTreeWidth), height});
@@ -63,6 +64,7 @@ void draw_structure(PanelContext& ctx, StructureState& memory) {
   draw_sequences(page);
   ImGui::EndChild();
   memory.hovered = page.hovered;
+  memory.hovered_way = page.hovered_way;
   mark_hovered(page);
 }
 

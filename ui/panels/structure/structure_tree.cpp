@@ -16,9 +16,17 @@
 namespace alphascope {
 namespace {
 
-// A line of the tree: a branch, a residue of it, the branch of cavities, or a cavity.
+// A line of the tree: a branch or a residue of it; the branches of cavities and channels, or one of
+// them.
 struct TreeLine {
-  enum class Kind : std::uint8_t { branch, residue, cavities, cavity } kind = Kind::branch;
+  enum class Kind : std::uint8_t {
+    branch,
+    residue,
+    cavities,
+    cavity,
+    channels,
+    channel
+  } kind = Kind::branch;
   std::size_t branch = 0, row = 0;
 };
 
@@ -27,6 +35,9 @@ TreeLine line_at(const StructurePage& page, std::size_t n) {
   if (n == 0) return {TreeLine::Kind::cavities, 0, 0};
   if (n < lines_of_cavities(page)) return {TreeLine::Kind::cavity, 0, n - 1};
   n -= lines_of_cavities(page);
+  if (n == 0) return {TreeLine::Kind::channels, 0, 0};
+  if (n < lines_of_channels(page)) return {TreeLine::Kind::channel, 0, n - 1};
+  n -= lines_of_channels(page);
   for (std::size_t b = 0; b < page.rows.branches.size(); ++b) {
     if (n == 0) return {TreeLine::Kind::branch, b, 0};
     --n;
@@ -40,7 +51,7 @@ TreeLine line_at(const StructurePage& page, std::size_t n) {
 
 // The index of a row's line; empty if its branch is closed.
 std::optional<std::size_t> line_of(const StructurePage& page, std::size_t row) {
-  std::size_t n = lines_of_cavities(page);
+  std::size_t n = lines_of_cavities(page) + lines_of_channels(page);
   for (const ResidueBranch& branch : page.rows.branches) {
     ++n;
     const bool open = page.memory.open.contains(branch.title);
@@ -88,7 +99,7 @@ void draw_tree(StructurePage& page) {
   for (const ResidueBranch& branch : page.rows.branches) {
     if (page.memory.open.contains(branch.title)) lines += branch.size();
   }
-  lines += lines_of_cavities(page);
+  lines += lines_of_cavities(page) + lines_of_channels(page);
   const float height = ImGui::GetTextLineHeightWithSpacing();
   // A residue under the mouse in the picture comes into sight.
   if (page.pointed && page.pointed != page.memory.hovered && page.pointed != page.memory.scrolled) {
@@ -118,6 +129,12 @@ void draw_tree(StructurePage& page) {
           break;
         case TreeLine::Kind::cavity:
           draw_cavity(page, line.row);
+          break;
+        case TreeLine::Kind::channels:
+          draw_title_of_channels(page);
+          break;
+        case TreeLine::Kind::channel:
+          draw_channel(page, line.row);
           break;
       }
     }

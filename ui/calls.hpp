@@ -28,6 +28,7 @@ class FileCalls {
   virtual void open(
       const std::filesystem::path& file) = 0;  // a molecule, or a session if its name ends so
   virtual void open_session(const std::filesystem::path& file) = 0;
+  virtual void close_file() = 0;  // closes the molecule and cancels its jobs
   // Fetches the molecule, unless it was fetched before, and opens it. `again`: fetches it anyway.
   virtual void fetch(const MoleculeId& id, bool again) = 0;
   virtual void save_session(const std::filesystem::path& file) = 0;

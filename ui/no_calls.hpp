@@ -9,6 +9,7 @@ namespace alphascope {
 struct NoFileCalls : FileCalls {
   void open(const std::filesystem::path&) override {}
   void open_session(const std::filesystem::path&) override {}
+  void close_file() override {}
   void fetch(const MoleculeId&, bool) override {}
   void save_session(const std::filesystem::path&) override {}
   void continue_session(const std::filesystem::path&) override {}

@@ -79,6 +79,26 @@ void Session::open(const std::filesystem::path& path, const OpenOptions& options
   submit_open(path);
 }
 
+void Session::close() {
+  // A worker that has finished delivers now, so that nothing comes later.
+  opener_.cancel();
+  opener_.poll();
+  computer_.cancel();
+  computer_.poll();
+  comparer_.cancel();
+  comparer_.poll();
+  opening_path_.clear();
+  asked_.reset();
+  comparison_wanted_ = timing_parallel_ = reference_anew_ = false;
+  options_ = for_another_file(options_);
+  SessionState closed;
+  closed.request = state_.request;
+  state_ = std::move(closed);
+  computer_.when_idle([engines = engines_] { engines->clear(); });
+  comparer_.when_idle([references = references_] { references->clear(); });
+  changes_ = {};
+}
+
 void Session::set_open_options(const OpenOptions& options) {
   options_ = options;
   if (!opening_path_.empty()) {

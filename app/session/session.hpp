@@ -98,6 +98,9 @@ class Session {
   void set_open_options(const OpenOptions& options);
   const OpenOptions& open_options() const { return options_; }
   void cancel_opening() { opener_.cancel(); }
+  // Closes the molecule and cancels all work. The request stays, and so do options that do not
+  // belong to one file.
+  void close();
 
   // The latest request wins. No effect if `request` is the present one and is answered or being
   // computed. `of_all`: the store's results for all balls, for engines on the CPU; results for

@@ -146,6 +146,21 @@ void Viewer::take_session() {
   state_.move_milliseconds = sender_.moves().milliseconds();
 }
 
+// Files that are being written of the molecule are cancelled too, except sessions: nobody could
+// make them again.
+void Viewer::close_file() {
+  if (!file_.any()) return;
+  for (const JobId job : {JobId::fetching, JobId::opening, JobId::computing, JobId::comparing,
+                          JobId::picture, JobId::table, JobId::complex}) {
+    jobs_.list().cancel(job);
+  }
+  file_.close();
+  store_.clear();
+  status_.forget_compared();
+  memory_.note_freed();
+  pace_.due().ask();
+}
+
 void Viewer::send_controls() {
   sender_.send_request();
   sender_.send_selection();

@@ -34,6 +34,9 @@ class Viewer::Queued {
     void open_session(const std::filesystem::path& file) override {
       queue.put("open_session", [this, file] { v.file_.opening().open_session(file); });
     }
+    void close_file() override {
+      queue.put("close_file", [this] { v.close_file(); });
+    }
     void save_session(const std::filesystem::path& file) override {
       queue.put("save_session", [this, file] {
         v.scene_.cameras().end_glide();

@@ -21,10 +21,12 @@
 #include "core/read/file_format.hpp"
 #include "core/text/as_sentence.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/dialogs/benchmark_info.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/picture_requests.hpp"
 #include "ui/panels/dialogs/typed_path.hpp"
 #include "ui/panels/frame/palette_state.hpp"
+#include "ui/panels/lessons/lesson_state.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/window_settings.hpp"
@@ -171,6 +173,22 @@ void add_file_commands(Commands& commands, ViewState& s, const Calls& ask) {
   commands.add(fetch_command(s, ask));
   commands.add(open_session_command(s, ask));
   commands.add(recent_files_command(s, ask));
+  commands.add({.id = "file.close",
+                .title = "Close the molecule",
+                .help = "Closes the molecule without saving a session, and shows the start page",
+                .synonyms = {{"start page new empty"}},
+                .shortcuts = {{"Ctrl+W"}},
+                .menu = "File",
+                .why_not = [&s]() -> std::string {
+                  if (!s.molecule.loaded) return "No molecule is open.";
+                  if (s.lessons.open) return "A lesson is open. Close the lesson first.";
+                  return s.benchmark.running ? "A benchmark is running. Cancel it first." : "";
+                },
+                .run =
+                    [ask](const Arguments&) {
+                      ask.files.close_file();
+                      return Outcome();
+                    }});
   commands.add(
       {.id = "file.sample",
        .title = "Sample molecule",

@@ -40,4 +40,10 @@ void MoveClock::follow(const std::shared_ptr<const Answer>& shown,
   drawn_.reset();
 }
 
+void MoveClock::forget() {
+  moves_.clear();
+  drawn_.reset();
+  milliseconds_.reset();
+}
+
 }  // namespace alphascope

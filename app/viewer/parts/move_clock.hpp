@@ -22,6 +22,8 @@ class MoveClock {
   // Call once a frame. `finished`: when the first picture of `shown` was drawn; nothing before it.
   void follow(const std::shared_ptr<const Answer>& shown,
               std::optional<Clock::time_point> finished);
+  // Call when another file is shown, whose alpha nobody has asked for by a move.
+  void forget();
   // Of the last picture with a known time. Nothing if no move asked for the picture on screen, as
   // after opening a file.
   std::optional<double> milliseconds() const { return milliseconds_; }

@@ -38,22 +38,13 @@ void ShownFile::take_file() {
   file_ = s.opened->deposited;
   state.drop_note = opening_.take_drop_note();
   p_.host.set_title(state.molecule.name + " – Alphascope");
-  close_dialogs();
-  state.cavities.wanted_row.reset();
-  state.playback.models = false;
-  state.steps.playing = false;
-  Settings fresh;  // gets the settings that do not belong to one file
-  fresh.request = state.settings.request;
-  fresh.display = state.settings.display;
-  fresh.objects = first_objects_ ? *first_objects_ : usual_objects(state.molecule.contents);
-  state.settings.all = fresh;
-  p_.sender.take_options();
-  state.expression_error.reset();
-  state.expression.typed = state.expression.shown = state.settings.open.balls.selection;
+  close_dialogs("another file was opened");
+  reset_settings();
+  state.settings.objects =
+      first_objects_ ? *first_objects_ : usual_objects(state.molecule.contents);
   const auto session = opening_.starting();
   const std::filesystem::path& source = file_->source;
   const bool of_session = session && session->molecule.path == source;
-  state.session_file.clear();
   if (!of_session || session->is_recent) {
     p_.preferences.note_recent_file(of_session && !session->file.empty() ? session->file : source);
   }
@@ -64,8 +55,48 @@ void ShownFile::take_file() {
   if (of_session) p_.history.restore();
 }
 
+void ShownFile::close() {
+  ViewState& state = p_.state;
+  opening_.forget_waiting_session();
+  opening_.take_drop_note();
+  close_dialogs("its molecule was closed");
+  p_.scene.close();
+  p_.session.close();
+  p_.sender.moves().forget();
+  file_ = nullptr;
+  state.molecule = {};
+  state.drop_note.clear();
+  state.engine_note.clear();
+  state.compute_error.clear();
+  state.viewport.texture = 0;
+  state.ours = state.cgal = state.cgal_parallel = {};
+  state.playback.alpha = false;
+  const std::uint64_t seen = state.channels.balls_key;  // no two sets of balls may share a key
+  state.channels = {};
+  state.channels.balls_key = seen;
+  reset_settings();
+  p_.history.restart();
+  p_.host.set_title("Alphascope");
+}
+
+// Keeps the settings that do not belong to one file.
+void ShownFile::reset_settings() {
+  ViewState& state = p_.state;
+  state.cavities.wanted_row.reset();
+  state.playback.models = false;
+  state.steps.playing = false;
+  Settings fresh;
+  fresh.request = state.settings.request;
+  fresh.display = state.settings.display;
+  state.settings.all = fresh;
+  p_.sender.take_options();
+  state.expression_error.reset();
+  state.expression.typed = state.expression.shown = state.settings.open.balls.selection;
+  state.session_file.clear();
+}
+
 // Closes dialogs about the previous file.
-void ShownFile::close_dialogs() {
+void ShownFile::close_dialogs(const char* why) {
   ViewState& s = p_.state;
   s.saving.names.clear();
   const bool any = s.dialogs.show_save || s.dialogs.show_export || s.dialogs.show_save_session ||
@@ -78,7 +109,7 @@ void ShownFile::close_dialogs() {
   s.record.path.clear();
   if (s.browser.purpose == BrowserPurpose::save) s.browser.show = false;
   s.dialogs.confirm_assembly.clear();
-  s.notice = "The dialog was closed because another file was opened.";
+  s.notice = std::string("The dialog was closed because ") + why + ".";
 }
 
 // Colours by element if there is only one chain, else by chain. Colours that the user has chosen

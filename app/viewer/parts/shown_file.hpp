@@ -41,6 +41,8 @@ class ShownFile {
   // Call when the session has new balls. `line_scale` as in SceneStyle. Returns whether they are of
   // another molecule, so that the memory of the last one is free.
   bool take_molecule(float line_scale);
+  // Closes the file: the start page is shown, and settings that belong to one file are gone.
+  void close();
   bool any() const { return file_ != nullptr; }
   // Objects of molecules that are opened; none: usual_objects().
   void set_first_objects(std::optional<DrawnObjects> objects) {
@@ -49,7 +51,8 @@ class ShownFile {
 
  private:
   void take_file();
-  void close_dialogs();
+  void reset_settings();
+  void close_dialogs(const char* why);
   void start_preset();
   void open_picture_dialog();
   void colour_by_what_differs(const MoleculeContents& contents);

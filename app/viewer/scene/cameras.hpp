@@ -49,7 +49,14 @@ class Cameras {
   bool gliding() const { return glide_.has_value(); }
   // Call once a frame while gliding.
   void step_glide(std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
-  void end_glide();  // at its end
+  void end_glide();
+  // Call before the picture is cleared for good: the next molecule gets a view of its own.
+  void forget() {
+    end_glide();
+    viewed_ = nullptr;
+    when_drawn_.reset();
+    left_.reset();
+  }  // at its end
 
   NamedView named(const std::string& name) const;
   void go_to(const NamedView& view);

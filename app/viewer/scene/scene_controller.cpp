@@ -43,6 +43,19 @@ void SceneController::set_molecule(std::shared_ptr<const OpenedMolecule> opened)
   if (!waiting_) submit();
 }
 
+void SceneController::close() {
+  maker_.cancel();
+  opened_ = nullptr;
+  answer_ = nullptr;
+  agreement_ = nullptr;
+  waiting_ = false;
+  pending_ = false;
+  view_problem_ = ViewProblem::none;
+  cameras().forget();
+  shown_.clear();
+  shown_.forget_not_drawn();
+}
+
 void SceneController::set_answer(std::shared_ptr<const Answer> answer) {
   if (!answer || !opened_ || answer->prepared != opened_->prepared) return;
   answer_ = std::move(answer);
@@ -105,7 +118,7 @@ void SceneController::submit() {
 // Removes the picture from the scene and tries again. The last image stays, marked as outdated.
 void SceneController::make_room() {
   shown_.clear();
-  submit();
+  if (opened_) submit();
 }
 
 void SceneController::show_nothing(const std::string& why) {
@@ -121,7 +134,7 @@ void SceneController::show_no_memory() {
 }
 
 void SceneController::take(Drawing drawing) {
-  if (drawing.molecule->prepared != opened_->prepared) return;
+  if (!opened_ || drawing.molecule->prepared != opened_->prepared) return;
   if (drawing.parts.mesh) {
     const std::string beyond =
         beyond_opengl_text(*drawing.parts.mesh, drawing.molecule->geometry->centres.size(),

@@ -31,6 +31,7 @@ class SceneController {
   // answer, or after show_without_answer(). The balls of another molecule appear as soon as
   // possible.
   void set_molecule(std::shared_ptr<const OpenedMolecule> opened);
+  void close();                                      // shows nothing, as before the first molecule
   std::shared_ptr<const Molecule> molecule() const;  // the molecule set last
   void set_answer(std::shared_ptr<const Answer> answer);
   void show_without_answer();  // for balls that get no answer

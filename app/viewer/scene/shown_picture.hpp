@@ -35,6 +35,7 @@ class ShownPicture {
   void show(Drawing drawing);
   // Removes the picture from the scene. The last image stays.
   void clear();
+  void forget_not_drawn() { picture_.not_drawn.clear(); }
   // Follows the controls after a change of these.
   void follow_display(const SceneControls& before);
   void follow_beside() { beside_.follow(controls_); }
@@ -83,8 +84,8 @@ class ShownPicture {
   DrawnPicture picture_;
   Cameras cameras_{canvas_, picture_};
   Pacing pacing_{canvas_, picture_};
-  BesideAtoms beside_;
   FactsOnce facts_;
+  BesideAtoms beside_;
   SelectionMarks marks_{canvas_, picture_, beside_};
   MadeObjects objects_;
   PanelLayers layers_;

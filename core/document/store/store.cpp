@@ -193,6 +193,17 @@ void Store::cancel(std::string_view id) {
   }
 }
 
+void Store::clear() {
+  for (Entry& e : entries_) {
+    cancel(e.id);
+    e.values.clear();
+    e.state = DerivedState::none;
+    e.wanted = {};
+    e.make = nullptr;
+    e.link = nullptr;
+  }
+}
+
 void Store::retry(std::string_view id) {
   for (Entry& e : entries_) {
     if (e.id == id && e.state == DerivedState::cancelled) e.state = DerivedState::none;

@@ -71,6 +71,8 @@ class Store {
 
   // Stops the making of one result. It does not begin again before its inputs change.
   void cancel(std::string_view id);
+  // Cancels everything and drops all results.
+  void clear();
   // Undoes cancel(): the result begins again with the next request.
   void retry(std::string_view id);
 

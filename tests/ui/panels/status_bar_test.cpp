@@ -118,6 +118,17 @@ INSTANTIATE_TEST_SUITE_P(
         Bar{{450, 600, 2}, {}, {"status.tetrahedra", "status.hash"}},
         Bar{{300, 600, 1}, {}, {"status.tetrahedra"}}));
 
+TEST(MoveClock, ForgetsMovesOfAnotherFile) {
+  MoveClock clock;
+  const MoveClock::Clock::time_point start{};
+  Request moved;
+  moved.alpha_angstrom2 = 3;
+  clock.note_wanted(moved, start);
+  clock.forget();
+  clock.follow(answer_at(3), start + 1s);
+  EXPECT_FALSE(clock.milliseconds());
+}
+
 class LastMoveTest : public testing::ViewerTest {
  protected:
   LastMoveTest() : ViewerTest(false) {}
@@ -137,6 +148,11 @@ TEST_F(LastMoveTest, IsMeasuredInTheWindow) {
   const double before = *s.move_milliseconds;
   run("view.from y\nframes 3\n");
   EXPECT_EQ(s.move_milliseconds, before) << "a turned view is no move";
+  run("file.save_session " + (folder_ / "s.json").string() + "\nwait-idle\nalpha.set 1\n" +
+      "wait-idle\nframes 3\nfile.open_session " + (folder_ / "s.json").string() +
+      "\nwait-idle\nframes 3\n");
+  EXPECT_EQ(s.settings.request.alpha_angstrom2, 3);
+  EXPECT_FALSE(s.move_milliseconds) << "a session's alpha is no move";
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "app/session/clean_exit.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/options.hpp"
+#include "app/viewer/read_ahead.hpp"
 #include "app/viewer/script/script.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/document/session/preferences.hpp"
@@ -176,6 +177,10 @@ int open_window(alphascope::ViewerOptions options) {
   host_options.scale_is_known = [&fonts](float scale) {
     fonts = std::async(std::launch::async, [scale] { return alphascope::build_fonts(scale); });
   };
+  alphascope::Session::Services services = alphascope::Session::program_services();
+  if (options.file && !alphascope::looks_like_session(*options.file)) {
+    services.open_molecule = alphascope::read_ahead(*options.file, services.open_molecule);
+  }
   std::unique_ptr<alphascope::Host> host;
   try {
     host = scripted ? alphascope::make_egl_host(host_options)
@@ -184,8 +189,7 @@ int open_window(alphascope::ViewerOptions options) {
     std::fprintf(stderr, "alphascope: %s\n", alphascope::printable(error.what()).c_str());
     return status_of(ExitCode::no_display);
   }
-  alphascope::Viewer viewer(*host, options, alphascope::Session::program_services(),
-                            &alphascope::build_mesh,
+  alphascope::Viewer viewer(*host, options, std::move(services), &alphascope::build_mesh,
                             fonts.valid() ? fonts.get() : alphascope::BuiltFonts{});
   if (scripted) return drive(viewer, options, script);
   viewer.run();

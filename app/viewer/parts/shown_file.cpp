@@ -39,6 +39,7 @@ void ShownFile::take_file() {
   state.drop_note = opening_.take_drop_note();
   p_.host.set_title(state.molecule.name + " – Alphascope");
   close_dialogs("another file was opened");
+  p_.sender.moves().forget();
   reset_settings();
   state.settings.objects =
       first_objects_ ? *first_objects_ : usual_objects(state.molecule.contents);

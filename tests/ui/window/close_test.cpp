@@ -18,8 +18,6 @@ TEST_F(CloseTest, LeadsToTheStartPageAndKeepsNothing) {
   open_crambin();
   run("alpha.set 3\nselect.atoms A:THR 1:CA\nview.page cavities\nwait-idle\nframes 3\n");
   ASSERT_TRUE(state().result);
-  const std::weak_ptr<const Answer> answer = state().result;
-  const std::weak_ptr<const Molecule> molecule = viewer_->session().state().molecule;
   run("file.close\nwait-idle\nframes 5\n");
   EXPECT_FALSE(state().molecule.loaded);
   EXPECT_EQ(state().result, nullptr);
@@ -39,8 +37,7 @@ TEST_F(CloseTest, OtherFilesOpenAfterwards) {
   open_crambin();
   run("frames 3\n");
   ASSERT_TRUE(state().result);
-  EXPECT_EQ(state().result->complex.hash,
-            expected(state().settings.request.alpha_angstrom2).hash);
+  EXPECT_EQ(state().result->complex.hash, expected(state().settings.request.alpha_angstrom2).hash);
   EXPECT_NE(state().viewport.texture, 0u);
   EXPECT_GT(state().viewport.angstrom_per_pixel, 0);
   run("key ctrl+w\nwait-idle\nframes 3\n");

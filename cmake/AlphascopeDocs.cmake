@@ -11,8 +11,11 @@ install(CODE "
   file(MAKE_DIRECTORY \"\${folder}\")
   file(CREATE_LINK ${from_doc} \"\${folder}/docs\" SYMBOLIC)" COMPONENT data)
 # README.md and CHANGELOG.md find the docs by the same links as in the source tree.
-install(FILES README.md CHANGELOG.md CITATION.cff SECURITY.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
-  COMPONENT data)
+install(FILES README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md SECURITY.md LICENSE
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)
+# Docs link to these, too. The test Desktop checks all links of the installed docs.
+install(FILES scripts/packages.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}/scripts COMPONENT data)
+install(FILES tests/devel/CMakeLists.txt tests/devel/user.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/devel COMPONENT data)
 # The program contains the fonts. ORIGINS.md tells where fonts and molecules come from.
 install(FILES resources/ORIGINS.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources COMPONENT data)
 install(FILES resources/fonts/OFL.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources/fonts COMPONENT data)

@@ -53,7 +53,9 @@ jobs() {
   echo $((cores < gibibytes ? cores : gibibytes))
 }
 
-# build PRESET [TARGET...]: configures, then builds.
+# build PRESET [TARGET...]: configures, then builds. The array `configured_with` can have further
+# options for cmake.
+configured_with=()
 build() {
   local preset=$1
   shift
@@ -66,7 +68,7 @@ build() {
   fi
   say "Configuring build/$preset"
   mkdir -p "build/$preset"
-  cmake --preset "$preset" -Wno-dev >"build/$preset/configured" ||
+  cmake --preset "$preset" -Wno-dev "${configured_with[@]}" >"build/$preset/configured" ||
     { cat "build/$preset/configured"; die "build/$preset could not be configured"; }
   grep '^-- CUDA engine' "build/$preset/configured" || true
   say "Building build/$preset ${*:+($*)}"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -65,6 +66,20 @@ struct Count {
   int in_front = 0, decided = 0, compared = 0;
 };
 
+// A lattice point near the plane of three points, with coordinates from `least` to `most`.
+LatticePoint near_plane(const LatticePoint& from, const LatticePoint& a, const LatticePoint& b,
+                        std::mt19937& random, std::int32_t least, std::int32_t most) {
+  std::uniform_real_distribution<double> share(-1, 2);
+  std::uniform_int_distribution<int> beside(-1, 1);
+  const double s = share(random), t = share(random);
+  const auto place = [&](std::int32_t o, std::int32_t p, std::int32_t q) {
+    const double at = o + s * (static_cast<double>(p) - o) + t * (static_cast<double>(q) - o);
+    return static_cast<std::int32_t>(std::clamp(
+        std::round(at) + beside(random), static_cast<double>(least), static_cast<double>(most)));
+  };
+  return {place(from.x, a.x, b.x), place(from.y, a.y, b.y), place(from.z, a.z, b.z)};
+}
+
 // Five balls within `extent` of each other, and the crossings of the last two with a face of three.
 template <class Real>
 Count agree(std::uint32_t seed, std::int32_t extent, std::int32_t most_radius, int tries) {
@@ -77,6 +92,14 @@ Count agree(std::uint32_t seed, std::int32_t extent, std::int32_t most_radius, i
   for (int n = 0; n < tries; ++n) {
     std::array<Ball, 5> balls;
     for (Ball& ball : balls) ball = {{at(random), at(random), at(random)}, radius(random)};
+    const auto close = [&](std::size_t m) {
+      balls[m].centre = near_plane(balls[0].centre, balls[1].centre, balls[2].centre, random, from,
+                                   from + extent);
+    };
+    if (n % 3 == 1) balls[2].centre = balls[1].centre;  // nearly collinear, after this
+    if (n % 3 == 1) close(2);
+    if (n % 5 >= 3) close(3);
+    if (n % 5 == 4) close(4);
     if (n % 4 == 1) balls[4].centre = balls[3].centre;
     if (n % 4 == 2) balls[4] = balls[3];  // the same crossing, and one unit beside it
     if (n % 8 == 2) balls[4].centre.x += balls[4].centre.x < from + extent ? 1 : -1;
@@ -120,7 +143,7 @@ TEST(Crossing, OfSmallSetsAgreesWithIntegers) {
     SCOPED_TRACE(extent);
     const Count single = agree<float>(1, extent, extent, kTries),
                 both = agree<double>(2, extent, extent, kTries);
-    EXPECT_GT(single.decided, single.in_front / 2);
+    EXPECT_GT(single.decided, single.in_front / 4);
     EXPECT_GT(both.decided, both.in_front * 9 / 10);
     EXPECT_GT(single.compared, kTries / 100);
     EXPECT_GT(both.compared, kTries / 100);

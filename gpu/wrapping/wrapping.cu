@@ -24,6 +24,7 @@ namespace {
 
 constexpr unsigned kEachThreads = 256;
 constexpr int kRoundsAtOnce = 8;
+constexpr unsigned kSearchBlocks = 8;   // for each multiprocessor
 constexpr double kCellsPerGuess = 1.3;  // width of a cell in guessed radii
 
 class Timer {
@@ -50,6 +51,20 @@ class Timer {
 
 static_assert(WrappingResult::kSearches == kSearches);
 
+// Numbers of elements for which there is room.
+struct Rooms {
+  std::size_t known, quads, faces, known_faces;  // faces: in the table of the front
+
+  // Faces stay in the table. A new tetrahedron opens 1.7 faces on average, and a known one of a
+  // molecule half a face.
+  Rooms(std::size_t known_quads, std::size_t new_quads)
+      : known(known_quads),
+        quads(known_quads + new_quads),
+        faces(new_quads * 5 / 2 + known_quads * 3 / 4 + 1024),
+        known_faces(5 * known_quads + 16) {}
+  std::size_t queue() const { return faces / 8 * 7; }
+};
+
 struct Wrapping::State {
   Stream stream;
   std::uint32_t n = 0;
@@ -64,7 +79,7 @@ struct Wrapping::State {
   DeviceBuffer<std::uint32_t> vertices;
   DeviceBuffer<Quad> quads;
   DeviceBuffer<FaceRef> neighbours, known_table, table, queue;
-  DeviceBuffer<std::uint32_t> apex, list[kSearches];  // list: see FrontCounts::listed
+  DeviceBuffer<std::uint32_t> apex, lists[kSearches];  // see FrontCounts::listed
   struct GridMemory {
     DeviceBuffer<int4> ball;
     DeviceBuffer<std::uint32_t> slot, start, cell, rank;
@@ -96,8 +111,18 @@ struct Wrapping::State {
   void wait(const char* what) { check(cudaStreamSynchronize(stream), what); }
 
   void load(const BallSet& set);
+  void reserve(const Rooms& rooms);
+  Front find_open_faces(std::span<const std::array<BallIndex, 4>> known, const Rooms& rooms,
+                        WrappingResult& result);
   BallTree grow_tree();
   NearGrid make_grid(const BallTree& tree, double width);
+  SearchList list(Search of) { return {lists[of].get(), &counts.get()->listed[of]}; }
+  SearchTask task(Search of) {
+    return {lists[of].get(), &counts.get()->listed[of], &counts.get()->next[of]};
+  }
+  void search_round(const Front& front, const SearchSpace& space, const NearGrid& grid, float guess,
+                    WrappingResult::Round* times);
+  void bring(std::size_t known, std::size_t all, WrappingResult& result);
   FrontCounts read_counts() {
     check(cudaMemcpyAsync(host_counts.get(), counts.get(), sizeof(FrontCounts),
                           cudaMemcpyDeviceToHost, stream),
@@ -239,130 +264,145 @@ Wrapping::~Wrapping() {
   cudaStreamSynchronize(state_->stream);
 }
 
+void Wrapping::State::reserve(const Rooms& rooms) {
+  vertices.reserve(4 * rooms.known);
+  quads.reserve(rooms.quads);
+  neighbours.reserve(4 * rooms.quads);
+  apex.reserve(4 * rooms.quads);
+  known_table.reserve(rooms.known_faces);
+  table.reserve(rooms.faces);
+  queue.reserve(rooms.queue());
+  for (auto& list : lists) list.reserve(rooms.queue());
+  candidates.reserve(rooms.queue());
+  bounds.reserve(rooms.queue());
+  wide_nodes.reserve(std::size_t{2} * kWideNodes * static_cast<unsigned>(multiprocessors));
+  counts.reserve(1);
+  host_counts.reserve(1);
+  needed.reserve(n + 1);
+  found.reserve(n);
+}
+
+// Joins the known tetrahedra, queues their open faces, and marks the balls that a search may find.
+Front Wrapping::State::find_open_faces(std::span<const std::array<BallIndex, 4>> known,
+                                       const Rooms& rooms, WrappingResult& result) {
+  const auto count = static_cast<std::uint32_t>(rooms.known);
+  check(cudaMemcpyAsync(vertices.get(), known.data(), known.size_bytes(), cudaMemcpyHostToDevice,
+                        stream),
+        "sending tetrahedra");
+  fill(counts, 0, 1);
+  fill(neighbours, 0xff, 4 * rooms.quads);
+  fill(apex, 0xff, 4 * rooms.quads);
+  fill(known_table, 0xff, rooms.known_faces);
+  fill(table, 0xff, rooms.faces);
+  fill(needed, 0, n + 1);
+  fill(found, 0, n);
+  const Front front{{quads.get(), neighbours.get()},
+                    {table.get(), static_cast<std::uint32_t>(rooms.faces)},
+                    queue.get(),
+                    apex.get(),
+                    static_cast<std::uint32_t>(rooms.quads),
+                    static_cast<std::uint32_t>(rooms.queue()),
+                    counts.get()};
+  const FaceTable known_faces{known_table.get(), static_cast<std::uint32_t>(rooms.known_faces)};
+  Timer timer(stream);
+  each(read_quads, count, vertices.get(), count, slot.get(), balls.get(), quads.get());
+  each(join_faces, 4 * rooms.known, front.faces, known_faces, count);
+  each(mark_found, count, quads.get(), count, found.get());
+  each(add_unfound, n, found.get(), n, needed.get());
+  each(queue_open_faces, 4 * rooms.known, front, count, needed.get());
+  timer.stop();
+  result.open_ms = timer.milliseconds();
+  FrontCounts numbers = read_counts();
+  result.open = numbers.tail;
+  numbers.quads = numbers.quads_before = count;
+  *host_counts.get() = numbers;
+  check(cudaMemcpyAsync(counts.get(), host_counts.get(), sizeof(FrontCounts),
+                        cudaMemcpyHostToDevice, stream),
+        "sending counts");
+  return front;
+}
+
+// Queues one round. With `times` it waits for the end, and measures each search.
+void Wrapping::State::search_round(const Front& front, const SearchSpace& space,
+                                   const NearGrid& grid, float guess,
+                                   WrappingResult::Round* times) {
+  const auto each_multiprocessor = static_cast<unsigned>(multiprocessors);
+  const LaunchShape searching{kSearchBlocks * each_multiprocessor, kSearchThreads, stream};
+  std::optional<Timer> timer;
+  // Ends the step `of`, and begins the next.
+  const auto next = [&](int of) {
+    if (times == nullptr) return;
+    timer->stop();
+    times->milliseconds[static_cast<std::size_t>(of)] = timer->milliseconds();
+    timer.emplace(stream);
+  };
+  launch(begin_round, {1, 32, stream}, counts.get());
+  if (times != nullptr) timer.emplace(stream);
+  launch(search_near, searching, front, space, grid, guess, task(kNear).next, list(kFar));
+  next(kNear);
+  launch(search_tree<false>, searching, front, space, task(kFar));
+  next(kFar);
+  launch(search_widely, {each_multiprocessor, kWideThreads, stream}, front, space, task(kWide),
+         wide_nodes.get());
+  next(kWide);
+  launch(decide_faces, searching, front, balls.get(), list(kDoubtful), candidates.get());
+  next(kDoubtful);
+  launch(search_tree<true>, searching, front, space, task(kExact));
+  next(kExact);
+  launch(extend_front, {4 * searching.blocks, kEachThreads, stream}, front);
+  next(kSearches);
+  check(cudaGetLastError(), "starting a kernel");
+  if (times == nullptr) return;
+  const FrontCounts numbers = read_counts();
+  std::copy_n(numbers.listed, +kSearches, times->faces.begin());
+}
+
+// Copies the tetrahedra after the known ones to the host.
+void Wrapping::State::bring(std::size_t known, std::size_t all, WrappingResult& result) {
+  host_quads.reserve(all - known);
+  check(cudaMemcpyAsync(host_quads.get(), quads.get() + known, (all - known) * sizeof(Quad),
+                        cudaMemcpyDeviceToHost, stream),
+        "copying tetrahedra");
+  wait("copying tetrahedra");
+  result.found.resize(all - known);
+  for (std::size_t t = 0; t < result.found.size(); ++t) {
+    const Quad& q = host_quads.get()[t];
+    auto& to = result.found[t];
+    to = {ball_of_slot[q.x & ~kNegative], ball_of_slot[q.y], ball_of_slot[q.z], ball_of_slot[q.w]};
+    std::sort(to.begin(), to.end());
+  }
+}
+
 WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, double radius,
                              std::size_t room, bool bring, const CancelToken& cancel, bool timed) {
   State& s = *state_;
   WrappingResult result;
   result.known = known.size();
   result.order_ms = s.order_ms;
-  const auto count = static_cast<std::uint32_t>(known.size());
-  const std::size_t all = known.size() + room, queue_room = 3 * room + 4 * known.size();
-  s.vertices.reserve(4 * known.size());
-  s.quads.reserve(all);
-  s.neighbours.reserve(4 * all);
-  s.queue.reserve(queue_room);
-  s.apex.reserve(4 * all);
-  for (auto& list : s.list) list.reserve(queue_room);
-  s.counts.reserve(1);
-  s.host_counts.reserve(1);
-  s.needed.reserve(s.n + 1);
-  s.found.reserve(s.n);
-  const std::size_t known_entries = 5 * known.size() + 16;
-  s.known_table.reserve(known_entries);
-  check(cudaMemcpyAsync(s.vertices.get(), known.data(), known.size_bytes(), cudaMemcpyHostToDevice,
-                        s.stream),
-        "sending tetrahedra");
-  s.fill(s.counts, 0, 1);
-  s.fill(s.neighbours, 0xff, 4 * all);
-  s.fill(s.apex, 0xff, 4 * all);
-  s.fill(s.known_table, 0xff, known_entries);
-  s.fill(s.needed, 0, s.n + 1);
-  s.fill(s.found, 0, s.n);
-
-  const Faces faces{s.quads.get(), s.neighbours.get()};
-  Timer opening(s.stream);
-  s.each(read_quads, count, s.vertices.get(), count, s.slot.get(), s.balls.get(), s.quads.get());
-  s.each(join_faces, 4 * known.size(), faces,
-         FaceTable{s.known_table.get(), static_cast<std::uint32_t>(known_entries)}, count);
-  s.each(mark_found, count, s.quads.get(), count, s.found.get());
-  s.each(add_unfound, s.n, s.found.get(), s.n, s.needed.get());
-  opening.stop();
-  // Faces stay in the table. A new tetrahedron opens 1.7 faces on average, and a known one of a
-  // molecule half a face.
-  const std::size_t entries = room * 5 / 2 + known.size() * 3 / 4 + 1024;
-  s.table.reserve(entries);
-  s.fill(s.table, 0xff, entries);
-  const Front front{faces,
-                    {s.table.get(), static_cast<std::uint32_t>(entries)},
-                    s.queue.get(),
-                    s.apex.get(),
-                    static_cast<std::uint32_t>(all),
-                    static_cast<std::uint32_t>(std::min(queue_room, entries / 8 * 7)),
-                    s.counts.get()};
-  Timer queueing(s.stream);
-  s.each(queue_open_faces, 4 * known.size(), front, count, s.needed.get());
-  queueing.stop();
-  FrontCounts counts = s.read_counts();
-  result.open = counts.tail;
-  counts.quads = counts.quads_before = count;
-  *s.host_counts.get() = counts;
-  check(cudaMemcpyAsync(s.counts.get(), s.host_counts.get(), sizeof(FrontCounts),
-                        cudaMemcpyHostToDevice, s.stream),
-        "sending counts");
+  const Rooms rooms(known.size(), room);
+  s.reserve(rooms);
+  const Front front = s.find_open_faces(known, rooms, result);
   Timer growing(s.stream);
   const BallTree tree = s.grow_tree();
   const NearGrid grid = s.make_grid(tree, kCellsPerGuess * radius);
   growing.stop();
   result.needed = tree.balls;
-  result.open_ms = opening.milliseconds() + queueing.milliseconds();
   result.tree_ms = growing.milliseconds();
 
-  Timer wrapping(s.stream);
-  const unsigned blocks = 8u * static_cast<unsigned>(s.multiprocessors);
-  const auto list = [&](Search of) {
-    return SearchList{s.list[of].get(), &s.counts.get()->listed[of]};
-  };
-  const auto task = [&](Search of) {
-    return SearchTask{s.list[of].get(), &s.counts.get()->listed[of], &s.counts.get()->next[of]};
-  };
-  s.candidates.reserve(queue_room);
-  s.bounds.reserve(queue_room);
-  const auto wide_blocks = static_cast<unsigned>(s.multiprocessors);
-  s.wide_nodes.reserve(std::size_t{2} * kWideNodes * wide_blocks);
-  const SearchSpace space{tree,        s.balls.get(),   s.place.get(),
-                          s.weight,    list(kDoubtful), s.candidates.get(),
-                          list(kWide), s.bounds.get(),  list(kExact)};
-  const LaunchShape searching{blocks, kSearchThreads, s.stream};
+  const SearchSpace space{tree,          s.balls.get(),     s.place.get(),
+                          s.weight,      s.list(kDoubtful), s.candidates.get(),
+                          s.list(kWide), s.bounds.get(),    s.list(kExact)};
   const float guess = static_cast<float>(radius) * s.scale;
-  for (;;) {
+  Timer wrapping(s.stream);
+  FrontCounts counts{};
+  do {
     cancel.throw_if_cancelled();
     for (int round = 0; round < (timed ? 1 : kRoundsAtOnce); ++round) {
-      std::optional<Timer> timer;
-      WrappingResult::Round times;
-      const auto next = [&](int search) {
-        if (!timed) return;
-        if (timer) {
-          timer->stop();
-          times.milliseconds[static_cast<std::size_t>(search)] = timer->milliseconds();
-        }
-        timer.emplace(s.stream);
-      };
-      launch(begin_round, {1, 32, s.stream}, s.counts.get());
-      next(0);
-      launch(search_near, searching, front, space, grid, guess, &s.counts.get()->next[kNear],
-             list(kFar));
-      next(kNear);
-      launch(search_tree<false>, searching, front, space, task(kFar));
-      next(kFar);
-      launch(search_widely, {wide_blocks, kWideThreads, s.stream}, front, space, task(kWide),
-             s.wide_nodes.get());
-      next(kWide);
-      launch(decide_faces, {blocks, kSearchThreads, s.stream}, front, s.balls.get(),
-             list(kDoubtful), s.candidates.get());
-      next(kDoubtful);
-      launch(search_tree<true>, searching, front, space, task(kExact));
-      next(kExact);
-      launch(extend_front, {4 * blocks, kEachThreads, s.stream}, front);
-      next(kSearches);
-      check(cudaGetLastError(), "starting a kernel");
-      if (!timed) continue;
-      counts = s.read_counts();
-      std::copy_n(counts.listed, +kSearches, times.faces.begin());
-      result.timed.push_back(times);
+      if (timed) result.timed.emplace_back();
+      s.search_round(front, space, grid, guess, timed ? &result.timed.back() : nullptr);
     }
     counts = s.read_counts();
-    if (counts.full != 0 || counts.end == counts.tail) break;
-  }
+  } while (counts.full == 0 && counts.end != counts.tail);
   wrapping.stop();
   result.front_ms = wrapping.milliseconds();
   result.rounds = counts.rounds;
@@ -370,21 +410,7 @@ WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, do
     result.searched[search] = counts.all[search] + counts.listed[search];
   result.hull = counts.hull;
   result.fits = counts.full == 0;
-  if (!bring || !result.fits) return result;
-  const std::size_t new_quads = counts.quads - count;
-  s.host_quads.reserve(new_quads);
-  check(cudaMemcpyAsync(s.host_quads.get(), s.quads.get() + count, new_quads * sizeof(Quad),
-                        cudaMemcpyDeviceToHost, s.stream),
-        "copying tetrahedra");
-  s.wait("copying tetrahedra");
-  result.found.resize(new_quads);
-  for (std::size_t t = 0; t < new_quads; ++t) {
-    const Quad& q = s.host_quads.get()[t];
-    auto& to = result.found[t];
-    to = {s.ball_of_slot[q.x & ~kNegative], s.ball_of_slot[q.y], s.ball_of_slot[q.z],
-          s.ball_of_slot[q.w]};
-    std::sort(to.begin(), to.end());
-  }
+  if (bring && result.fits) s.bring(known.size(), counts.quads, result);
   return result;
 }
 

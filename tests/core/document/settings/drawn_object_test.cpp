@@ -40,7 +40,7 @@ TEST(DrawnObject, FaultsNameTheRemedy) {
   EXPECT_NE(read_object("").error.find("is no object"), std::string::npos);
   for (const char* text : {"cartoon,blue", "cartoon,0%", "cartoon,4%", "cartoon,101%",
                            "cartoon,4x%", "cartoon,", "cartoon,nan%", "cartoon,#12345"}) {
-    EXPECT_NE(read_object(text).error.find("1% to 100%"), std::string::npos) << text;
+    EXPECT_NE(read_object(text).error.find("5% to 100%"), std::string::npos) << text;
   }
   EXPECT_NE(read_object("sticks:chain").error, "");
 }

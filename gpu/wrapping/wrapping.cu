@@ -83,7 +83,7 @@ struct Wrapping::State {
   struct GridMemory {
     DeviceBuffer<int4> ball;
     DeviceBuffer<std::uint32_t> slot, start, cell, rank;
-  } grid;
+  } grid_memory;
   DeviceBuffer<Candidates> candidates;
   DeviceBuffer<float> bounds;
   DeviceBuffer<std::uint32_t> wide_nodes;
@@ -220,7 +220,7 @@ BallTree Wrapping::State::grow_tree() {
 // A grid of the tree's balls. Its cells have this width (lattice units), or a larger one if there
 // would be too many.
 NearGrid Wrapping::State::make_grid(const BallTree& tree, double width) {
-  GridMemory& memory = this->grid;
+  GridMemory& memory = grid_memory;
   NearGrid grid{};
   const double most = 8.0 * tree.balls + 4096;
   for (;; width *= 1.25) {

@@ -2,6 +2,8 @@
 // A search for the ball before an open face. Eight lanes share it, and a warp has four.
 #pragma once
 
+#include <limits>
+
 #include "core/wrapping/crossing.hpp"
 #include "gpu/wrapping/front.cuh"
 
@@ -9,21 +11,10 @@ namespace alphascope::gpu {
 
 inline constexpr int kSearchThreads = 128;
 
-// Coordinates that are exact in Real.
-template <class Real>
-struct ExactBelow;
-template <>
-struct ExactBelow<float> {
-  static constexpr std::int64_t limit = std::int64_t{1} << 24;
-};
-template <>
-struct ExactBelow<double> {
-  static constexpr std::int64_t limit = std::int64_t{1} << 53;
-};
-
+// Does Real hold the coordinates exactly?
 template <class Real>
 __device__ inline bool is_exact(const LiftedInt& v) {
-  constexpr std::int64_t most = ExactBelow<Real>::limit;
+  constexpr std::int64_t most = std::int64_t{1} << std::numeric_limits<Real>::digits;
   return v.x < most && v.x > -most && v.y < most && v.y > -most && v.z < most && v.z > -most;
 }
 template <class Real>
@@ -43,15 +34,18 @@ struct SearchRegion {
     const float ahead = fmaf(hx, hx > 0 ? high.x : low.x,
                              fmaf(hy, hy > 0 ? high.y : low.y, hz * (hz > 0 ? high.z : low.z)));
     if (!(ahead >= plane)) return false;
+    return square_distance(x, y, z, low, high) - low.w <= limit;
+  }
+  __device__ float from_ball(const float4& low, const float4& high) const {
+    return square_distance(px, py, pz, low, high);
+  }
+
+ private:
+  __device__ static float square_distance(float x, float y, float z, const float4& low,
+                                          const float4& high) {
     const float dx = fmaxf(fmaxf(low.x - x, x - high.x), 0.0f),
                 dy = fmaxf(fmaxf(low.y - y, y - high.y), 0.0f),
                 dz = fmaxf(fmaxf(low.z - z, z - high.z), 0.0f);
-    return fmaf(dx, dx, fmaf(dy, dy, dz * dz)) - low.w <= limit;
-  }
-  __device__ float square_distance(const float4& low, const float4& high) const {
-    const float dx = fmaxf(fmaxf(low.x - px, px - high.x), 0.0f),
-                dy = fmaxf(fmaxf(low.y - py, py - high.y), 0.0f),
-                dz = fmaxf(fmaxf(low.z - pz, pz - high.z), 0.0f);
     return fmaf(dx, dx, fmaf(dy, dy, dz * dz));
   }
 };

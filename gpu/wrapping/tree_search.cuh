@@ -123,7 +123,7 @@ __global__ void __launch_bounds__(kSearchThreads)
         const std::uint32_t box = tree.first[level - 1] + child;
         const float4 low = tree.boxes.low[box], high = tree.boxes.high[box];
         passes = search.region.may_contain(low, high);
-        if (passes) key = search.region.square_distance(low, high);
+        if (passes) key = search.region.from_ball(low, high);
       }
     }
     const unsigned left = of_group(__ballot_sync(~0u, passes));

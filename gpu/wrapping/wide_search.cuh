@@ -3,6 +3,7 @@
 // searches the tree level by level.
 #pragma once
 
+#include "gpu/dual_edge/ordered_bits.cuh"
 #include "gpu/wrapping/tree_search.cuh"
 
 namespace alphascope::gpu {
@@ -13,14 +14,7 @@ inline constexpr std::uint32_t kWideNodes = 1u << 14;  // of one level
 inline constexpr std::uint32_t kWideCandidates = 1024;
 inline constexpr int kWideAttempts = 6;
 
-// The bits of a number, in the order of numbers.
-__device__ inline std::uint32_t ordered_float(float value) {
-  const std::uint32_t bits = __float_as_uint(value);
-  return (bits >> 31) != 0 ? ~bits : bits | 0x80000000u;
-}
-__device__ inline float float_of_order(std::uint32_t order) {
-  return __uint_as_float((order >> 31) != 0 ? order & 0x7fffffffu : ~order);
-}
+// As ordered_bits() does for a float.
 __device__ inline unsigned long long ordered_double(double value) {
   const auto bits = static_cast<unsigned long long>(__double_as_longlong(value));
   return (bits >> 63) != 0 ? ~bits : bits | 0x8000000000000000ull;
@@ -31,7 +25,7 @@ __device__ inline unsigned long long ordered_double(double value) {
 __global__ void __launch_bounds__(kWideThreads)
     search_widely(Front front, SearchSpace space, SearchTask task, std::uint32_t* nodes) {
   __shared__ std::uint32_t taken, counts[2], candidate_count;
-  __shared__ std::uint32_t least;  // ordered_float() of the least `high`
+  __shared__ std::uint32_t least;  // ordered_bits() of the least `high`
   __shared__ unsigned long long fine_least;
   __shared__ std::uint32_t slots[kWideCandidates], fine_slots[kWideCandidates];
   const BallTree& tree = space.tree;
@@ -48,7 +42,7 @@ __global__ void __launch_bounds__(kWideThreads)
     // It was set before, so it can be.
     search.set(face_of(front.faces.quads[ref >> 2], static_cast<int>(ref & 3)), space.balls, tree);
     search.limit_to(space.bounds[taken], tree, space.weight);
-    if (threadIdx.x == 0) least = ordered_float(space.bounds[taken]);
+    if (threadIdx.x == 0) least = ordered_bits(space.bounds[taken]);
     bool fits = false;
     int from = 0;
     std::uint32_t leaves = 0;
@@ -96,13 +90,13 @@ __global__ void __launch_bounds__(kWideThreads)
       __syncthreads();
       leaves = min(counts[from], kWideNodes);
       each_ball([&](const Crossing<float>& c, std::uint32_t) {
-        if (c.high < float_of_order(least)) atomicMin(&least, ordered_float(c.high));
+        if (c.high < from_ordered_bits(least)) atomicMin(&least, ordered_bits(c.high));
       });
       __syncthreads();
-      if (!fits) search.limit_to(float_of_order(least), tree, space.weight);
+      if (!fits) search.limit_to(from_ordered_bits(least), tree, space.weight);
     }
     if (fits) {
-      const float high = float_of_order(least);
+      const float high = from_ordered_bits(least);
       each_ball([&](const Crossing<float>& c, std::uint32_t slot) {
         if (c.none() || c.low > high) return;
         const std::uint32_t place = atomicAdd(&candidate_count, 1u);

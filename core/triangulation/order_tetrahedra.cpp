@@ -59,8 +59,9 @@ HullFacet hull_facet(const BallSet& balls, std::uint32_t t,
   return facet;
 }
 
-// Makes the facets of the hull, and sets them as the neighbours that are still missing.
-void set_hull(const BallSet& balls, const std::vector<std::pair<std::uint32_t, int>>& outside,
+}  // namespace
+
+void set_hull(const BallSet& balls, const std::vector<OutsideFace>& outside,
               Triangulation& result) {
   std::vector<std::pair<HullFacet, int>> facets;
   facets.reserve(outside.size());
@@ -76,8 +77,6 @@ void set_hull(const BallSet& balls, const std::vector<std::pair<std::uint32_t, i
     result.hull.push_back(facet);
   }
 }
-
-}  // namespace
 
 void set_tetrahedra(const BallSet& balls, const UnorderedTetrahedra& unordered,
                     const CancelToken& cancel, Triangulation& result) {
@@ -96,12 +95,12 @@ void set_tetrahedra(const BallSet& balls, const UnorderedTetrahedra& unordered,
                     }
                   });
   cancel.throw_if_cancelled();
-  std::vector<std::pair<std::uint32_t, int>> outside;
+  std::vector<OutsideFace> outside;
   for (std::uint32_t t = 0; t < count; ++t) {
     const auto& across = unordered.neighbours[records[t].before];
     for (int corner = 0; corner < 4; ++corner) {
       if (across[corner] == UnorderedTetrahedra::kOutside) {
-        outside.emplace_back(t, corner);
+        outside.push_back({t, corner});
       } else {
         result.neighbours[t][corner] = Neighbour::tetrahedron(after[across[corner]]);
       }

@@ -2,6 +2,8 @@
 // Puts tetrahedra, given in any order, into the one order of a Triangulation.
 #pragma once
 
+#include <vector>
+
 #include "core/complex/triangulation.hpp"
 #include "core/run/cancel_token.hpp"
 
@@ -21,5 +23,15 @@ struct UnorderedTetrahedra {
 // Cancelled, and std::length_error for more tetrahedra than a Neighbour can name.
 void set_tetrahedra(const BallSet& balls, const UnorderedTetrahedra& unordered,
                     const CancelToken& cancel, Triangulation& result);
+
+// A face without a neighbour, opposite a corner of a tetrahedron.
+struct OutsideFace {
+  std::uint32_t tetrahedron;
+  int corner;
+};
+
+// Makes the facets of the hull, and sets them as the neighbours that are still missing. The
+// tetrahedra are in order.
+void set_hull(const BallSet& balls, const std::vector<OutsideFace>& outside, Triangulation& result);
 
 }  // namespace alphascope

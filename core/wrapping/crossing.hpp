@@ -78,6 +78,13 @@ class OpenFace {
     return result;
   }
 
+  // The same face, seen by a sphere that moves the other way.
+  ALPHASCOPE_INLINE OpenFace turned() const {
+    OpenFace other = *this;
+    other.side_ = -side_;
+    return other;
+  }
+
   ALPHASCOPE_INLINE const Line& line() const { return line_; }
   ALPHASCOPE_INLINE int side() const { return side_; }
 

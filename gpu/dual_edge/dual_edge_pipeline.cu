@@ -95,6 +95,10 @@ std::optional<DeviceComplex> DualEdgePipeline::on_device() const {
   return state_->on_device;
 }
 
+DeviceSimplices DualEdgePipeline::tetrahedra_on_device() const {
+  return state_->tetrahedra_on_device;
+}
+
 void DualEdgePipeline::State::keep_on_device(const ResultLayout& layout,
                                              const SimplexCounts& counts,
                                              const LatticeAlpha& alpha) {

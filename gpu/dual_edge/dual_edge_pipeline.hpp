@@ -62,6 +62,10 @@ class DualEdgePipeline {
   // run or the end of the pipeline. Empty: there is none.
   std::optional<DeviceComplex> on_device() const;
 
+  // The tetrahedra of the last run on the device; none if it did not fit. Valid until the next run
+  // or the end of the pipeline.
+  DeviceSimplices tetrahedra_on_device() const;
+
   // Frees the pinned memory that is kept for later results; the next run reserves it again. Waits
   // for the device.
   void release_memory();

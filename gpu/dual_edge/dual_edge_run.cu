@@ -78,6 +78,9 @@ class Run {
       PipelineResult result = result_.result(sent ? layout : found, next.counts);
       result.attempts = attempt;
       if (whole_) s_.keep_on_device(layout, next.counts, plan_.alpha);
+      s_.tetrahedra_on_device = {
+          reinterpret_cast<const BallIndex*>(s_.result.get() + layout.dimension[3].vertices),
+          nullptr, next.counts[3]};
       return result;
     }
     PipelineResult none;
@@ -424,6 +427,7 @@ PipelineResult DualEdgePipeline::run(const LatticeAlpha& alpha, bool tetrahedra_
                                      const CancelToken& cancel, StageTimes* times) {
   State& s = *state_;
   s.on_device.reset();
+  s.tetrahedra_on_device = {};
   if (s.n == 0 || alpha.plus(std::int64_t{s.max_radius} * s.max_radius) < 0) return {};
   const std::optional<Problem> plan = s.plan(alpha, !tetrahedra_only);
   if (!plan) {

@@ -217,6 +217,7 @@ struct DualEdgePipeline::State {
   DeviceBuffer<unsigned char> result;
   // The result of the last run, if it was of the whole complex and was completed.
   std::optional<DeviceComplex> on_device;
+  DeviceSimplices tetrahedra_on_device;
   std::shared_ptr<ResultMemory> results = std::make_shared<ResultMemory>();
 
   Counters* counters() { return reinterpret_cast<Counters*>(zeroed.get()); }

@@ -9,16 +9,15 @@
 
 #include "core/complex/shared_faces.hpp"
 #include "gpu/memory/device_buffer.cuh"
-#include "gpu/memory/handles.cuh"
-#include "gpu/memory/launch.cuh"
 #include "gpu/memory/prefix_sum.cuh"
 #include "gpu/memory/result_memory.cuh"
+#include "gpu/memory/work_stream.cuh"
 #include "gpu/outside/outside_kernels.cuh"
 
 namespace alphascope::gpu {
 
 struct OuterFaceFinder::State {
-  Stream stream;
+  WorkStream stream;
   DeviceBuffer<TriangleRange> ranges;  // by ball
   DeviceBuffer<FaceCode> owner, outside;
   DeviceBuffer<std::uint32_t> places;
@@ -26,13 +25,6 @@ struct OuterFaceFinder::State {
   PinnedBuffer<std::uint32_t> count;
   std::shared_ptr<ResultMemory> results = std::make_shared<ResultMemory>();
 
-  template <class Kernel, class... Arguments>
-  void each(Kernel kernel, std::size_t items, const Arguments&... arguments) {
-    constexpr unsigned kThreads = 256;
-    const auto blocks = static_cast<unsigned>((items + kThreads - 1) / kThreads);
-    launch(kernel, {blocks, kThreads, stream}, arguments...);
-    check(cudaGetLastError(), "starting a kernel");
-  }
   void reserve(const DeviceComplex& complex) {
     ranges.reserve(complex.ball_count);
     owner.reserve(complex.triangles.count);
@@ -43,18 +35,17 @@ struct OuterFaceFinder::State {
   // Queues all work for `outside` and `count`.
   void enqueue(const DeviceComplex& complex) {
     const DeviceSimplices &triangles = complex.triangles, &tetrahedra = complex.tetrahedra;
-    check(cudaMemsetAsync(ranges.get(), 0, complex.ball_count * sizeof(TriangleRange), stream),
-          "clearing device memory");
-    each(find_ranges, triangles.count, triangles, ranges.get());
-    each(find_owners, 4 * tetrahedra.count, triangles, tetrahedra, ranges.get(), owner.get());
+    stream.fill(ranges, 0, complex.ball_count);
+    stream.each(find_ranges, triangles.count, triangles, ranges.get());
+    stream.each(find_owners, 4 * tetrahedra.count, triangles, tetrahedra, ranges.get(),
+                owner.get());
     const IsRegular is_regular{triangles.classes, static_cast<std::uint32_t>(triangles.count)};
     prefix_sum(thrust::make_transform_iterator(thrust::make_counting_iterator(std::uint32_t{0}),
                                                is_regular),
                places.get(), triangles.count + 1, scratch, stream);
-    each(gather_owners, triangles.count, triangles, places.get(), owner.get(), outside.get());
-    check(cudaMemcpyAsync(count.get(), places.get() + triangles.count, sizeof(std::uint32_t),
-                          cudaMemcpyDeviceToHost, stream),
-          "copying a count");
+    stream.each(gather_owners, triangles.count, triangles, places.get(), owner.get(),
+                outside.get());
+    stream.fetch(count.get(), places.get() + triangles.count, 1);
   }
 };
 
@@ -78,14 +69,12 @@ std::optional<SharedFaces> OuterFaceFinder::find(const DeviceComplex& complex) {
   State& s = *state_;
   s.reserve(complex);
   s.enqueue(complex);
-  check(cudaStreamSynchronize(s.stream), "looking for the outside");
+  s.stream.wait("looking for the outside");
   const std::size_t count = *s.count.get();
   const std::shared_ptr<unsigned char> memory = s.results->take(count * sizeof(FaceCode)).memory;
   const std::span<FaceCode> faces{reinterpret_cast<FaceCode*>(memory.get()), count};
-  check(cudaMemcpyAsync(faces.data(), s.outside.get(), faces.size_bytes(), cudaMemcpyDeviceToHost,
-                        s.stream),
-        "copying the outside");
-  check(cudaStreamSynchronize(s.stream), "copying the outside");
+  s.stream.fetch(faces.data(), s.outside.get(), count);
+  s.stream.wait("copying the outside");
   return SharedFaces{memory, faces};
 }
 

@@ -91,6 +91,26 @@ __global__ void gather_balls(const int4* balls, const std::uint32_t* index, std:
   place[index[n]] = n;
 }
 
+// For evenly spread samples of the balls in that order: the distance to the nearest of the balls
+// that follow. Balls at the same centre do not count.
+__global__ void find_gaps(const int4* balls, std::uint32_t count, std::uint32_t samples,
+                          float* gaps) {
+  const std::uint32_t n = grid_thread();
+  if (n >= samples) return;
+  constexpr std::uint32_t kFollowing = 16;
+  const auto from = static_cast<std::uint32_t>(std::uint64_t{n} * count / samples);
+  const int4 own = balls[from];
+  float least = 1e30f;
+  for (std::uint32_t m = from + 1; m < count && m <= from + kFollowing; ++m) {
+    const auto x = static_cast<float>(balls[m].x - own.x),
+               y = static_cast<float>(balls[m].y - own.y),
+               z = static_cast<float>(balls[m].z - own.z);
+    const float square = fmaf(x, x, fmaf(y, y, z * z));
+    if (square > 0) least = fminf(least, square);
+  }
+  gaps[n] = sqrtf(least);
+}
+
 struct BoxSum {
   float low[3] = {1e38f, 1e38f, 1e38f}, high[3] = {-1e38f, -1e38f, -1e38f}, weight = 0;
 

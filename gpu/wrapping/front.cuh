@@ -184,12 +184,12 @@ __global__ void queue_open_faces(Front front, std::uint32_t count, std::uint32_t
   }
 }
 
-// Marks the balls of known tetrahedra as found.
+// Notes for each ball of these tetrahedra 1 + the number of one of them.
 __global__ void mark_found(const Quad* quads, std::uint32_t count, std::uint32_t* found) {
   const std::uint32_t n = grid_thread();
   if (n >= count) return;
   const Quad q = quads[n];
-  found[q.x & ~kNegative] = found[q.y] = found[q.z] = found[q.w] = 1;
+  found[q.x & ~kNegative] = found[q.y] = found[q.z] = found[q.w] = n + 1;
 }
 // A ball is needed if it has an open face or no tetrahedron.
 __global__ void add_unfound(const std::uint32_t* found, std::uint32_t count,

@@ -11,45 +11,30 @@
 
 #include "core/geometry/ball_set.hpp"
 #include "gpu/memory/device_buffer.cuh"
-#include "gpu/memory/handles.cuh"
 #include "gpu/memory/launch.cuh"
 #include "gpu/memory/prefix_sum.cuh"
+#include "gpu/memory/work_stream.cuh"
+#include "gpu/wrapping/hidden.cuh"
 #include "gpu/wrapping/near_search.cuh"
 #include "gpu/wrapping/tree_search.cuh"
 #include "gpu/wrapping/wide_search.cuh"
+#include "gpu/wrapping/wrapped.cuh"
 
 namespace alphascope::gpu {
 
 namespace {
 
-constexpr unsigned kEachThreads = 256;
 constexpr int kRoundsAtOnce = 8;
 constexpr unsigned kSearchBlocks = 8;   // for each multiprocessor
 constexpr double kCellsPerGuess = 1.3;  // width of a cell in guessed radii
-
-class Timer {
- public:
-  explicit Timer(cudaStream_t stream) : stream_(stream) {
-    begin_.create(cudaEventDefault);
-    end_.create(cudaEventDefault);
-    begin_.record(stream_);
-  }
-  void stop() { end_.record(stream_); }
-  double milliseconds() {
-    check(cudaEventSynchronize(end_), "timing");
-    float ms = 0;
-    check(cudaEventElapsedTime(&ms, begin_, end_), "timing");
-    return static_cast<double>(ms);
-  }
-
- private:
-  cudaStream_t stream_;
-  Event begin_, end_;
-};
+// How far a ball that is not in a known tetrahedron looks for one to begin a walk, in slots, and
+// the length of the walk.
+constexpr std::uint32_t kEarlyReach = 256, kEarlySteps = 64;
 
 }  // namespace
 
 static_assert(WrappingResult::kSearches == kSearches);
+static_assert(Wrapping::kMost == kMaxTreeBalls);
 
 // Numbers of elements for which there is room.
 struct Rooms {
@@ -66,7 +51,7 @@ struct Rooms {
 };
 
 struct Wrapping::State {
-  Stream stream;
+  WorkStream stream;
   std::uint32_t n = 0;
   int multiprocessors = 1;
   DeviceBuffer<int4> arrived, balls, tree_balls;
@@ -85,7 +70,7 @@ struct Wrapping::State {
     DeviceBuffer<std::uint32_t> slot, start, cell, rank;
   } grid_memory;
   DeviceBuffer<Candidates> candidates;
-  DeviceBuffer<float> bounds;
+  DeviceBuffer<float> bounds, gaps;
   DeviceBuffer<std::uint32_t> wide_nodes;
   DeviceBuffer<FrontCounts> counts;
   PinnedBuffer<FrontCounts> host_counts;
@@ -96,24 +81,11 @@ struct Wrapping::State {
   std::int32_t extent[3] = {0, 0, 0};
   float scale = 1, weight = 0;
   double order_ms = 0;
-
-  template <class Kernel, class... Arguments>
-  void each(Kernel kernel, std::size_t items, const Arguments&... arguments) {
-    if (items == 0) return;
-    const auto blocks = static_cast<unsigned>((items + kEachThreads - 1) / kEachThreads);
-    launch(kernel, {blocks, kEachThreads, stream}, arguments...);
-    check(cudaGetLastError(), "starting a kernel");
-  }
-  template <class T>
-  void fill(const DeviceBuffer<T>& to, int byte, std::size_t count) {
-    check(cudaMemsetAsync(to.get(), byte, count * sizeof(T), stream), "clearing device memory");
-  }
-  void wait(const char* what) { check(cudaStreamSynchronize(stream), what); }
+  Wrapped wrapped;
 
   void load(const BallSet& set);
   void reserve(const Rooms& rooms);
-  Front find_open_faces(std::span<const std::array<BallIndex, 4>> known, const Rooms& rooms,
-                        WrappingResult& result);
+  Front find_open_faces(const BallIndex* known, const Rooms& rooms, WrappingResult& result);
   BallTree grow_tree();
   NearGrid make_grid(const BallTree& tree, double width);
   SearchList list(Search of) { return {lists[of].get(), &counts.get()->listed[of]}; }
@@ -124,10 +96,8 @@ struct Wrapping::State {
                     WrappingResult::Round* times);
   void bring(std::size_t known, std::size_t all, WrappingResult& result);
   FrontCounts read_counts() {
-    check(cudaMemcpyAsync(host_counts.get(), counts.get(), sizeof(FrontCounts),
-                          cudaMemcpyDeviceToHost, stream),
-          "copying counts");
-    wait("completing a triangulation");
+    stream.fetch(host_counts.get(), counts.get(), 1);
+    stream.wait("completing a triangulation");
     return *host_counts.get();
   }
 };
@@ -161,14 +131,12 @@ void Wrapping::State::load(const BallSet& set) {
   index.reserve(n);
   index_sorted.reserve(n);
   slot.reserve(n);
-  check(
-      cudaMemcpyAsync(arrived.get(), host.data(), n * sizeof(int4), cudaMemcpyHostToDevice, stream),
-      "sending the balls");
-  wait("sending the balls");
-  Timer timer(stream);
+  stream.send(arrived, host.data(), n);
+  stream.wait("sending the balls");
+  DeviceTimer timer(stream);
   // Some 16 cells for each ball suffice for an order.
   const int per_axis = std::min({21, bits, static_cast<int>(std::bit_width(n)) / 3 + 3});
-  each(find_codes, n, arrived.get(), n, origin, bits - per_axis, code.get(), index.get());
+  stream.each(find_codes, n, arrived.get(), n, origin, bits - per_axis, code.get(), index.get());
   std::size_t bytes = 0;
   const auto sort = [&](void* memory) {
     check(cub::DeviceRadixSort::SortPairs(memory, bytes, code.get(), code_sorted.get(), index.get(),
@@ -179,14 +147,12 @@ void Wrapping::State::load(const BallSet& set) {
   sort(nullptr);
   scratch.reserve(bytes);
   sort(scratch.get());
-  each(gather_balls, n, arrived.get(), index_sorted.get(), n, balls.get(), slot.get());
+  stream.each(gather_balls, n, arrived.get(), index_sorted.get(), n, balls.get(), slot.get());
   timer.stop();
   order_ms = timer.milliseconds();
   ball_of_slot.resize(n);
-  check(cudaMemcpyAsync(ball_of_slot.data(), index_sorted.get(), n * sizeof(std::uint32_t),
-                        cudaMemcpyDeviceToHost, stream),
-        "copying an order");
-  wait("copying an order");
+  stream.fetch(ball_of_slot.data(), index_sorted.get(), n);
+  stream.wait("copying an order");
 }
 
 // The tree of the balls that `needed` marks.
@@ -194,10 +160,8 @@ BallTree Wrapping::State::grow_tree() {
   place.reserve(n + 1);
   prefix_sum(needed.get(), place.get(), n + 1, scratch, stream);
   host_number.reserve(1);
-  check(cudaMemcpyAsync(host_number.get(), place.get() + n, sizeof(std::uint32_t),
-                        cudaMemcpyDeviceToHost, stream),
-        "copying a count");
-  wait("counting balls");
+  stream.fetch(host_number.get(), place.get() + n, 1);
+  stream.wait("counting balls");
   const std::uint32_t count = *host_number.get();
   BallTree tree{};
   const std::uint32_t boxes = set_levels(tree, count);
@@ -210,10 +174,11 @@ BallTree Wrapping::State::grow_tree() {
   tree.boxes = {low.get(), high.get()};
   tree.origin = origin;
   tree.scale = scale;
-  each(gather_needed, n, balls.get(), needed.get(), place.get(), n, tree_balls.get(),
-       tree_slot.get());
-  each(box_leaves, tree.count[0], tree);
-  for (int level = 1; level <= tree.top; ++level) each(box_level, tree.count[level], tree, level);
+  stream.each(gather_needed, n, balls.get(), needed.get(), place.get(), n, tree_balls.get(),
+              tree_slot.get());
+  stream.each(box_leaves, tree.count[0], tree);
+  for (int level = 1; level <= tree.top; ++level)
+    stream.each(box_level, tree.count[level], tree, level);
   return tree;
 }
 
@@ -243,21 +208,44 @@ NearGrid Wrapping::State::make_grid(const BallTree& tree, double width) {
   grid.start = memory.start.get();
   grid.cell = memory.cell.get();
   grid.rank = memory.rank.get();
-  fill(memory.start, 0, cells + 1);
-  each(count_cells, tree.balls, tree, grid);
+  stream.fill(memory.start, 0, cells + 1);
+  stream.each(count_cells, tree.balls, tree, grid);
   prefix_sum(memory.start.get(), memory.start.get(), cells + 1, scratch, stream);
-  each(fill_cells, tree.balls, tree, grid);
+  stream.each(fill_cells, tree.balls, tree, grid);
   return grid;
 }
 
-Wrapping::Wrapping(const BallSet& balls) : state_(std::make_unique<State>()) {
+Wrapping::Wrapping() : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.stream.create();
   int device = 0;
   check(cudaGetDevice(&device), "asking for the device");
   check(cudaDeviceGetAttribute(&s.multiprocessors, cudaDevAttrMultiProcessorCount, device),
         "asking for the device");
+}
+
+void Wrapping::load(const BallSet& balls) {
+  State& s = *state_;
   s.load(balls);
+  s.wrapped.stream = &s.stream;
+  s.wrapped.balls = s.balls.get();
+  s.wrapped.slots = s.n;
+  s.wrapped.ball_of_slot = s.index_sorted.get();
+  s.wrapped.scale = s.scale;
+}
+
+double Wrapping::typical_gap() {
+  State& s = *state_;
+  constexpr std::uint32_t kSamples = 2048;
+  const std::uint32_t samples = std::min(kSamples, s.n);
+  s.gaps.reserve(kSamples);
+  s.stream.each(find_gaps, samples, s.balls.get(), s.n, samples, s.gaps.get());
+  std::vector<float> gaps(samples);
+  s.stream.fetch(gaps.data(), s.gaps.get(), samples);
+  s.stream.wait("measuring gaps");
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(samples / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  return static_cast<double>(*middle);
 }
 
 Wrapping::~Wrapping() {
@@ -265,7 +253,6 @@ Wrapping::~Wrapping() {
 }
 
 void Wrapping::State::reserve(const Rooms& rooms) {
-  vertices.reserve(4 * rooms.known);
   quads.reserve(rooms.quads);
   neighbours.reserve(4 * rooms.quads);
   apex.reserve(4 * rooms.quads);
@@ -283,19 +270,16 @@ void Wrapping::State::reserve(const Rooms& rooms) {
 }
 
 // Joins the known tetrahedra, queues their open faces, and marks the balls that a search may find.
-Front Wrapping::State::find_open_faces(std::span<const std::array<BallIndex, 4>> known,
-                                       const Rooms& rooms, WrappingResult& result) {
+Front Wrapping::State::find_open_faces(const BallIndex* known, const Rooms& rooms,
+                                       WrappingResult& result) {
   const auto count = static_cast<std::uint32_t>(rooms.known);
-  check(cudaMemcpyAsync(vertices.get(), known.data(), known.size_bytes(), cudaMemcpyHostToDevice,
-                        stream),
-        "sending tetrahedra");
-  fill(counts, 0, 1);
-  fill(neighbours, 0xff, 4 * rooms.quads);
-  fill(apex, 0xff, 4 * rooms.quads);
-  fill(known_table, 0xff, rooms.known_faces);
-  fill(table, 0xff, rooms.faces);
-  fill(needed, 0, n + 1);
-  fill(found, 0, n);
+  stream.fill(counts, 0, 1);
+  stream.fill(neighbours, 0xff, 4 * rooms.quads);
+  stream.fill(apex, 0xff, 4 * rooms.quads);
+  stream.fill(known_table, 0xff, rooms.known_faces);
+  stream.fill(table, 0xff, rooms.faces);
+  stream.fill(needed, 0, n + 1);
+  stream.fill(found, 0, n);
   const Front front{{quads.get(), neighbours.get()},
                     {table.get(), static_cast<std::uint32_t>(rooms.faces)},
                     queue.get(),
@@ -304,21 +288,21 @@ Front Wrapping::State::find_open_faces(std::span<const std::array<BallIndex, 4>>
                     static_cast<std::uint32_t>(rooms.queue()),
                     counts.get()};
   const FaceTable known_faces{known_table.get(), static_cast<std::uint32_t>(rooms.known_faces)};
-  Timer timer(stream);
-  each(read_quads, count, vertices.get(), count, slot.get(), balls.get(), quads.get());
-  each(join_faces, 4 * rooms.known, front.faces, known_faces, count);
-  each(mark_found, count, quads.get(), count, found.get());
-  each(add_unfound, n, found.get(), n, needed.get());
-  each(queue_open_faces, 4 * rooms.known, front, count, needed.get());
+  DeviceTimer timer(stream);
+  stream.each(read_quads, count, known, count, slot.get(), balls.get(), quads.get());
+  stream.each(join_faces, 4 * rooms.known, front.faces, known_faces, count);
+  stream.each(mark_found, count, quads.get(), count, found.get());
+  stream.each(mark_hidden, n, front.faces, count, balls.get(), n, found.get(), kEarlyReach,
+              kEarlySteps);
+  stream.each(add_unfound, n, found.get(), n, needed.get());
+  stream.each(queue_open_faces, 4 * rooms.known, front, count, needed.get());
   timer.stop();
   result.open_ms = timer.milliseconds();
   FrontCounts numbers = read_counts();
   result.open = numbers.tail;
   numbers.quads = numbers.quads_before = count;
   *host_counts.get() = numbers;
-  check(cudaMemcpyAsync(counts.get(), host_counts.get(), sizeof(FrontCounts),
-                        cudaMemcpyHostToDevice, stream),
-        "sending counts");
+  stream.send(counts, host_counts.get(), 1);
   return front;
 }
 
@@ -328,7 +312,7 @@ void Wrapping::State::search_round(const Front& front, const SearchSpace& space,
                                    WrappingResult::Round* times) {
   const auto each_multiprocessor = static_cast<unsigned>(multiprocessors);
   const LaunchShape searching{kSearchBlocks * each_multiprocessor, kSearchThreads, stream};
-  std::optional<Timer> timer;
+  std::optional<DeviceTimer> timer;
   // Ends the step `of`, and begins the next.
   const auto next = [&](int of) {
     if (times == nullptr) return;
@@ -349,7 +333,7 @@ void Wrapping::State::search_round(const Front& front, const SearchSpace& space,
   next(kDoubtful);
   launch(search_tree<true>, searching, front, space, task(kExact));
   next(kExact);
-  launch(extend_front, {4 * searching.blocks, kEachThreads, stream}, front);
+  launch(extend_front, {4 * searching.blocks, 256, stream}, front);
   next(kSearches);
   check(cudaGetLastError(), "starting a kernel");
   if (times == nullptr) return;
@@ -360,10 +344,8 @@ void Wrapping::State::search_round(const Front& front, const SearchSpace& space,
 // Copies the tetrahedra after the known ones to the host.
 void Wrapping::State::bring(std::size_t known, std::size_t all, WrappingResult& result) {
   host_quads.reserve(all - known);
-  check(cudaMemcpyAsync(host_quads.get(), quads.get() + known, (all - known) * sizeof(Quad),
-                        cudaMemcpyDeviceToHost, stream),
-        "copying tetrahedra");
-  wait("copying tetrahedra");
+  stream.fetch(host_quads.get(), quads.get() + known, all - known);
+  stream.wait("copying tetrahedra");
   result.found.resize(all - known);
   for (std::size_t t = 0; t < result.found.size(); ++t) {
     const Quad& q = host_quads.get()[t];
@@ -376,13 +358,21 @@ void Wrapping::State::bring(std::size_t known, std::size_t all, WrappingResult& 
 WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, double radius,
                              std::size_t room, bool bring, const CancelToken& cancel, bool timed) {
   State& s = *state_;
+  s.vertices.reserve(4 * known.size());
+  s.stream.send(s.vertices, known.data(), 4 * known.size());
+  return run({s.vertices.get(), nullptr, known.size()}, radius, room, bring, cancel, timed);
+}
+
+WrappingResult Wrapping::run(const DeviceSimplices& known, double radius, std::size_t room,
+                             bool bring, const CancelToken& cancel, bool timed) {
+  State& s = *state_;
   WrappingResult result;
-  result.known = known.size();
+  result.known = known.count;
   result.order_ms = s.order_ms;
-  const Rooms rooms(known.size(), room);
+  const Rooms rooms(known.count, room);
   s.reserve(rooms);
-  const Front front = s.find_open_faces(known, rooms, result);
-  Timer growing(s.stream);
+  const Front front = s.find_open_faces(known.vertices, rooms, result);
+  DeviceTimer growing(s.stream);
   const BallTree tree = s.grow_tree();
   const NearGrid grid = s.make_grid(tree, kCellsPerGuess * radius);
   growing.stop();
@@ -393,7 +383,7 @@ WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, do
                           s.weight,      s.list(kDoubtful), s.candidates.get(),
                           s.list(kWide), s.bounds.get(),    s.list(kExact)};
   const float guess = static_cast<float>(radius) * s.scale;
-  Timer wrapping(s.stream);
+  DeviceTimer wrapping(s.stream);
   FrontCounts counts{};
   do {
     cancel.throw_if_cancelled();
@@ -410,8 +400,16 @@ WrappingResult Wrapping::run(std::span<const std::array<BallIndex, 4>> known, do
     result.searched[search] = counts.all[search] + counts.listed[search];
   result.hull = counts.hull;
   result.fits = counts.full == 0;
-  if (bring && result.fits) s.bring(known.size(), counts.quads, result);
+  s.wrapped.faces = front.faces;
+  s.wrapped.count = counts.quads;
+  s.wrapped.found = s.found.get();
+  s.wrapped.spare = s.apex.get();
+  if (bring && result.fits) s.bring(known.count, counts.quads, result);
   return result;
+}
+
+const Wrapped& Wrapping::on_device() const {
+  return state_->wrapped;
 }
 
 }  // namespace alphascope::gpu

@@ -10,12 +10,15 @@
 
 #include "core/geometry/ball_index.hpp"
 #include "core/run/cancel_token.hpp"
+#include "gpu/memory/device_complex.hpp"
 
 namespace alphascope {
 
 struct BallSet;
 
 namespace gpu {
+
+struct Wrapped;
 
 struct WrappingResult {
   // Those that were not known. The balls of each ascend; the order is that in which they were
@@ -40,9 +43,18 @@ struct WrappingResult {
 
 class Wrapping {
  public:
-  // Copies the balls to the device, and puts them in order. Throws std::bad_alloc and DeviceError.
-  explicit Wrapping(const BallSet& balls);
+  Wrapping();
+  explicit Wrapping(const BallSet& balls) : Wrapping() { load(balls); }
   ~Wrapping();
+
+  // Copies the balls to the device, and puts them in order. There must be from 1 to kMost. Throws
+  // std::bad_alloc and DeviceError.
+  static constexpr std::size_t kMost = std::size_t{1} << 24;
+  void load(const BallSet& balls);
+
+  // The median distance from a ball to the nearest of the few that follow it in that order, lattice
+  // units.
+  double typical_gap();
 
   // `known`: at least one tetrahedron of the regular triangulation. `radius`: a guess at the radius
   // of the next orthospheres, lattice units; it changes only the time. `room`: of new tetrahedra.
@@ -50,6 +62,12 @@ class Wrapping {
   // Throws Cancelled, std::bad_alloc and DeviceError.
   WrappingResult run(std::span<const std::array<BallIndex, 4>> known, double radius,
                      std::size_t room, bool bring, const CancelToken& cancel, bool timed = false);
+  // The same for known tetrahedra in device memory.
+  WrappingResult run(const DeviceSimplices& known, double radius, std::size_t room, bool bring,
+                     const CancelToken& cancel, bool timed = false);
+
+  // All tetrahedra after a run whose result fits (wrapped.cuh).
+  const Wrapped& on_device() const;
 
  private:
   struct State;

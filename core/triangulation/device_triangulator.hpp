@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The interface of a device that makes regular triangulations.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/complex/triangulation.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/run/stage_timer.hpp"
+
+namespace alphascope {
+
+struct BallSet;
+
+// A triangulation by a device. It is certified: checked from the definition, in integers where
+// floats do not decide.
+struct DeviceTriangulation {
+  std::optional<Triangulation> triangulation;  // empty: the device made none
+  std::string why_not;                         // why: a sentence without its full stop
+  std::string device;                          // "NVIDIA H200"
+  StageTimes timings;
+  std::uint64_t known = 0;       // tetrahedra with which wrapping began
+  std::uint64_t open_faces = 0;  // of those
+  std::uint64_t needed = 0;      // balls that the next tetrahedra can have
+  std::uint64_t rounds = 0;      // of wrapping
+};
+
+class DeviceTriangulator {
+ public:
+  virtual ~DeviceTriangulator() = default;
+
+  // Works in the caller's task arena. Throws Cancelled. Two threads must not call it at once. A
+  // failed device, too little memory and a failed certificate are reported in `why_not`.
+  virtual DeviceTriangulation make(const BallSet& balls, const RunContext& context) = 0;
+
+  // Frees the memory that is kept for the next call. May wait for the device. Two threads must not
+  // call it at once, nor together with make().
+  virtual void release_memory() = 0;
+};
+
+}  // namespace alphascope

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Takes the largest ball, which is never hidden, and the balls whose radical planes are nearest to
+// its centre. A tetrahedron of their triangulation is one of all balls' if no ball is in conflict
+// with it. If each has a conflict, more balls are taken.
+#include "core/wrapping/seed.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/predicates/exact_alpha.hpp"
+#include "core/run/parallel.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/wrapping/conflict.hpp"
+
+namespace alphascope {
+namespace {
+
+IndexedBall indexed_ball(const BallSet& balls, BallIndex i) {
+  const LatticePoint& p = balls.centres[i];
+  return {p.x, p.y, p.z, balls.radii[i], i};
+}
+
+// Four balls whose centres are not in a plane, the first of them given. Fewer if all are in one.
+std::vector<BallIndex> spanning(const BallSet& balls, BallIndex first) {
+  std::vector<BallIndex> found{first};
+  LiftedInt j{}, k{};
+  for (BallIndex m = 0; m < balls.size() && found.size() < 4; ++m) {
+    const LiftedInt v = lifted_vector(balls, first, m);
+    const auto n = cross(j, v);
+    if (found.size() == 1 && (v.x != 0 || v.y != 0 || v.z != 0)) {
+      j = v;
+    } else if (found.size() == 2 && (n.x != 0 || n.y != 0 || n.z != 0)) {
+      k = v;
+    } else if (found.size() != 3 || orientation(j, k, v) == 0) {
+      continue;
+    }
+    found.push_back(m);
+  }
+  return found;
+}
+
+// The first ball in conflict with a tetrahedron, or kNone.
+constexpr BallIndex kNone = std::numeric_limits<BallIndex>::max();
+BallIndex conflict(const BallSet& balls, const std::array<BallIndex, 4>& tetrahedron,
+                   const CancelToken& cancel) {
+  IndexedBall corners[4];
+  for (int c = 0; c < 4; ++c) corners[c] = indexed_ball(balls, tetrahedron[c]);
+  std::atomic<BallIndex> first{kNone};
+  constexpr std::size_t kGrain = 4096;
+  parallel_ranges(BallIndex{0}, static_cast<BallIndex>(balls.size()), kGrain,
+                  [&](BallIndex begin, BallIndex end) {
+                    if (cancel.cancelled()) return;
+                    for (BallIndex m = begin; m < end && m < first; ++m) {
+                      const bool corner =
+                          std::find(tetrahedron.begin(), tetrahedron.end(), m) != tetrahedron.end();
+                      if (corner || stays_out(corners, indexed_ball(balls, m))) continue;
+                      BallIndex before = first;
+                      while (m < before && !first.compare_exchange_weak(before, m)) {
+                      }
+                      return;
+                    }
+                  });
+  cancel.throw_if_cancelled();
+  return first;
+}
+
+}  // namespace
+
+std::optional<std::array<BallIndex, 4>> seed_tetrahedron(const BallSet& balls,
+                                                         const CancelToken& cancel) {
+  if (balls.size() < 4) return std::nullopt;
+  const auto largest = std::max_element(balls.radii.begin(), balls.radii.end());
+  const auto top = static_cast<BallIndex>(largest - balls.radii.begin());
+  std::vector<BallIndex> taken = spanning(balls, top);
+  if (taken.size() < 4) return std::nullopt;
+
+  // By the distance of the radical plane, c / (2 |d|). Its rounding changes only the order.
+  std::vector<std::pair<double, BallIndex>> others;
+  others.reserve(balls.size());
+  for (BallIndex m = 0; m < balls.size(); ++m) {
+    const LiftedInt v = lifted_vector(balls, top, m);
+    const auto x = static_cast<double>(v.x), y = static_cast<double>(v.y),
+               z = static_cast<double>(v.z), square = x * x + y * y + z * z;
+    if (square > 0) others.emplace_back(static_cast<double>(v.c) / std::sqrt(square), m);
+  }
+  for (std::size_t count = 64;; count *= 4) {
+    const bool all = count >= others.size();
+    count = std::min(count, others.size());
+    std::nth_element(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count - 1),
+                     others.end());
+    for (std::size_t n = 0; n < count; ++n) taken.push_back(others[n].second);
+    std::sort(taken.begin(), taken.end());
+    taken.erase(std::unique(taken.begin(), taken.end()), taken.end());
+    BallSet few{balls.lattice, {}, {}};
+    for (const BallIndex i : taken) {
+      few.centres.push_back(balls.centres[i]);
+      few.radii.push_back(balls.radii[i]);
+    }
+    const Triangulation part = make_triangulation(few, 1, {cancel, {}});
+    std::vector<std::array<BallIndex, 4>> around;
+    for (const auto& t : part.tetrahedra) {
+      std::array<BallIndex, 4> own;
+      for (int c = 0; c < 4; ++c) own[c] = taken[t[c]];
+      if (std::find(own.begin(), own.end(), top) != own.end()) around.push_back(own);
+    }
+    // The smallest are the likeliest. Distances are rounded, which changes only the order.
+    const auto size = [&](const std::array<BallIndex, 4>& t) {
+      double most = 0;
+      for (const BallIndex m : t) {
+        const LiftedInt v = lifted_vector(balls, top, m);
+        most = std::max(most, static_cast<double>(v.c));
+      }
+      return most;
+    };
+    std::sort(around.begin(), around.end(), [&](const auto& a, const auto& b) {
+      return std::pair(size(a), a) < std::pair(size(b), b);
+    });
+    constexpr std::size_t kTried = 8;
+    for (std::size_t n = 0; n < around.size() && (n < kTried || all); ++n) {
+      const BallIndex m = conflict(balls, around[n], cancel);
+      if (m == kNone) return around[n];
+      taken.push_back(m);
+    }
+    if (all) return std::nullopt;  // not reached: the balls taken are all that matter
+  }
+}
+
+}  // namespace alphascope

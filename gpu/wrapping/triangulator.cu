@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes a regular triangulation on the device: the tetrahedra of a small alpha by the dual-edge
+// kernels, all others by wrapping, a certificate, and the order of a Triangulation.
+#include "gpu/wrapping/triangulator.hpp"
+
+#include <cub/device/device_radix_sort.cuh>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/geometry/alpha.hpp"
+#include "core/geometry/ball_set.hpp"
+#include "core/run/stage_timer.hpp"
+#include "core/triangulation/order_tetrahedra.hpp"
+#include "core/wrapping/hull_proof.hpp"
+#include "core/wrapping/seed.hpp"
+#include "gpu/dual_edge/dual_edge_pipeline.hpp"
+#include "gpu/gpu_engine.hpp"
+#include "gpu/memory/prefix_sum.cuh"
+#include "gpu/memory/result_memory.cuh"
+#include "gpu/wrapping/arrange.cuh"
+#include "gpu/wrapping/certificate.cuh"
+#include "gpu/wrapping/wrapped.cuh"
+#include "gpu/wrapping/wrapping.hpp"
+
+namespace alphascope {
+namespace gpu {
+namespace {
+
+// The radius of balls in the first step, in typical gaps. Larger ones take the kernels of the first
+// step longer than wrapping takes.
+constexpr double kRadiusPerGap = 2.3;
+constexpr double kTetrahedraPerBall = 6.9;
+// A face has a 32-bit reference.
+constexpr std::size_t kMostQuads = std::size_t{1} << 30;
+
+// Times of named stages by the device's clock.
+class StageClock {
+ public:
+  explicit StageClock(cudaStream_t stream) : stream_(stream) {}
+  void begin(std::string_view label) {
+    end();
+    timers_.emplace_back(label, std::make_unique<DeviceTimer>(stream_));
+  }
+  void end() {
+    if (!timers_.empty() && !stopped_) timers_.back().second->stop();
+  }
+  // Waits for the end of all work.
+  void report(StageTimes& to) {
+    end();
+    stopped_ = true;
+    for (auto& [label, timer] : timers_)
+      to.stages.push_back({std::string(label), timer->milliseconds(), false});
+  }
+
+ private:
+  cudaStream_t stream_;
+  bool stopped_ = false;
+  std::vector<std::pair<std::string_view, std::unique_ptr<DeviceTimer>>> timers_;
+};
+
+// Waits for the device before the memory that it uses is given away.
+struct WaitAtEnd {
+  const WorkStream& stream;
+  ~WaitAtEnd() { cudaStreamSynchronize(stream); }
+};
+
+// Numbers that the device counts in the last steps.
+struct LastCounts {
+  CertificateCounts certificate;
+  std::uint32_t hull;  // faces that are listed
+  std::uint32_t vertices;
+};
+
+// Arrays of a result in one piece of memory.
+struct TriangulationLayout {
+  std::size_t neighbours, hull, listed, bytes;
+  TriangulationLayout(std::size_t quads, std::size_t balls, std::size_t hull_room)
+      : neighbours(quads * sizeof(uint4)),
+        hull(2 * neighbours),
+        listed(hull + hull_room * 4),
+        bytes(listed + balls * 4) {}
+};
+
+class GpuTriangulator : public DeviceTriangulator {
+ public:
+  explicit GpuTriangulator(std::function<void(Uncertified&)> spoil) : spoil_(std::move(spoil)) {}
+  ~GpuTriangulator() override { results_->close(); }
+
+  DeviceTriangulation make(const BallSet& balls, const RunContext& context) override {
+    DeviceTriangulation made;
+    made.device = gpu_device().name;
+    StageTimer wall(made.timings);
+    try {
+      triangulate(balls, context, made);
+    } catch (const std::bad_alloc&) {
+      made.why_not = made.device + " has too little memory for this triangulation";
+    } catch (const ExecutorFailed& failed) {
+      made.why_not = failed.what();
+    }
+    if (!made.triangulation) memory_ = {};
+    wall.finish();
+    return made;
+  }
+
+  void release_memory() override {
+    memory_ = {};
+    results_->release_memory();
+    ResultMemory::free_unused();
+  }
+
+ private:
+  void triangulate(const BallSet& balls, const RunContext& context, DeviceTriangulation& made) {
+    if (balls.size() > Wrapping::kMost) {
+      made.why_not = "more balls than the device's triangulation can have";
+      return;
+    }
+    if (balls.size() < 4) {
+      made.why_not = kFlat;
+      return;
+    }
+    if (!memory_) memory_ = std::make_unique<Memory>();
+    Memory& m = *memory_;
+    context.report(stage::kTriangulation, 0);
+    m.wrapping.load(balls);
+    context.cancel.throw_if_cancelled();
+    StageTimer host(made.timings);
+    const double radius = kRadiusPerGap * m.wrapping.typical_gap();
+    const std::optional<DeviceSimplices> known = find_known(balls, radius, context.cancel);
+    if (!known) {
+      made.why_not = kFlat;
+      return;
+    }
+    host.lap(stage::kBulk, false);
+    context.report(stage::kTriangulation, 0.3);
+    if (!wrap(balls, *known, radius, context.cancel, made)) {
+      made.why_not = "more tetrahedra than the device can number";
+      return;
+    }
+    context.report(stage::kTriangulation, 0.7);
+    Wrapped all = m.wrapping.on_device();
+    spoil(all);
+    StageClock clock(*all.stream);
+    finish(balls, all, clock, context.cancel, made);
+    clock.report(made.timings);
+  }
+
+  // Tetrahedra with which wrapping begins: those of a K_alpha, or any one. Empty if the centres lie
+  // in a plane.
+  std::optional<DeviceSimplices> find_known(const BallSet& balls, double radius,
+                                            const CancelToken& cancel) {
+    Memory& m = *memory_;
+    std::vector<std::int32_t> radii = balls.radii;
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    const double weight = static_cast<double>(*middle) * *middle,
+                 units = balls.lattice.units_per_angstrom();
+    m.pipeline.emplace(balls);
+    // Where balls are clustered, fewer of them fit.
+    for (const double share : {1.0, 0.5, 0.25}) {
+      const double alpha = (share * share * radius * radius - weight) / (units * units);
+      cancel.throw_if_cancelled();
+      const PipelineResult within =
+          m.pipeline->run(balls.lattice.alpha_on_lattice(Alpha{alpha}), true, cancel, nullptr);
+      const DeviceSimplices found = m.pipeline->tetrahedra_on_device();
+      if (within.fits && found.count > 0) return found;
+      if (within.fits) break;
+    }
+    const std::optional<std::array<BallIndex, 4>> seed = seed_tetrahedron(balls, cancel);
+    if (!seed) return std::nullopt;
+    m.seed.reserve(4);
+    check(cudaMemcpy(m.seed.get(), seed->data(), sizeof *seed, cudaMemcpyHostToDevice),
+          "sending a tetrahedron");
+    return DeviceSimplices{m.seed.get(), nullptr, 1};
+  }
+
+  bool wrap(const BallSet& balls, const DeviceSimplices& known, double radius,
+            const CancelToken& cancel, DeviceTriangulation& made) {
+    const double likely =
+        kTetrahedraPerBall * static_cast<double>(balls.size()) - static_cast<double>(known.count);
+    for (auto room = static_cast<std::size_t>(std::max(likely, 0.0)) + 4096;
+         known.count + room < kMostQuads; room *= 2) {
+      const WrappingResult result = memory_->wrapping.run(known, radius, room, false, cancel);
+      if (!result.fits) continue;
+      made.known = result.known;
+      made.open_faces = result.open;
+      made.needed = result.needed;
+      made.rounds = result.rounds;
+      made.timings.stages.push_back(
+          {std::string(stage::kOpenFaces), result.open_ms + result.tree_ms, false});
+      made.timings.stages.push_back({std::string(stage::kWrapping), result.front_ms, false});
+      return true;
+    }
+    return false;
+  }
+
+  // The certificate, the order and the copy to the host.
+  void finish(const BallSet& balls, const Wrapped& all, StageClock& clock,
+              const CancelToken& cancel, DeviceTriangulation& made) {
+    Memory& m = *memory_;
+    const WorkStream& stream = *all.stream;
+    const std::size_t count = all.count, n = all.slots;
+    m.counts.reserve(1);
+    m.host_counts.reserve(1);
+    stream.fill(m.counts, 0, 1);
+    clock.begin(stage::kCertificate);
+    stream.each(keep_hidden, n, all.found, all.slots);
+    stream.each(mark_found, count, all.faces.quads, all.count, all.found);
+    stream.each(mark_hidden, n, all.faces, all.count, all.balls, all.slots, all.found, all.slots,
+                all.count);
+    const Certificate certificate{all.faces,
+                                  all.count,
+                                  all.balls,
+                                  all.slots,
+                                  all.scale,
+                                  all.spare,
+                                  &m.counts.get()->certificate};
+    stream.each(check_cells, count, certificate);
+    stream.each(check_faces, 4 * count, certificate);
+    stream.each(check_doubtful_faces, std::min<std::size_t>(2 * count, 1u << 18), certificate);
+    stream.each(count_unproven, n, all.found, all.slots, certificate.counts);
+    fetch_counts(stream);
+    const CertificateCounts& checked = m.host_counts.get()->certificate;
+    if (checked.cells + checked.pairs + checked.irregular + checked.unproven > 0)
+      throw ExecutorFailed(failure(checked));
+    cancel.throw_if_cancelled();
+
+    clock.begin(stage::kOrder);
+    const std::size_t hull_room = checked.hull;
+    const TriangulationLayout layout(count, n, hull_room);
+    m.result.reserve(layout.bytes);
+    const auto array = [&](std::size_t at) { return m.result.get() + at; };
+    const Arranged arranged{reinterpret_cast<uint4*>(array(0)),
+                            reinterpret_cast<uint4*>(array(layout.neighbours)),
+                            reinterpret_cast<std::uint32_t*>(array(layout.hull)),
+                            static_cast<std::uint32_t>(hull_room), &m.counts.get()->hull};
+    arrange(all, arranged, reinterpret_cast<std::uint32_t*>(array(layout.listed)));
+    stream.fetch(&m.host_counts.get()->vertices, m.place.get() + n, 1);
+    clock.begin(stage::kDeviceToHost);
+    const std::shared_ptr<unsigned char> memory = results_->take(layout.bytes).memory;
+    const WaitAtEnd waits{stream};
+    stream.fetch(memory.get(), m.result.get(), layout.bytes);
+    clock.end();
+    stream.wait("copying a triangulation");
+    cancel.throw_if_cancelled();
+
+    StageTimer host(made.timings);
+    made.triangulation = on_host(balls, memory, layout, count, m.host_counts.get()->vertices);
+    if (!encloses_once(balls, *made.triangulation)) {
+      made.triangulation.reset();
+      throw ExecutorFailed("the certificate of the triangulation failed: its hull is not convex");
+    }
+    host.lap("hull", false);
+  }
+
+  void arrange(const Wrapped& all, const Arranged& out, std::uint32_t* listed) {
+    Memory& m = *memory_;
+    const WorkStream& stream = *all.stream;
+    const std::size_t count = all.count, n = all.slots;
+    m.lower.reserve(count);
+    m.higher.reserve(count);
+    m.gathered.reserve(count);
+    m.sorted_keys.reserve(count);
+    m.index.reserve(count);
+    m.order.reserve(count);
+    const int bits = std::bit_width(n - 1);
+    stream.each(find_keys, count, all.faces.quads, all.count, all.ball_of_slot, bits, m.lower.get(),
+                m.higher.get(), m.index.get());
+    sort(m.higher.get(), m.index.get(), m.order.get(), count, 2 * bits, stream);
+    stream.each(gather_keys, count, m.lower.get(), m.order.get(), all.count, m.gathered.get());
+    sort(m.gathered.get(), m.order.get(), m.index.get(), count, 2 * bits, stream);
+    // `index` is the order now, and `order` becomes its inverse.
+    stream.each(invert_order, count, m.index.get(), all.count, m.order.get());
+    stream.each(arrange_quads, count, all.faces, all.count, all.ball_of_slot, m.index.get(),
+                m.order.get(), out);
+    m.is_vertex.reserve(n + 1);
+    m.place.reserve(n + 1);
+    stream.fill(m.is_vertex, 0, n + 1);
+    stream.each(mark_vertices, n, all.found, all.ball_of_slot, all.slots, m.is_vertex.get());
+    prefix_sum(m.is_vertex.get(), m.place.get(), n + 1, m.scratch, stream);
+    stream.each(list_balls, n, m.is_vertex.get(), m.place.get(), all.slots, listed);
+  }
+  void sort(const std::uint64_t* keys, const std::uint32_t* from, std::uint32_t* to,
+            std::size_t count, int bits, const WorkStream& stream) {
+    Memory& m = *memory_;
+    std::size_t bytes = 0;
+    const auto run = [&](void* scratch) {
+      check(cub::DeviceRadixSort::SortPairs(scratch, bytes, keys, m.sorted_keys.get(), from, to,
+                                            static_cast<int>(count), 0, bits, stream),
+            "sorting tetrahedra");
+    };
+    run(nullptr);
+    m.scratch.reserve(bytes);
+    run(m.scratch.get());
+  }
+
+  Triangulation on_host(const BallSet& balls, const std::shared_ptr<unsigned char>& memory,
+                        const TriangulationLayout& layout, std::size_t count,
+                        std::size_t vertices) const {
+    static_assert(sizeof(Neighbour) == 4 &&
+                  std::bit_cast<std::uint32_t>(Neighbour::tetrahedron(7)) == 7);
+    Triangulation result;
+    result.dimension = 3;
+    using Balls = std::array<BallIndex, 4>;
+    using Neighbours = std::array<Neighbour, 4>;
+    unsigned char* const at = memory.get();
+    result.tetrahedra = in_place(memory, std::span<Balls>{reinterpret_cast<Balls*>(at), count});
+    result.neighbours = in_place(
+        memory,
+        std::span<Neighbours>{reinterpret_cast<Neighbours*>(at + layout.neighbours), count});
+    const auto* hull = reinterpret_cast<const std::uint32_t*>(at + layout.hull);
+    std::vector<OutsideFace> outside;
+    for (std::size_t h = 0; h < memory_->host_counts.get()->certificate.hull; ++h)
+      outside.push_back({hull[h] / 4, static_cast<int>(hull[h] % 4)});
+    set_hull(balls, outside, result);
+    const auto* listed = reinterpret_cast<const BallIndex*>(at + layout.listed);
+    result.vertices.assign(listed, listed + vertices);
+    result.hidden.assign(listed + vertices, listed + balls.size());
+    return result;
+  }
+
+  void fetch_counts(const WorkStream& stream) {
+    stream.fetch(memory_->host_counts.get(), memory_->counts.get(), 1);
+    stream.wait("certifying a triangulation");
+  }
+  static std::string failure(const CertificateCounts& counts) {
+    std::string text = "the certificate of the triangulation failed:";
+    const auto add = [&](std::uint32_t count, const char* what) {
+      if (count > 0) text += ' ' + std::to_string(count) + what;
+    };
+    add(counts.cells, " tetrahedra flat or turned");
+    add(counts.pairs, " wrong neighbours");
+    add(counts.irregular, " faces that are not regular");
+    add(counts.unproven, " balls neither in a tetrahedron nor hidden");
+    return text;
+  }
+
+  void spoil(Wrapped& all) const;
+
+  static constexpr const char* kFlat = "the centres of all balls lie in a plane";
+
+  // All that is kept for the next call.
+  struct Memory {
+    Wrapping wrapping;
+    std::optional<DualEdgePipeline> pipeline;
+    DeviceBuffer<BallIndex> seed;
+    DeviceBuffer<LastCounts> counts;
+    PinnedBuffer<LastCounts> host_counts;
+    DeviceBuffer<std::uint64_t> lower, higher, gathered, sorted_keys;
+    DeviceBuffer<std::uint32_t> index, order, is_vertex, place;
+    DeviceBuffer<unsigned char> scratch, result;
+  };
+  std::unique_ptr<Memory> memory_;
+  std::shared_ptr<ResultMemory> results_ = std::make_shared<ResultMemory>();
+  std::function<void(Uncertified&)> spoil_;  // of tests; else empty
+};
+
+// Lets a test spoil the triangulation.
+void GpuTriangulator::spoil(Wrapped& all) const {
+  if (!spoil_) return;
+  Uncertified host{std::vector<std::array<std::uint32_t, 4>>(all.count),
+                   std::vector<std::array<std::uint32_t, 4>>(all.count)};
+  const std::size_t bytes = all.count * sizeof(Quad);
+  const auto copy = [&](void* to, const void* from, std::size_t size, cudaMemcpyKind kind) {
+    check(cudaMemcpyAsync(to, from, size, kind, *all.stream), "copying tetrahedra");
+    all.stream->wait("copying tetrahedra");
+  };
+  copy(host.quads.data(), all.faces.quads, bytes, cudaMemcpyDeviceToHost);
+  copy(host.neighbours.data(), all.faces.neighbours, bytes, cudaMemcpyDeviceToHost);
+  spoil_(host);
+  all.count = static_cast<std::uint32_t>(host.quads.size());
+  copy(all.faces.quads, host.quads.data(), all.count * sizeof(Quad), cudaMemcpyHostToDevice);
+  copy(all.faces.neighbours, host.neighbours.data(), all.count * sizeof(Quad),
+       cudaMemcpyHostToDevice);
+}
+
+}  // namespace
+
+std::unique_ptr<DeviceTriangulator> make_spoilt_triangulator(
+    std::function<void(Uncertified&)> spoil) {
+  return std::make_unique<GpuTriangulator>(std::move(spoil));
+}
+
+}  // namespace gpu
+
+std::unique_ptr<DeviceTriangulator> make_gpu_triangulator() {
+  return gpu::make_spoilt_triangulator({});
+}
+
+}  // namespace alphascope

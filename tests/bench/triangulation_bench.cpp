@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks and times whole triangulations on a machine with a GPU. Each is compared with CGAL's, byte
+// by byte. Usage:
+//   alphascope_triangulation_bench RUNS FILE.balls[:SOLVENT]...
+// Times are medians in ms, from balls in host memory to a triangulation in host memory, after two
+// runs to warm up. CGAL runs once for each number of threads.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "core/run/work_threads.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "gpu/wrapping/triangulator.hpp"
+#include "tests/bench/read_balls.hpp"
+
+using namespace alphascope;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double milliseconds(Clock::time_point from) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
+}
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// Returns whether the result is CGAL's.
+bool time_set(DeviceTriangulator& triangulator, const std::string& name, const BallSet& balls,
+              int runs) {
+  auto start = Clock::now();
+  Triangulation whole = make_triangulation(balls, 1);
+  const double one = milliseconds(start);
+  start = Clock::now();
+  whole = make_triangulation(balls, 16);
+  const double sixteen = milliseconds(start);
+  DeviceTriangulation made = triangulator.make(balls, {});
+  const bool equal = made.triangulation && *made.triangulation == whole;
+  std::printf("%s %s: balls %zu, hidden %zu, tetrahedra %zu (CGAL %.1f ms, with 16 threads %.1f)\n",
+              equal ? "ok  " : "DIFF", name.c_str(), balls.size(), whole.hidden.size(),
+              whole.tetrahedra.size(), one, sixteen);
+  if (!made.triangulation) {
+    std::printf("  none: %s\n", made.why_not.c_str());
+    return false;
+  }
+  std::vector<double> wall;
+  std::vector<std::vector<double>> stages;
+  for (int run = 0; run < runs + 2; ++run) {
+    made = {};  // as a program that shows one triangulation at a time
+    start = Clock::now();
+    made = triangulator.make(balls, {});
+    if (run < 2) continue;
+    wall.push_back(milliseconds(start));
+    stages.resize(made.timings.stages.size());
+    for (std::size_t s = 0; s < stages.size(); ++s)
+      stages[s].push_back(made.timings.stages[s].milliseconds);
+  }
+  std::printf(
+      "  wall %.2f (least %.2f); known %llu, open faces %llu, balls needed %llu, rounds %llu\n ",
+      median(wall), *std::min_element(wall.begin(), wall.end()),
+      static_cast<unsigned long long>(made.known), static_cast<unsigned long long>(made.open_faces),
+      static_cast<unsigned long long>(made.needed), static_cast<unsigned long long>(made.rounds));
+  for (std::size_t s = 0; s < stages.size(); ++s)
+    std::printf(" %s %.2f,", made.timings.stages[s].label.c_str(), median(stages[s]));
+  std::printf("\n");
+  std::fflush(stdout);
+  return equal;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: alphascope_triangulation_bench RUNS FILE.balls[:SOLVENT]...\n");
+    return 2;
+  }
+  const auto triangulator = make_gpu_triangulator();
+  bool equal = true;
+  for (int n = 2; n < argc; ++n) {
+    const std::string word = argv[n];
+    const std::size_t colon = word.rfind(':');
+    const double solvent = colon == std::string::npos ? 0 : std::atof(word.c_str() + colon + 1);
+    const BallSet balls = with_solvent(bench::read_balls(word.substr(0, colon)), solvent);
+    equal = time_set(*triangulator, word, balls, std::atoi(argv[1])) && equal;
+  }
+  return equal ? 0 : 1;
+}

@@ -2,6 +2,7 @@
 // Loads the library with the GPU engines, and passes requests on to it.
 #include "app/session/gpu_engines.hpp"
 
+#include <exception>
 #include <utility>
 
 #include "app/session/loaded_library.hpp"
@@ -62,6 +63,16 @@ std::unique_ptr<Engine> GpuEngines::make_tuple_engine(std::shared_ptr<const Ball
   if (library_ != nullptr) return library_->make_tuple_engine(std::move(balls), tuples, &why_not);
   why_not = none_.why_not;
   return nullptr;
+}
+
+std::unique_ptr<DeviceTriangulator> GpuEngines::make_triangulator(std::string& why_not) const {
+  if (library_ == nullptr || !library_->device().usable) return nullptr;
+  try {
+    return library_->make_triangulator();
+  } catch (const std::exception& error) {
+    why_not = error.what();
+    return nullptr;
+  }
 }
 
 std::vector<fs::path> gpu_library_places(const fs::path& program) {

@@ -32,6 +32,8 @@ class GpuEngines {
                                       const EngineOptions& options, std::string& why_not) const;
   std::unique_ptr<Engine> make_tuple_engine(std::shared_ptr<const BallSet> balls,
                                             const TupleOptions& tuples, std::string& why_not) const;
+  // Returns null if the GPU cannot be used. Sets `why_not` to the reason if there is a GPU.
+  std::unique_ptr<DeviceTriangulator> make_triangulator(std::string& why_not) const;
   // As in GpuLibrary.
   bool is_memory_unused() const { return library_ != nullptr && library_->is_memory_unused(); }
   void free_unused_memory() const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/complex/simplices.hpp"
@@ -43,6 +44,8 @@ struct HullFacet {
   friend bool operator==(const HullFacet&, const HullFacet&) = default;
 };
 
+struct TriangulationReport;
+
 // The triangulation is unique. CGAL's symbolic perturbation decides equal powers
 // (core/predicates/perturbation.hpp). Among balls with the same centre only one is a vertex: the
 // largest, and among equal ones the one with the lowest index. So two programs that make it, with
@@ -63,7 +66,15 @@ struct Triangulation {
   std::vector<BallIndex> vertices;  // in any dimension; ascending
   std::vector<BallIndex> hidden;    // balls that are no vertex; ascending
 
-  friend bool operator==(const Triangulation&, const Triangulation&) = default;
+  // Who made it, and how (core/triangulation/triangulation_report.hpp). Null: CGAL.
+  std::shared_ptr<const TriangulationReport> report;
+
+  // Compares all arrays.
+  friend bool operator==(const Triangulation& a, const Triangulation& b) {
+    return a.dimension == b.dimension && a.tetrahedra == b.tetrahedra &&
+           a.neighbours == b.neighbours && a.hull == b.hull && a.triangles == b.triangles &&
+           a.edges == b.edges && a.vertices == b.vertices && a.hidden == b.hidden;
+  }
 };
 
 }  // namespace alphascope

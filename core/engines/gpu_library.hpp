@@ -18,6 +18,7 @@
 
 #include "core/engine/gpu_device.hpp"
 #include "core/engines/engine_of_executors.hpp"
+#include "core/triangulation/device_triangulator.hpp"
 #include "core/tuples/tuple_options.hpp"
 
 namespace alphascope {
@@ -38,6 +39,8 @@ struct GpuLibrary {
   // Returns null if the device cannot be used, and sets *why_not to the reason.
   std::unique_ptr<Engine> (*make_tuple_engine)(std::shared_ptr<const BallSet> balls,
                                                TupleOptions tuples, std::string* why_not);
+  // For a usable device only. Throws std::bad_alloc and ExecutorFailed.
+  std::unique_ptr<DeviceTriangulator> (*make_triangulator)();
   // Returns whether there is pinned memory of results that are no longer used. Fast.
   bool (*is_memory_unused)();
   // Frees that memory. Waits for the device, so it must not be called by the thread that draws.

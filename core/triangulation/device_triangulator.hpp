@@ -2,13 +2,11 @@
 // The interface of a device that makes regular triangulations.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
 
 #include "core/complex/triangulation.hpp"
 #include "core/run/cancel_token.hpp"
-#include "core/run/stage_timer.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope {
 
@@ -17,14 +15,8 @@ struct BallSet;
 // A triangulation by a device. It is certified: checked from the definition, in integers where
 // floats do not decide.
 struct DeviceTriangulation {
-  std::optional<Triangulation> triangulation;  // empty: the device made none
-  std::string why_not;                         // why: a sentence without its full stop
-  std::string device;                          // "NVIDIA H200"
-  StageTimes timings;
-  std::uint64_t known = 0;       // tetrahedra with which wrapping began
-  std::uint64_t open_faces = 0;  // of those
-  std::uint64_t needed = 0;      // balls that the next tetrahedra can have
-  std::uint64_t rounds = 0;      // of wrapping
+  std::optional<Triangulation> triangulation;  // empty: report.why_not says why
+  TriangulationReport report;
 };
 
 class DeviceTriangulator {

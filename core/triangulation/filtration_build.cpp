@@ -16,6 +16,7 @@
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope {
 namespace {
@@ -200,7 +201,7 @@ void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetr
   const CancelToken& cancel = context.cancel;
   top->lattice = balls_->lattice;
   top->alpha_on_lattice = std::numeric_limits<double>::infinity();
-  top->engine.rests_on_cgal = true;  // every triangulation is CGAL's
+  top->engine.rests_on_cgal = !triangulation.report || triangulation.report->by_cgal;
 
   context.report(stage::kClassification, 0);
   SimplexList<4>& tetrahedra = top->tetrahedra;

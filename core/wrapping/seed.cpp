@@ -16,6 +16,7 @@
 #include "core/run/parallel.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/wrapping/conflict.hpp"
+#include "core/wrapping/crossing.hpp"
 
 namespace alphascope {
 namespace {
@@ -44,18 +45,56 @@ std::vector<BallIndex> spanning(const BallSet& balls, BallIndex first) {
   return found;
 }
 
+// Tells by doubles which balls certainly stay out of the orthosphere of a tetrahedron.
+class RoughSphere {
+ public:
+  RoughSphere(const BallSet& balls, const std::array<BallIndex, 4>& t)
+      : balls_(balls), first_(t[0]) {
+    const LiftedInt j = lifted_vector(balls, t[0], t[1]), k = lifted_vector(balls, t[0], t[2]),
+                    l = lifted_vector(balls, t[0], t[3]);
+    usable_ = face_.set(lifted_as<double>(j), lifted_as<double>(k), orientation(j, k, l));
+    if (!usable_) return;
+    behind_ = face_.turned();
+    own_ = face_.crossing(rough(t[3]));
+  }
+  // With the last ball before the face of the others: a ball before that face has to touch later,
+  // and a ball behind it earlier.
+  bool surely_out(BallIndex m) const {
+    if (!usable_) return false;
+    const RoughLifted<double> v = rough(m);
+    if (v.v.x == 0 && v.v.y == 0 && v.v.z == 0) return false;  // on both sides of every face
+    const Crossing<double> before = face_.crossing(v), behind = behind_.crossing(v);
+    return (before.none() || before.low > own_.high) && (behind.none() || -behind.low < own_.low);
+  }
+
+ private:
+  RoughLifted<double> rough(BallIndex m) const {
+    const LatticePoint &p = balls_.centres[first_], &q = balls_.centres[m];
+    return rough_lifted<double>(q.x - p.x, q.y - p.y, q.z - p.z,
+                                static_cast<double>(balls_.weight(first_) - balls_.weight(m)));
+  }
+
+  const BallSet& balls_;
+  BallIndex first_;
+  bool usable_ = false;
+  OpenFace<double> face_, behind_;
+  Crossing<double> own_{};
+};
+
 // The first ball in conflict with a tetrahedron, or kNone.
 constexpr BallIndex kNone = std::numeric_limits<BallIndex>::max();
 BallIndex conflict(const BallSet& balls, const std::array<BallIndex, 4>& tetrahedron,
                    const CancelToken& cancel) {
   IndexedBall corners[4];
   for (int c = 0; c < 4; ++c) corners[c] = indexed_ball(balls, tetrahedron[c]);
+  const RoughSphere sphere(balls, tetrahedron);
   std::atomic<BallIndex> first{kNone};
   constexpr std::size_t kGrain = 4096;
   parallel_ranges(BallIndex{0}, static_cast<BallIndex>(balls.size()), kGrain,
                   [&](BallIndex begin, BallIndex end) {
                     if (cancel.cancelled()) return;
                     for (BallIndex m = begin; m < end && m < first; ++m) {
+                      if (sphere.surely_out(m)) continue;
                       const bool corner =
                           std::find(tetrahedron.begin(), tetrahedron.end(), m) != tetrahedron.end();
                       if (corner || stays_out(corners, indexed_ball(balls, m))) continue;

@@ -8,12 +8,8 @@
 
 namespace alphascope::gpu {
 
-DualEdgePipeline::DualEdgePipeline(const BallSet& balls, int chunks)
-    : state_(std::make_unique<State>()) {
+DualEdgePipeline::DualEdgePipeline() : state_(std::make_unique<State>()) {
   State& s = *state_;
-  s.chunks = chunks;
-  s.lattice = balls.lattice;
-  s.n = balls.size();
   int device = 0;
   check(cudaGetDevice(&device), "asking for the device");
   check(cudaDeviceGetAttribute(&s.shared_limit, cudaDevAttrMaxSharedMemoryPerBlockOptin, device),
@@ -24,13 +20,54 @@ DualEdgePipeline::DualEdgePipeline(const BallSet& balls, int chunks)
   check(cudaDeviceGetAttribute(&s.multiprocessors, cudaDevAttrMultiProcessorCount, device),
         "asking for its processors");
   s.queues.create();
-  s.load(balls);
   s.host_counters.reserve(1);
-  s.balls.reserve(s.n);
-  s.index.reserve(s.n);
-  s.near.reserve(s.n);
-  s.home.reserve(s.n);
-  s.exact_list.reserve(s.n);
+}
+
+DualEdgePipeline::DualEdgePipeline(const BallSet& balls, int chunks) : DualEdgePipeline() {
+  State& s = *state_;
+  s.chunks = chunks;
+  s.lattice = balls.lattice;
+  s.n = balls.size();
+  s.load(balls);
+  s.reserve_balls();
+}
+
+void DualEdgePipeline::set_most_attempts(int attempts) {
+  state_->most_attempts = attempts;
+}
+
+void DualEdgePipeline::load(const DeviceBalls& balls) {
+  State& s = *state_;
+  s.on_device.reset();
+  s.tetrahedra_on_device = {};
+  // What earlier balls needed is a guess, with a little more for the difference.
+  const double ratio = s.n == 0 ? 1 : static_cast<double>(balls.count) / static_cast<double>(s.n);
+  const auto scaled = [&](std::size_t count) {
+    return static_cast<std::size_t>(1.05 * ratio * static_cast<double>(count)) + 64;
+  };
+  for (State::Need& need : s.needs) {
+    if (balls.count != s.n) {
+      for (std::size_t& count : need.counts.of) count = scaled(count);
+      need.candidates = scaled(need.candidates);
+    }
+    need.totals.clear();
+  }
+  s.n = balls.count;
+  s.lattice = balls.lattice;
+  s.low = balls.low;
+  s.high = balls.high;
+  s.max_radius = balls.max_radius;
+  s.packing.reset();
+  s.source = static_cast<const int4*>(balls.balls);
+  s.reserve_balls();
+}
+
+void DualEdgePipeline::State::reserve_balls() {
+  balls.reserve(n);
+  index.reserve(n);
+  near.reserve(n);
+  home.reserve(n);
+  exact_list.reserve(n);
 }
 
 void Queues::create() {
@@ -184,8 +221,9 @@ void DualEdgePipeline::State::send_piece(int piece, int all) {
                           (word(piece + 1) - word(piece)) * 4, cudaMemcpyHostToDevice, queues.main),
           "copying the balls");
   } else {
-    check(cudaMemcpyAsync(balls.get(), host_balls.get(), n * sizeof(int4), cudaMemcpyHostToDevice,
-                          queues.main),
+    const bool there = source != nullptr;
+    check(cudaMemcpyAsync(balls.get(), there ? source : host_balls.get(), n * sizeof(int4),
+                          there ? cudaMemcpyDeviceToDevice : cudaMemcpyHostToDevice, queues.main),
           "copying the balls");
   }
 }

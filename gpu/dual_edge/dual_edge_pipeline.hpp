@@ -12,6 +12,8 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/complex/simplex_hash.hpp"
+#include "core/geometry/lattice.hpp"
+#include "core/geometry/lattice_point.hpp"
 #include "core/run/cancel_token.hpp"
 #include "gpu/memory/device_complex.hpp"
 
@@ -46,12 +48,32 @@ struct PipelineResult {
   bool fits = true;               // false: the request is beyond the kernels' limits
 };
 
+// Balls in device memory. One that another with the same centre hides has radius -1.
+struct DeviceBalls {
+  const void* balls = nullptr;  // int4 each: x, y, z and radius, lattice units
+  std::size_t count = 0;
+  LatticePoint low, high;  // corners of the box around all centres
+  std::int32_t max_radius = 1;
+  Lattice lattice;
+};
+
 class DualEdgePipeline {
  public:
+  // Without balls. load() must come before run().
+  DualEdgePipeline();
   // Copies the balls to pinned memory. `chunks`: number of chunks of every run, at most kMaxChunks;
   // 0: the fastest. Throws std::bad_alloc and DeviceError.
   explicit DualEdgePipeline(const BallSet& balls, int chunks = 0);
   ~DualEdgePipeline();
+
+  // Takes other balls, which stay where they are until the next load(). Memory is kept, and the
+  // room that earlier runs needed is the first guess. Throws std::bad_alloc and DeviceError.
+  void load(const DeviceBalls& balls);
+
+  // Limits the number of runs until there is room for all simplices. A request that needs more does
+  // not fit.
+  static constexpr int kMostAttempts = 12;
+  void set_most_attempts(int attempts);
 
   // Computes a result. Stages are timed with CUDA events if `times` is given (a few microseconds
   // each). Throws Cancelled, std::bad_alloc and DeviceError.

@@ -42,7 +42,7 @@ class Run {
       roomy.ball = with_headroom(need.ball, need.longest);
       if (blocks_fit(roomy)) need = roomy;
     }
-    for (int attempt = 1; attempt <= 12; ++attempt) {
+    for (int attempt = 1; attempt <= s_.most_attempts; ++attempt) {
       cancel.throw_if_cancelled();
       if (!blocks_fit(need)) break;
       const ResultLayout layout(need.counts, whole_);

@@ -164,6 +164,7 @@ struct DualEdgePipeline::State {
   Queues queues;
   Lattice lattice;
   std::size_t n = 0;
+  int most_attempts = kMostAttempts;
   int chunks = 0;  // as given to DualEdgePipeline's constructor
   LatticePoint low, high;
   std::int32_t max_radius = 0;
@@ -188,6 +189,7 @@ struct DualEdgePipeline::State {
 
   // The balls as they are sent: packed if that is smaller, else unpacked.
   PinnedBuffer<int4> host_balls;
+  const int4* source = nullptr;  // balls in device memory that are taken instead
   PinnedBuffer<std::uint32_t> host_packed;
   DeviceBuffer<std::uint32_t> packed;
   std::optional<WireLayout> packing;
@@ -226,6 +228,7 @@ struct DualEdgePipeline::State {
   std::optional<Problem> plan(const LatticeAlpha& alpha, bool whole);
   SortedBalls sort_into_cells(const Problem& p, EventTimer& timer);
   void load(const BallSet& balls);
+  void reserve_balls();
   // Receive balls in one piece or several, and put them into their cells.
   int pieces() const;
   std::size_t piece_begin(int piece, int all) const;  // in units of kWireStart balls

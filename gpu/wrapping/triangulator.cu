@@ -30,9 +30,12 @@ namespace alphascope {
 namespace gpu {
 namespace {
 
-// The radius of balls in the first step, in typical gaps. Larger ones take the kernels of the first
-// step longer than wrapping takes.
-constexpr double kRadiusPerGap = 2.3;
+// The radius of balls in the first step, in small gaps. Larger ones take the kernels of the first
+// step longer than wrapping takes. Where the largest ball is some times as large, or where more
+// runs than these are needed, balls are too unlike for that step.
+constexpr double kMostReach = 3;
+constexpr int kMostAttempts = 4;
+constexpr double kRadiusPerGap = 2.5;
 constexpr double kTetrahedraPerBall = 6.9;
 // A face has a 32-bit reference.
 constexpr std::size_t kMostQuads = std::size_t{1} << 30;
@@ -85,6 +88,18 @@ struct TriangulationLayout {
         bytes(listed + balls * 4) {}
 };
 
+// The median weight of evenly spread samples, square lattice units.
+double typical_weight(const BallSet& balls) {
+  constexpr std::size_t kSamples = 1024;
+  const std::size_t samples = std::min(kSamples, balls.size());
+  std::vector<std::int64_t> weights(samples);
+  for (std::size_t n = 0; n < samples; ++n)
+    weights[n] = balls.weight(static_cast<BallIndex>(n * balls.size() / samples));
+  const auto middle = weights.begin() + static_cast<std::ptrdiff_t>(samples / 2);
+  std::nth_element(weights.begin(), middle, weights.end());
+  return static_cast<double>(*middle);
+}
+
 class GpuTriangulator : public DeviceTriangulator {
  public:
   explicit GpuTriangulator(std::function<void(Uncertified&)> spoil) : spoil_(std::move(spoil)) {}
@@ -92,17 +107,19 @@ class GpuTriangulator : public DeviceTriangulator {
 
   DeviceTriangulation make(const BallSet& balls, const RunContext& context) override {
     DeviceTriangulation made;
-    made.device = gpu_device().name;
-    StageTimer wall(made.timings);
+    made.report.maker = gpu_device().name;
+    StageTimes whole;
+    StageTimer wall(whole);
     try {
       triangulate(balls, context, made);
     } catch (const std::bad_alloc&) {
-      made.why_not = made.device + " has too little memory for this triangulation";
+      made.report.why_not = made.report.maker + " has too little memory for this triangulation";
     } catch (const ExecutorFailed& failed) {
-      made.why_not = failed.what();
+      made.report.why_not = failed.what();
     }
     if (!made.triangulation) memory_ = {};
     wall.finish();
+    made.report.timings.wall_milliseconds = whole.wall_milliseconds;
     return made;
   }
 
@@ -115,11 +132,11 @@ class GpuTriangulator : public DeviceTriangulator {
  private:
   void triangulate(const BallSet& balls, const RunContext& context, DeviceTriangulation& made) {
     if (balls.size() > Wrapping::kMost) {
-      made.why_not = "more balls than the device's triangulation can have";
+      made.report.why_not = "more balls than the device's triangulation can have";
       return;
     }
     if (balls.size() < 4) {
-      made.why_not = kFlat;
+      made.report.why_not = kFlat;
       return;
     }
     if (!memory_) memory_ = std::make_unique<Memory>();
@@ -127,17 +144,17 @@ class GpuTriangulator : public DeviceTriangulator {
     context.report(stage::kTriangulation, 0);
     m.wrapping.load(balls);
     context.cancel.throw_if_cancelled();
-    StageTimer host(made.timings);
-    const double radius = kRadiusPerGap * m.wrapping.typical_gap();
+    StageTimer host(made.report.timings);
+    const double radius = kRadiusPerGap * m.wrapping.small_gap();
     const std::optional<DeviceSimplices> known = find_known(balls, radius, context.cancel);
     if (!known) {
-      made.why_not = kFlat;
+      made.report.why_not = kFlat;
       return;
     }
     host.lap(stage::kBulk, false);
     context.report(stage::kTriangulation, 0.3);
     if (!wrap(balls, *known, radius, context.cancel, made)) {
-      made.why_not = "more tetrahedra than the device can number";
+      made.report.why_not = "more tetrahedra than the device can number";
       return;
     }
     context.report(stage::kTriangulation, 0.7);
@@ -145,7 +162,7 @@ class GpuTriangulator : public DeviceTriangulator {
     spoil(all);
     StageClock clock(*all.stream);
     finish(balls, all, clock, context.cancel, made);
-    clock.report(made.timings);
+    clock.report(made.report.timings);
   }
 
   // Tetrahedra with which wrapping begins: those of a K_alpha, or any one. Empty if the centres lie
@@ -153,19 +170,21 @@ class GpuTriangulator : public DeviceTriangulator {
   std::optional<DeviceSimplices> find_known(const BallSet& balls, double radius,
                                             const CancelToken& cancel) {
     Memory& m = *memory_;
-    std::vector<std::int32_t> radii = balls.radii;
-    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-    std::nth_element(radii.begin(), middle, radii.end());
-    const double weight = static_cast<double>(*middle) * *middle,
-                 units = balls.lattice.units_per_angstrom();
-    m.pipeline.emplace(balls);
+    const double weight = typical_weight(balls), units = balls.lattice.units_per_angstrom();
+    const std::optional<DeviceBalls> shown = m.wrapping.shown_balls();
+    const double reach = kMostReach * radius,
+                 most = static_cast<double>(shown ? shown->max_radius : 0);
+    const bool alike = shown && most * most - weight + radius * radius < reach * reach;
+    if (alike) m.pipeline.load(*shown);
+    m.pipeline.set_most_attempts(kMostAttempts);
     // Where balls are clustered, fewer of them fit.
-    for (const double share : {1.0, 0.5, 0.25}) {
+    for (const double share : {1.0, 0.6, 0.36}) {
+      if (!alike) break;
       const double alpha = (share * share * radius * radius - weight) / (units * units);
       cancel.throw_if_cancelled();
       const PipelineResult within =
-          m.pipeline->run(balls.lattice.alpha_on_lattice(Alpha{alpha}), true, cancel, nullptr);
-      const DeviceSimplices found = m.pipeline->tetrahedra_on_device();
+          m.pipeline.run(balls.lattice.alpha_on_lattice(Alpha{alpha}), true, cancel, nullptr);
+      const DeviceSimplices found = m.pipeline.tetrahedra_on_device();
       if (within.fits && found.count > 0) return found;
       if (within.fits) break;
     }
@@ -185,13 +204,13 @@ class GpuTriangulator : public DeviceTriangulator {
          known.count + room < kMostQuads; room *= 2) {
       const WrappingResult result = memory_->wrapping.run(known, radius, room, false, cancel);
       if (!result.fits) continue;
-      made.known = result.known;
-      made.open_faces = result.open;
-      made.needed = result.needed;
-      made.rounds = result.rounds;
-      made.timings.stages.push_back(
+      made.report.known = result.known;
+      made.report.open_faces = result.open;
+      made.report.needed = result.needed;
+      made.report.rounds = result.rounds;
+      made.report.timings.stages.push_back(
           {std::string(stage::kOpenFaces), result.open_ms + result.tree_ms, false});
-      made.timings.stages.push_back({std::string(stage::kWrapping), result.front_ms, false});
+      made.report.timings.stages.push_back({std::string(stage::kWrapping), result.front_ms, false});
       return true;
     }
     return false;
@@ -207,10 +226,7 @@ class GpuTriangulator : public DeviceTriangulator {
     m.host_counts.reserve(1);
     stream.fill(m.counts, 0, 1);
     clock.begin(stage::kCertificate);
-    stream.each(keep_hidden, n, all.found, all.slots);
-    stream.each(mark_found, count, all.faces.quads, all.count, all.found);
-    stream.each(mark_hidden, n, all.faces, all.count, all.balls, all.slots, all.found, all.slots,
-                all.count);
+    m.wrapping.mark_balls(all.count);
     const Certificate certificate{all.faces,
                                   all.count,
                                   all.balls,
@@ -247,7 +263,7 @@ class GpuTriangulator : public DeviceTriangulator {
     stream.wait("copying a triangulation");
     cancel.throw_if_cancelled();
 
-    StageTimer host(made.timings);
+    StageTimer host(made.report.timings);
     made.triangulation = on_host(balls, memory, layout, count, m.host_counts.get()->vertices);
     if (!encloses_once(balls, *made.triangulation)) {
       made.triangulation.reset();
@@ -345,7 +361,7 @@ class GpuTriangulator : public DeviceTriangulator {
   // All that is kept for the next call.
   struct Memory {
     Wrapping wrapping;
-    std::optional<DualEdgePipeline> pipeline;
+    DualEdgePipeline pipeline;
     DeviceBuffer<BallIndex> seed;
     DeviceBuffer<LastCounts> counts;
     PinnedBuffer<LastCounts> host_counts;

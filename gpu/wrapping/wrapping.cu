@@ -7,15 +7,20 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <mutex>
 #include <optional>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/run/parallel.hpp"
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/launch.cuh"
 #include "gpu/memory/prefix_sum.cuh"
 #include "gpu/memory/work_stream.cuh"
-#include "gpu/wrapping/hidden.cuh"
+#include "gpu/wrapping/decide_kernel.cuh"
+#include "gpu/wrapping/front_kernels.cuh"
+#include "gpu/wrapping/hidden_kernels.cuh"
 #include "gpu/wrapping/near_search.cuh"
+#include "gpu/wrapping/tree_kernels.cuh"
 #include "gpu/wrapping/tree_search.cuh"
 #include "gpu/wrapping/wide_search.cuh"
 #include "gpu/wrapping/wrapped.cuh"
@@ -54,12 +59,12 @@ struct Wrapping::State {
   WorkStream stream;
   std::uint32_t n = 0;
   int multiprocessors = 1;
-  DeviceBuffer<int4> arrived, balls, tree_balls;
+  DeviceBuffer<int4> arrived, balls, shown, tree_balls;
   DeviceBuffer<std::uint64_t> code, code_sorted;
   DeviceBuffer<std::uint32_t> index, index_sorted;  // index_sorted: the ball of each slot
   DeviceBuffer<std::uint32_t> slot;                 // of each ball
   DeviceBuffer<std::uint32_t> needed, found, place, tree_slot;
-  DeviceBuffer<float4> low, high;
+  DeviceBuffer<float4> box_low, box_high;
   DeviceBuffer<unsigned char> scratch;
   DeviceBuffer<std::uint32_t> vertices;
   DeviceBuffer<Quad> quads;
@@ -76,7 +81,10 @@ struct Wrapping::State {
   PinnedBuffer<FrontCounts> host_counts;
   PinnedBuffer<std::uint32_t> host_number;
   PinnedBuffer<Quad> host_quads;
-  std::vector<BallIndex> ball_of_slot;
+  PinnedBuffer<int4> host_balls;
+  Lattice lattice;
+  LatticePoint low, high;
+  std::int32_t max_radius = 1;
   int4 origin{};
   std::int32_t extent[3] = {0, 0, 0};
   float scale = 1, weight = 0;
@@ -104,24 +112,35 @@ struct Wrapping::State {
 
 void Wrapping::State::load(const BallSet& set) {
   n = static_cast<std::uint32_t>(set.size());
-  LatticePoint least = set.centres[0], most = set.centres[0];
-  std::int32_t radius = 0;
-  std::vector<int4> host(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const LatticePoint& p = set.centres[i];
-    host[i] = make_int4(p.x, p.y, p.z, set.radii[i]);
-    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
-    radius = std::max(radius, set.radii[i]);
-  }
-  origin = make_int4(least.x, least.y, least.z, 0);
-  extent[0] = most.x - least.x;
-  extent[1] = most.y - least.y;
-  extent[2] = most.z - least.z;
+  host_balls.reserve(n);
+  lattice = set.lattice;
+  low = high = set.centres[0];
+  max_radius = set.radii[0];
+  std::mutex mutex;
+  constexpr std::size_t kGrain = 1 << 15;
+  parallel_ranges(std::uint32_t{0}, n, kGrain, [&](std::uint32_t begin, std::uint32_t end) {
+    LatticePoint least = set.centres[begin], most = least;
+    std::int32_t largest = 0;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const LatticePoint& p = set.centres[i];
+      host_balls.get()[i] = make_int4(p.x, p.y, p.z, set.radii[i]);
+      least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+      most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+      largest = std::max(largest, set.radii[i]);
+    }
+    const std::lock_guard lock(mutex);
+    low = {std::min(low.x, least.x), std::min(low.y, least.y), std::min(low.z, least.z)};
+    high = {std::max(high.x, most.x), std::max(high.y, most.y), std::max(high.z, most.z)};
+    max_radius = std::max(max_radius, largest);
+  });
+  origin = make_int4(low.x, low.y, low.z, 0);
+  extent[0] = high.x - low.x;
+  extent[1] = high.y - low.y;
+  extent[2] = high.z - low.z;
   const int bits =
       std::bit_width(static_cast<std::uint32_t>(std::max({extent[0], extent[1], extent[2], 1})));
   scale = std::ldexp(1.0f, 12 - bits);
-  weight = static_cast<float>(radius) * scale;
+  weight = static_cast<float>(max_radius) * scale;
   weight *= weight * 1.00001f;
 
   arrived.reserve(n);
@@ -131,11 +150,9 @@ void Wrapping::State::load(const BallSet& set) {
   index.reserve(n);
   index_sorted.reserve(n);
   slot.reserve(n);
-  stream.send(arrived, host.data(), n);
-  stream.wait("sending the balls");
+  stream.send(arrived, host_balls.get(), n);
   DeviceTimer timer(stream);
-  // Some 16 cells for each ball suffice for an order.
-  const int per_axis = std::min({21, bits, static_cast<int>(std::bit_width(n)) / 3 + 3});
+  const int per_axis = std::min(21, bits);
   stream.each(find_codes, n, arrived.get(), n, origin, bits - per_axis, code.get(), index.get());
   std::size_t bytes = 0;
   const auto sort = [&](void* memory) {
@@ -150,9 +167,6 @@ void Wrapping::State::load(const BallSet& set) {
   stream.each(gather_balls, n, arrived.get(), index_sorted.get(), n, balls.get(), slot.get());
   timer.stop();
   order_ms = timer.milliseconds();
-  ball_of_slot.resize(n);
-  stream.fetch(ball_of_slot.data(), index_sorted.get(), n);
-  stream.wait("copying an order");
 }
 
 // The tree of the balls that `needed` marks.
@@ -167,11 +181,11 @@ BallTree Wrapping::State::grow_tree() {
   const std::uint32_t boxes = set_levels(tree, count);
   tree_balls.reserve(count);
   tree_slot.reserve(count);
-  low.reserve(boxes);
-  high.reserve(boxes);
+  box_low.reserve(boxes);
+  box_high.reserve(boxes);
   tree.ball = tree_balls.get();
   tree.slot = tree_slot.get();
-  tree.boxes = {low.get(), high.get()};
+  tree.boxes = {box_low.get(), box_high.get()};
   tree.origin = origin;
   tree.scale = scale;
   stream.each(gather_needed, n, balls.get(), needed.get(), place.get(), n, tree_balls.get(),
@@ -234,7 +248,23 @@ void Wrapping::load(const BallSet& balls) {
   s.wrapped.scale = s.scale;
 }
 
-double Wrapping::typical_gap() {
+std::optional<DeviceBalls> Wrapping::shown_balls() {
+  State& s = *state_;
+  constexpr std::uint32_t kMostNear = 4096;
+  s.shown.reserve(s.n);
+  s.counts.reserve(1);
+  s.host_number.reserve(1);
+  s.stream.fill(s.counts, 0, 1);
+  std::uint32_t* const too_many = &s.counts.get()->full;
+  s.stream.each(find_shown, s.n, s.balls.get(), s.code_sorted.get(), s.index_sorted.get(), s.n,
+                kMostNear, s.shown.get(), too_many);
+  s.stream.fetch(s.host_number.get(), too_many, 1);
+  s.stream.wait("looking for equal centres");
+  if (*s.host_number.get() != 0) return std::nullopt;
+  return DeviceBalls{s.shown.get(), s.n, s.low, s.high, s.max_radius, s.lattice};
+}
+
+double Wrapping::small_gap() {
   State& s = *state_;
   constexpr std::uint32_t kSamples = 2048;
   const std::uint32_t samples = std::min(kSamples, s.n);
@@ -243,9 +273,9 @@ double Wrapping::typical_gap() {
   std::vector<float> gaps(samples);
   s.stream.fetch(gaps.data(), s.gaps.get(), samples);
   s.stream.wait("measuring gaps");
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(samples / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  return static_cast<double>(*middle);
+  const auto decile = gaps.begin() + static_cast<std::ptrdiff_t>(samples / 10);
+  std::nth_element(gaps.begin(), decile, gaps.end());
+  return static_cast<double>(*decile);
 }
 
 Wrapping::~Wrapping() {
@@ -343,6 +373,8 @@ void Wrapping::State::search_round(const Front& front, const SearchSpace& space,
 
 // Copies the tetrahedra after the known ones to the host.
 void Wrapping::State::bring(std::size_t known, std::size_t all, WrappingResult& result) {
+  std::vector<BallIndex> ball_of_slot(n);
+  stream.fetch(ball_of_slot.data(), index_sorted.get(), n);
   host_quads.reserve(all - known);
   stream.fetch(host_quads.get(), quads.get() + known, all - known);
   stream.wait("copying tetrahedra");
@@ -406,6 +438,14 @@ WrappingResult Wrapping::run(const DeviceSimplices& known, double radius, std::s
   s.wrapped.spare = s.apex.get();
   if (bring && result.fits) s.bring(known.count, counts.quads, result);
   return result;
+}
+
+void Wrapping::mark_balls(std::uint32_t count) {
+  const State& s = *state_;
+  const Wrapped& all = s.wrapped;
+  s.stream.each(keep_hidden, s.n, all.found, s.n);
+  s.stream.each(mark_found, count, all.faces.quads, count, all.found);
+  s.stream.each(mark_hidden, s.n, all.faces, count, all.balls, s.n, all.found, s.n, count);
 }
 
 const Wrapped& Wrapping::on_device() const {

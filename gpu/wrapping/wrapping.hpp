@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/geometry/ball_index.hpp"
 #include "core/run/cancel_token.hpp"
+#include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/memory/device_complex.hpp"
 
 namespace alphascope {
@@ -52,9 +54,13 @@ class Wrapping {
   static constexpr std::size_t kMost = std::size_t{1} << 24;
   void load(const BallSet& balls);
 
-  // The median distance from a ball to the nearest of the few that follow it in that order, lattice
-  // units.
-  double typical_gap();
+  // The balls in device memory, without those that others with the same centre hide. Empty if too
+  // many are so close together that this was not found out.
+  std::optional<DeviceBalls> shown_balls();
+
+  // The distance from a ball to the nearest of the few that follow it in that order, lattice units:
+  // the first decile, which tells how dense the denser parts are.
+  double small_gap();
 
   // `known`: at least one tetrahedron of the regular triangulation. `radius`: a guess at the radius
   // of the next orthospheres, lattice units; it changes only the time. `room`: of new tetrahedra.
@@ -65,6 +71,10 @@ class Wrapping {
   // The same for known tetrahedra in device memory.
   WrappingResult run(const DeviceSimplices& known, double radius, std::size_t room, bool bring,
                      const CancelToken& cancel, bool timed = false);
+
+  // Queues the marking of all vertices and hidden balls (Wrapped::found), by the first `count`
+  // tetrahedra after a run whose result fits.
+  void mark_balls(std::uint32_t count);
 
   // All tetrahedra after a run whose result fits (wrapped.cuh).
   const Wrapped& on_device() const;

@@ -44,7 +44,7 @@ bool time_set(DeviceTriangulator& triangulator, const std::string& name, const B
               equal ? "ok  " : "DIFF", name.c_str(), balls.size(), whole.hidden.size(),
               whole.tetrahedra.size(), one, sixteen);
   if (!made.triangulation) {
-    std::printf("  none: %s\n", made.why_not.c_str());
+    std::printf("  none: %s\n", made.report.why_not.c_str());
     return false;
   }
   std::vector<double> wall;
@@ -55,17 +55,19 @@ bool time_set(DeviceTriangulator& triangulator, const std::string& name, const B
     made = triangulator.make(balls, {});
     if (run < 2) continue;
     wall.push_back(milliseconds(start));
-    stages.resize(made.timings.stages.size());
+    stages.resize(made.report.timings.stages.size());
     for (std::size_t s = 0; s < stages.size(); ++s)
-      stages[s].push_back(made.timings.stages[s].milliseconds);
+      stages[s].push_back(made.report.timings.stages[s].milliseconds);
   }
   std::printf(
       "  wall %.2f (least %.2f); known %llu, open faces %llu, balls needed %llu, rounds %llu\n ",
       median(wall), *std::min_element(wall.begin(), wall.end()),
-      static_cast<unsigned long long>(made.known), static_cast<unsigned long long>(made.open_faces),
-      static_cast<unsigned long long>(made.needed), static_cast<unsigned long long>(made.rounds));
+      static_cast<unsigned long long>(made.report.known),
+      static_cast<unsigned long long>(made.report.open_faces),
+      static_cast<unsigned long long>(made.report.needed),
+      static_cast<unsigned long long>(made.report.rounds));
   for (std::size_t s = 0; s < stages.size(); ++s)
-    std::printf(" %s %.2f,", made.timings.stages[s].label.c_str(), median(stages[s]));
+    std::printf(" %s %.2f,", made.report.timings.stages[s].label.c_str(), median(stages[s]));
   std::printf("\n");
   std::fflush(stdout);
   return equal;

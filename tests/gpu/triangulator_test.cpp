@@ -34,18 +34,18 @@ class GpuTriangulator : public ::testing::Test {
     const DeviceTriangulation made = triangulator_->make(balls, {});
     if (expected.dimension < 3) {
       EXPECT_FALSE(made.triangulation);
-      EXPECT_EQ(made.why_not, "the centres of all balls lie in a plane");
+      EXPECT_EQ(made.report.why_not, "the centres of all balls lie in a plane");
       ++flat_;
       return;
     }
-    ASSERT_TRUE(made.triangulation) << made.why_not;
+    ASSERT_TRUE(made.triangulation) << made.report.why_not;
     EXPECT_TRUE(made.triangulation->tetrahedra == expected.tetrahedra);
     EXPECT_TRUE(made.triangulation->neighbours == expected.neighbours);
     EXPECT_TRUE(made.triangulation->hull == expected.hull);
     EXPECT_TRUE(*made.triangulation == expected);
     hidden_ += expected.hidden.size();
-    seeds_ += made.known == 1 && expected.tetrahedra.size() > 1;
-    wrapped_ += expected.tetrahedra.size() - made.known;
+    seeds_ += made.report.known == 1 && expected.tetrahedra.size() > 1;
+    wrapped_ += expected.tetrahedra.size() - made.report.known;
   }
 
   std::unique_ptr<DeviceTriangulator> triangulator_;
@@ -188,8 +188,8 @@ std::string message_for(const std::function<void(Uncertified&)>& spoil) {
   Random random(84);
   const BallSet balls = testing::random_balls(random, 200, 400, 20, 200);
   const DeviceTriangulation made = gpu::make_spoilt_triangulator(spoil)->make(balls, {});
-  EXPECT_EQ(made.triangulation.has_value(), made.why_not.empty());
-  return made.why_not;
+  EXPECT_EQ(made.triangulation.has_value(), made.report.why_not.empty());
+  return made.report.why_not;
 }
 bool says(const std::string& message, const char* words) {
   return message.find(words) != std::string::npos;
@@ -272,7 +272,7 @@ TEST_F(GpuTriangulator, FindsAFaceThatIsNotRegular) {
                   .triangulation);
   const DeviceTriangulation made =
       gpu::make_spoilt_triangulator([&](Uncertified& all) { all = other; })->make(balls, {});
-  EXPECT_TRUE(says(made.why_not, "faces that are not regular")) << made.why_not;
+  EXPECT_TRUE(says(made.report.why_not, "faces that are not regular")) << made.report.why_not;
 }
 
 }  // namespace

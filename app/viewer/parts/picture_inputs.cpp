@@ -4,12 +4,28 @@
 
 #include <utility>
 
+#include "app/session/gpu_engines.hpp"
 #include "app/viewer/mouse/gestures.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 
 namespace alphascope {
+
+PictureInputs::PictureInputs(const ViewState& state, const Session& session,
+                             const SceneController& scene, const ShownMarks& marks, Store& store,
+                             DueFrames& due)
+    : state_(state),
+      session_(session),
+      scene_(scene),
+      marks_(marks),
+      store_(store),
+      due_(due),
+      on_device_(std::make_shared<TriangulationMaker>([](std::string& why_not) {
+        return GpuEngines::of_program().make_triangulator(why_not);
+      })),
+      by_cgal_(std::make_shared<TriangulationMaker>(nullptr)) {}
 
 // Whether derived results may take the balls of the new picture as inputs. While the solvent radius
 // is dragged, results that panels wait for are finished first. Otherwise each new picture would
@@ -47,6 +63,7 @@ void PictureInputs::follow_picture() {
     take(shown);
   }
   if (inputs_.balls) {
+    inputs_.triangulation_maker = computes_on_gpu() ? on_device_ : by_cgal_;
     inputs_.split_networks = state_.settings.cavity_settings.split_networks;
     inputs_.complex = nullptr;
     inputs_.measures = nullptr;
@@ -61,13 +78,16 @@ void PictureInputs::follow_picture() {
   poll_store();
 }
 
+bool PictureInputs::computes_on_gpu() const {
+  const EngineChoice engine = state_.settings.request.engine;
+  return needs_gpu(engine) || (engine == EngineChoice::automatic && has_gpu(state_));
+}
+
 // Whether to make the filtration unasked. A GPU computes each alpha anew and needs none. For many
 // balls it is large (0.6 GB for a million), and open panels ask for it themselves.
 bool PictureInputs::needs_filtration() const {
   constexpr std::size_t kSmall = 100'000;  // balls
-  const EngineChoice engine = state_.settings.request.engine;
-  const bool on_gpu = needs_gpu(engine) || (engine == EngineChoice::automatic && has_gpu(state_));
-  return !on_gpu || inputs_.balls->size() <= kSmall;
+  return !computes_on_gpu() || inputs_.balls->size() <= kSmall;
 }
 
 void PictureInputs::want_results_for_all_alphas() {

@@ -20,8 +20,7 @@ namespace alphascope {
 class PictureInputs {
  public:
   PictureInputs(const ViewState& state, const Session& session, const SceneController& scene,
-                const ShownMarks& marks, Store& store, DueFrames& due)
-      : state_(state), session_(session), scene_(scene), marks_(marks), store_(store), due_(due) {}
+                const ShownMarks& marks, Store& store, DueFrames& due);
 
   // Call before each frame: takes the picture on screen as the inputs.
   void follow_picture();
@@ -35,6 +34,7 @@ class PictureInputs {
   using Clock = std::chrono::steady_clock;
   bool may_take(const Answer& shown) const;
   void take(const std::shared_ptr<const Answer>& shown);
+  bool computes_on_gpu() const;
   bool needs_filtration() const;
   void note_large_objects();
   void poll_store();
@@ -46,6 +46,7 @@ class PictureInputs {
   Store& store_;
   DueFrames& due_;
   Inputs inputs_;
+  std::shared_ptr<TriangulationMaker> on_device_, by_cgal_;
   Clock::time_point taken_at_{};
   std::shared_ptr<const Answer> source_;  // the owner of the balls in inputs_; null: none
   std::uint64_t balls_seen_ = 0, bodies_seen_ = 0, frames_key_ = 0;

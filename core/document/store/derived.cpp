@@ -10,6 +10,8 @@
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope {
 
@@ -23,9 +25,12 @@ const Definition<Triangulation>& whole_triangulation() {
       [](const Inputs& in, const RunContext& context) {
         constexpr std::size_t kManyBalls = 100'000;
         auto made = std::make_shared<const Triangulation>(
-            make_triangulation(*in.balls, in.triangulation_threads, context));
+            in.triangulation_maker
+                ? in.triangulation_maker->make(*in.balls, in.triangulation_threads, context)
+                : make_triangulation(*in.balls, in.triangulation_threads, context));
         // CGAL's triangulation took four times as much memory, in small pieces.
-        if (in.balls->size() > kManyBalls) return_freed_memory();
+        const bool by_cgal = !made->report || made->report->by_cgal;
+        if (by_cgal && in.balls->size() > kManyBalls) return_freed_memory();
         return made;
       }};
   return definition;

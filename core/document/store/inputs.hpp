@@ -15,6 +15,7 @@ namespace alphascope {
 template <class T>
 struct Definition;
 class BallReferences;
+class TriangulationMaker;
 enum class FlowTies;
 enum class OutsideRule;
 struct AlphaComplex;
@@ -38,7 +39,9 @@ struct Inputs {
   // How cavities are found. Zero is CASTp's method, which the window uses.
   FlowTies flow_ties{};
   OutsideRule outside_rule{};
-  int triangulation_threads = 1;  // for CGAL; they affect the time only
+  // How triangulations are made; both affect the time only. Null: by CGAL.
+  std::shared_ptr<TriangulationMaker> triangulation_maker = {};
+  int triangulation_threads = 1;  // for CGAL
   // Areas and volumes of `complex`, where they are measured already; else null.
   std::shared_ptr<const MeasuredUnion> measures = {};
 

@@ -309,9 +309,10 @@ cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t bytes, cudaM
                             cudaStream_t stream) {
   if (const cudaError_t status = emulated::status()) return status;
   if (bytes == 0) return cudaSuccess;
-  const bool to_device = kind == cudaMemcpyHostToDevice;
+  const bool to_device = kind != cudaMemcpyDeviceToHost,
+             from_device = kind != cudaMemcpyHostToDevice;
   if (emulated::is_on_device(to, bytes) != to_device) return cudaErrorInvalidValue;
-  if (emulated::is_on_device(from, bytes) == to_device) return cudaErrorInvalidValue;
+  if (emulated::is_on_device(from, bytes) != from_device) return cudaErrorInvalidValue;
   emulated::enqueue(stream, [=] {
     std::memcpy(to, from, bytes);
     if (!to_device && emulated::to_host) emulated::to_host(to, bytes);

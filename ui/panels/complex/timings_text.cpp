@@ -4,6 +4,8 @@
 
 #include "core/document/store/answer.hpp"
 #include "core/engine/cold_and_warm.hpp"
+#include "core/text/grouped_number.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/view_state.hpp"
@@ -129,6 +131,18 @@ std::optional<double> speed_up(const ViewState& state, bool cold) {
   if (!ours || !cgal || too_few_balls(state) || !ours->comparable(*cgal)) return {};
   if (ours->times.wall_milliseconds <= 0) return {};
   return cgal->times.wall_milliseconds / ours->times.wall_milliseconds;
+}
+
+std::vector<std::string> triangulation_sentences(const TriangulationReport& report) {
+  if (report.by_cgal) {
+    if (report.why_not.empty()) return {};
+    return {"The GPU did not make the triangulation of all balls: " + report.why_not + "."};
+  }
+  return {"Wrapping began with " + counted(report.known, "tetrahedron", "tetrahedra") + ", " +
+              counted(report.open_faces, "open face", "open faces") + " and " +
+              counted(report.needed, "ball", "balls") + ", and took " +
+              counted(report.rounds, "round", "rounds") + ".",
+          "The certificate proved every tetrahedron, neighbour and hidden ball."};
 }
 
 const char* badge_mark(BadgeInfo::State state) {

@@ -11,6 +11,7 @@
 namespace alphascope {
 
 struct MeasuredRun;
+struct TriangulationReport;
 struct ViewState;
 
 // Says why times are missing from the chart of cold or warm runs, and how to get them. The result
@@ -27,6 +28,9 @@ std::optional<double> speed_up(const ViewState& state, bool cold);
 
 // Returns "5.10 ms", or "not measured".
 std::string wall_text(const std::optional<MeasuredRun>& run);
+
+// How a device made the triangulation of all balls, or why it did not. Empty if there is no device.
+std::vector<std::string> triangulation_sentences(const TriangulationReport& report);
 
 // The badge's mark: "✓ ", "≠ " or nothing.
 const char* badge_mark(BadgeInfo::State state);

@@ -2,15 +2,21 @@
 // The waterfall of the timings. Each stage is one line and starts where the previous one ended. Our
 // engine is above CGAL, on one time axis.
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/complex/engine_info.hpp"
 #include "core/complex/face_class.hpp"
+#include "core/complex/triangulation.hpp"
 #include "core/document/commands/commands.hpp"
+#include "core/document/store/derived.hpp"
+#include "core/document/store/inputs.hpp"
+#include "core/document/store/store.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/engine/known_results.hpp"
 #include "core/run/stage_timer.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/complex/timings_text.hpp"
@@ -50,6 +56,23 @@ void add_lines(std::vector<Line>& lines, const EngineInfo& engine, const Measure
   double start = 0;
   for (const StageTime& stage : run.times.stages) {
     lines.push_back({stage.label, start, stage.milliseconds, stage.setup ? setup_bar : bar, false});
+    start += stage.milliseconds;
+  }
+}
+
+// The triangulation of all balls, on which cavities and large alphas rest. Null if it is not there.
+std::shared_ptr<const TriangulationReport> triangulation_report(PanelContext& ctx) {
+  if (!ctx.inputs.balls || ctx.inputs.balls != ctx.state.shown_balls()) return nullptr;
+  const auto triangulation = ctx.store.have(whole_triangulation(), ctx.inputs);
+  return triangulation ? triangulation->report : nullptr;
+}
+
+void add_lines(std::vector<Line>& lines, const TriangulationReport& report, const Colour& bar) {
+  lines.push_back({"triangulation of all balls, " + report.maker, 0,
+                   report.timings.wall_milliseconds, bar, true});
+  double start = 0;
+  for (const StageTime& stage : report.timings.stages) {
+    lines.push_back({stage.label, start, stage.milliseconds, bar, false});
     start += stage.milliseconds;
   }
 }
@@ -158,6 +181,11 @@ void draw_waterfall(PanelContext& ctx, bool cold, float height) {
     range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
   }
+  const auto triangulation = cold ? triangulation_report(ctx) : nullptr;
+  if (triangulation) {
+    add_lines(lines, *triangulation, triangulation->by_cgal ? p.bar_cgal : p.bar_ours);
+    range = std::max(range, triangulation->timings.wall_milliseconds);
+  }
   if (!lines.empty()) {
     Waterfall chart(ctx, range, lines.size(), only_tetrahedra ? kWideGutter : kGutter);
     for (std::size_t i = 0; i < lines.size(); ++i) chart.add(lines[i], i);
@@ -165,6 +193,10 @@ void draw_waterfall(PanelContext& ctx, bool cold, float height) {
     for (std::size_t i = 0; i < lines.size(); ++i) chart.name(lines[i], static_cast<int>(i));
   }
   ImGui::PopStyleVar();
+  if (triangulation) {
+    for (const std::string& sentence : triangulation_sentences(*triangulation))
+      muted_wrapped(ctx, sentence);
+  }
   missing(ctx, cold);
   ImGui::PopFont();
   ImGui::EndChild();

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chooses between device and CGAL, and writes the report.
+#include "core/triangulation/triangulation_maker.hpp"
+
+#include <utility>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/run/stage_timer.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+
+namespace alphascope {
+namespace {
+
+// With fewer balls CGAL takes some milliseconds only.
+constexpr std::size_t kWorthBalls = 2000;
+// The memory for more balls is freed after each triangulation, because engines need it.
+constexpr std::size_t kKeptBalls = 250'000;
+
+}  // namespace
+
+DeviceTriangulation TriangulationMaker::make_on_device(const BallSet& balls,
+                                                       const RunContext& context) {
+  const std::lock_guard lock(mutex_);
+  DeviceTriangulation made;
+  if (make_device_) device_ = std::exchange(make_device_, nullptr)(no_device_);
+  if (!device_) {
+    made.report.why_not = no_device_;
+    return made;
+  }
+  made = device_->make(balls, context);
+  if (balls.size() > kKeptBalls) device_->release_memory();
+  return made;
+}
+
+Triangulation TriangulationMaker::make(const BallSet& balls, int threads,
+                                       const RunContext& context) {
+  DeviceTriangulation made;
+  if (balls.size() >= kWorthBalls) made = make_on_device(balls, context);
+  Triangulation result;
+  TriangulationReport report = std::move(made.report);
+  if (made.triangulation) {
+    result = *std::move(made.triangulation);
+    report.by_cgal = false;
+  } else {
+    const std::string why_not = std::move(report.why_not);
+    report = {};
+    report.maker = "CGAL";
+    report.why_not = why_not;
+    StageTimer timer(report.timings);
+    result = make_triangulation(balls, threads, context);
+    timer.lap(stage::kTriangulation);
+    timer.finish();
+  }
+  result.report = std::make_shared<const TriangulationReport>(std::move(report));
+  return result;
+}
+
+}  // namespace alphascope

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes triangulations on a device where there is one, else by CGAL. Both have the same bytes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "core/complex/triangulation.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/triangulation/device_triangulator.hpp"
+
+namespace alphascope {
+
+struct BallSet;
+
+// Any thread may call all functions. Calls wait for each other.
+class TriangulationMaker {
+ public:
+  // Called at the first triangulation. Returns null if there is no device, and may set `why_not`:
+  // why one that is there cannot be used.
+  using MakeDevice = std::function<std::unique_ptr<DeviceTriangulator>(std::string& why_not)>;
+  explicit TriangulationMaker(MakeDevice make_device) : make_device_(std::move(make_device)) {}
+
+  // `threads` as in make_triangulation(). The result has a report. Throws Cancelled, and
+  // std::length_error for more balls or tetrahedra than can be handled.
+  Triangulation make(const BallSet& balls, int threads, const RunContext& context);
+
+ private:
+  DeviceTriangulation make_on_device(const BallSet& balls, const RunContext& context);
+
+  std::mutex mutex_;
+  MakeDevice make_device_;  // empty once it was called
+  std::unique_ptr<DeviceTriangulator> device_;
+  std::string no_device_;
+};
+
+}  // namespace alphascope

@@ -26,6 +26,7 @@
 #include "core/files/read_error.hpp"
 #include "core/files/small_text.hpp"
 #include "core/geometry/shortest_number.hpp"
+#include "core/run/program_heap.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/whole_state.hpp"
 #include "ui/widgets/style.hpp"
@@ -206,6 +207,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  alphascope::start_heap_on_large_pages();
   alphascope::prepare_clean_exit("alphascope", status_of(ExitCode::computing_failed));
   alphascope::end_on_signals({SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU});
   try {

@@ -13,14 +13,40 @@
 namespace alphascope {
 namespace {
 
-enum Role : std::uint8_t { kP, kC4, kC1, kN1, kN3, kN9, kRoles, kNoRole };
+// kC4 and kC1 are atoms of the sugar, and the roles after them atoms of the base.
+enum Role : std::uint8_t {
+  kP,
+  kC4,
+  kC1,
+  kN1,
+  kC2,
+  kN3,
+  kBaseC4,
+  kC5,
+  kC6,
+  kN7,
+  kC8,
+  kN9,
+  kRoles,
+  kNoRole
+};
+
+// Along the outline.
+constexpr std::array kPyrimidine{kN1, kC2, kN3, kBaseC4, kC5, kC6};
+constexpr std::array kPurine{kN1, kC2, kN3, kBaseC4, kN9, kC8, kN7, kC5, kC6};
 
 Role role_of(std::string_view name) {
   if (name == "P") return kP;
   if (name == "C4'" || name == "C4*") return kC4;
   if (name == "C1'" || name == "C1*") return kC1;
   if (name == "N1") return kN1;
+  if (name == "C2") return kC2;
   if (name == "N3") return kN3;
+  if (name == "C4") return kBaseC4;
+  if (name == "C5") return kC5;
+  if (name == "C6") return kC6;
+  if (name == "N7") return kN7;
+  if (name == "C8") return kC8;
   return name == "N9" ? kN9 : kNoRole;
 }
 
@@ -78,8 +104,17 @@ class NucleotideFinder {
       if (n.backbone == kNoAtom) n.backbone = found_[role];
     }
     n.sugar = found_[kC1];
-    n.base = found_[found_[kN9] != kNoAtom ? kN1 : kN3];
+    const bool purine = found_[kN9] != kNoAtom;
+    n.base = found_[purine ? kN1 : kN3];
+    purine ? set_outline(n, kPurine) : set_outline(n, kPyrimidine);
     list_.push_back(n);
+  }
+
+  template <std::size_t corners>
+  void set_outline(Nucleotide& n, const std::array<Role, corners>& roles) const {
+    for (std::size_t k = 0; k < corners; ++k) n.outline[k] = found_[roles[k]];
+    const auto end = n.outline.begin() + corners;
+    if (std::find(n.outline.begin(), end, kNoAtom) == end) n.corners = corners;
   }
 
   const Molecule& molecule_;

@@ -2,6 +2,7 @@
 // The nucleotides of a model with the atoms that a ladder is drawn through.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct Nucleotide {
   std::uint32_t backbone = kNoAtom;  // C4', else P, else C1'; never kNoAtom
   std::uint32_t sugar = kNoAtom;     // C1'
   std::uint32_t base = kNoAtom;      // N1 of purines, N3 of pyrimidines
+  // The ring atoms of the base along its outline: N1 C2 N3 C4 C5 C6, and for purines N1 C2 N3 C4 N9
+  // C8 N7 C5 C6. All are known, or `corners` is 0.
+  std::array<std::uint32_t, 9> outline{};
+  std::uint8_t corners = 0;  // 0, 6 or 9
   // The next nucleotide in the list follows in the same chain, and the backbone atoms are near
   // enough (kLongestNucleotideStep).
   bool bound_to_next = false;

@@ -42,6 +42,9 @@ TEST(Nucleotides, DnaHasTwoStrandsOfTwelve) {
     const std::string residue(molecule.text(molecule.atoms[n.base].residue_name));
     const bool purine = residue == "DA" || residue == "DG";
     EXPECT_EQ(name(molecule, n.base), purine ? "N1" : "N3") << residue;
+    std::string outline;
+    for (std::size_t k = 0; k < n.corners; ++k) outline += name(molecule, n.outline[k]) + " ";
+    EXPECT_EQ(outline, purine ? "N1 C2 N3 C4 N9 C8 N7 C5 C6 " : "N1 C2 N3 C4 C5 C6 ") << residue;
   }
 }
 
@@ -61,6 +64,22 @@ TEST(Nucleotides, PhosphorusAloneMakesATraceWithoutRungs) {
   EXPECT_TRUE(list[0].bound_to_next);
   EXPECT_FALSE(list[1].bound_to_next);  // 14 Å away
   EXPECT_EQ(list[0].base, kNoAtom);
+}
+
+TEST(Nucleotides, AnIncompleteBaseHasNoOutline) {
+  const TemporaryFile file(
+      "base.pdb",
+      "ATOM      1  C1'  DC A   1       0.000   0.000   0.000  1.00  0.00           C\n"
+      "ATOM      2  N1   DC A   1       1.500   0.000   0.000  1.00  0.00           N\n"
+      "ATOM      3  C2   DC A   1       2.200   1.200   0.000  1.00  0.00           C\n"
+      "ATOM      4  N3   DC A   1       3.600   1.200   0.000  1.00  0.00           N\n"
+      "ATOM      5  C4   DC A   1       4.300   0.000   0.000  1.00  0.00           C\n"
+      "ATOM      6  C5   DC A   1       3.600  -1.200   0.000  1.00  0.00           C\n");
+  const Molecule molecule = read_molecule(file.path());
+  const auto list = nucleotides_of(molecule);
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].base, 3u);
+  EXPECT_EQ(list[0].corners, 0u) << "C6 is missing";
 }
 
 }  // namespace

@@ -360,6 +360,14 @@ CartoonMesh build_cartoon(const std::vector<Trace>& traces, const CartoonDetail&
   return whole;
 }
 
+void add_plates(const std::vector<BasePlate>& plates, CartoonMesh& mesh) {
+  for (const BasePlate& plate : plates) {
+    add_plate(plate, mesh.surface);
+    mesh.atom_of_plate_triangle.resize(
+        mesh.triangles() - mesh.atom_of_band.size() * mesh.triangles_of_band, plate.atom);
+  }
+}
+
 std::size_t cartoon_points(const std::vector<Trace>& traces, const CartoonDetail& detail) {
   std::size_t rings = 0;
   for (const Trace& trace : traces) {

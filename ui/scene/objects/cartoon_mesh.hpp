@@ -15,14 +15,17 @@ namespace alphascope {
 inline constexpr double kRungRadius = 0.35;  // Å, of ladders
 
 // A closed surface. Its triangles come in bands of one length; all triangles of a band belong to
-// one residue.
+// one residue. The plates of bases follow.
 struct CartoonMesh {
   SmoothMesh surface;
   std::vector<std::uint32_t> atom_of_band;  // as TracePoint::atom
   std::size_t triangles_of_band = 1;
+  std::vector<std::uint32_t> atom_of_plate_triangle;  // as BasePlate::atom
   std::size_t triangles() const { return surface.corners.size() / 3; }
   std::uint32_t atom_of(std::size_t triangle) const {
-    return atom_of_band[triangle / triangles_of_band];
+    const std::size_t bands = atom_of_band.size() * triangles_of_band;
+    return triangle < bands ? atom_of_band[triangle / triangles_of_band]
+                            : atom_of_plate_triangle[triangle - bands];
   }
 };
 
@@ -38,7 +41,9 @@ CartoonDetail cartoon_detail(std::size_t residues);
 CartoonMesh build_cartoon(const std::vector<Trace>& traces, const CartoonDetail& detail,
                           const CancelToken& cancel = {});
 
-// Upper bound of the number of points, without making any.
+void add_plates(const std::vector<BasePlate>& plates, CartoonMesh& mesh);
+
+// Upper bound of the number of points of build_cartoon(), without making any.
 std::size_t cartoon_points(const std::vector<Trace>& traces, const CartoonDetail& detail);
 
 }  // namespace alphascope

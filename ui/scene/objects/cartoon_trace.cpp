@@ -82,6 +82,7 @@ class TraceMaker {
         if (n.base != kNoAtom) {
           point.side = unit_vector(place(n.base) - place(n.backbone));
           made_.rungs.push_back({point.at, place(n.base), n.base, point.colour});
+          if (n.corners > 0) add_plate(n, point);
         }
         open_.push_back(point);
       }
@@ -96,6 +97,21 @@ class TraceMaker {
   RealPoint place(std::uint32_t atom) const { return position_angstrom(molecule_, atom) - origin_; }
   TracePoint point_at(std::uint32_t atom, TraceShape shape) const {
     return {place(atom), {}, shape, atom, colours_[atom]};
+  }
+
+  // The rung ends at the ring's atom that is bound to the sugar, which is the nearest one.
+  void add_plate(const Nucleotide& n, const TracePoint& point) {
+    BasePlate plate;
+    plate.corners = n.corners;
+    plate.atom = n.base;
+    plate.colour = point.colour;
+    const RealPoint sugar = n.sugar != kNoAtom ? place(n.sugar) : point.at;
+    RealPoint& end = made_.rungs.back().to;
+    for (std::size_t k = 0; k < plate.corners; ++k) {
+      const RealPoint& at = plate.outline[k] = place(n.outline[k]);
+      if (k == 0 || length(at - sugar) < length(end - sugar)) end = at;
+    }
+    made_.plates.push_back(plate);
   }
 
   void close() {

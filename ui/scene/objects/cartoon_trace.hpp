@@ -10,6 +10,7 @@
 #include "core/molecule/rgb8.hpp"
 #include "core/secondary/nucleotides.hpp"
 #include "core/secondary/secondary.hpp"
+#include "ui/scene/objects/base_plate.hpp"
 
 namespace alphascope {
 
@@ -24,7 +25,7 @@ struct TracePoint {
 };
 using Trace = std::vector<TracePoint>;  // at least two points
 
-// A rung of a ladder.
+// A rung of a ladder. It reaches the base's plate, or without one the base's middle.
 struct TraceRung {
   RealPoint from, to;  // Å, relative to BallGeometry::origin
   std::uint32_t atom = 0;
@@ -34,6 +35,7 @@ struct TraceRung {
 struct CartoonTraces {
   std::vector<Trace> traces;
   std::vector<TraceRung> rungs;
+  std::vector<BasePlate> plates;
   std::size_t points = 0;  // of all traces
 };
 

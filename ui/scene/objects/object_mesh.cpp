@@ -133,6 +133,7 @@ class ObjectBuilder {
     const CartoonTraces traces =
         make_traces(molecule_, origin_, facts_.secondary, facts_.nucleotides, wanted_, colours_);
     mesh_.cartoon = build_cartoon(traces.traces, cartoon_detail(traces.points), cancel_);
+    add_plates(traces.plates, mesh_.cartoon);
     if (traces.rungs.empty()) return;
     BallGeometry places;
     places.origin = origin_;

@@ -11,6 +11,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/molecule/atom_colours.hpp"
 #include "core/molecule/chain_colours.hpp"
@@ -190,13 +191,70 @@ TEST_F(ObjectMeshTest, HiddenAtomsAndOwnColoursCount) {
   }
 }
 
-TEST_F(ObjectMeshTest, LadderHasARungForEachNucleotide) {
+// Each rung ends at the nitrogen that the sugar is bound to, a corner of the base's plate.
+TEST_F(ObjectMeshTest, LadderHasARungAndAPlateForEachNucleotide) {
   ALPHASCOPE_NEED_TEST_DATA();
   open(testing::test_data_folder() / "ladder/1bna.pdb");
   const ObjectMesh mesh = built("cartoon");
-  EXPECT_EQ(mesh.sticks.rods.size(), 24u);
-  EXPECT_GT(mesh.cartoon.triangles(), 0u);
+  ASSERT_EQ(mesh.sticks.rods.size(), 24u);
   expect_closed(mesh.cartoon.surface);
+  const CartoonTraces traces =
+      make_traces(*pictured.molecule, pictured.geometry->origin, facts->secondary,
+                  facts->nucleotides, std::vector<bool>(pictured.molecule->atoms.size(), true),
+                  std::vector<Rgb8>(pictured.molecule->atoms.size()));
+  ASSERT_EQ(traces.plates.size(), 24u);
+  std::size_t triangles = 0;
+  for (std::size_t k = 0; k < traces.plates.size(); ++k) {
+    const Nucleotide& n = facts->nucleotides[k];
+    const bool purine = traces.plates[k].corners == 9;
+    EXPECT_EQ(traces.plates[k].corners, purine ? 9u : 6u);
+    triangles += purine ? 2 * 7 + 2 * 9 : 2 * 4 + 2 * 6;
+    EXPECT_EQ(length(traces.rungs[k].to - place(n.outline[purine ? 4 : 0])), 0) << k;
+  }
+  EXPECT_EQ(mesh.cartoon.atom_of_plate_triangle.size(), triangles);
+  EXPECT_EQ(mesh.cartoon.atom_of_band.size() * mesh.cartoon.triangles_of_band + triangles,
+            mesh.cartoon.triangles());
+}
+
+// A line through the middle of either ring, along the normal of the base.
+TEST_F(ObjectMeshTest, AHitOfAPlateIsAnAtomOfItsBase) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  open(testing::test_data_folder() / "ladder/1bna.pdb");
+  const PickLayers layers = object_layers(std::make_shared<const ObjectMesh>(built("cartoon")));
+  for (const Nucleotide& n : facts->nucleotides) {
+    const auto corner = [&](std::size_t k) { return place(n.outline[k]); };
+    const RealPoint across = unit_vector(cross(corner(1) - corner(0), corner(2) - corner(0)));
+    std::vector<RealPoint> middles{0.5 * (corner(0) + corner(3))};
+    if (n.corners == 9) middles.push_back(0.5 * (0.5 * (corner(3) + corner(7)) + corner(5)));
+    for (const RealPoint& middle : middles) {
+      const RealPoint from = middle + across;  // Å; the next base is 3.4 Å away
+      PickLine line;
+      line.ray = {{from.x, from.y, from.z}, {-across.x, -across.y, -across.z}};
+      const auto hit = nearest_hit(layers, line);
+      ASSERT_TRUE(hit);
+      EXPECT_EQ(hit->index, n.base);
+    }
+  }
+}
+
+TEST_F(ObjectMeshTest, PlatesFaceOutwards) {
+  BasePlate plate;
+  plate.corners = 6;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double angle = M_PI * static_cast<double>(k) / 3;
+    plate.outline[k] = {1.4 * std::cos(angle), 1.4 * std::sin(angle), 0.1 * (k % 2)};
+  }
+  SmoothMesh mesh;
+  add_plate(plate, mesh);
+  expect_closed(mesh);
+  for (std::size_t t = 0; t < mesh.corners.size(); t += 3) {
+    const RealPoint a = point(mesh, mesh.corners[t]), b = point(mesh, mesh.corners[t + 1]),
+                    c = point(mesh, mesh.corners[t + 2]);
+    const RealPoint face = cross(b - a, c - a);
+    const float* n = &mesh.normals[3 * static_cast<std::size_t>(mesh.corners[t])];
+    EXPECT_GT(dot(face, {n[0], n[1], n[2]}), 0) << t;
+    EXPECT_GT(dot(face, (1.0 / 3) * (a + b + c)), 0) << t;
+  }
 }
 
 TEST_F(ObjectMeshTest, AHitOfAStickIsItsNearerAtom) {

@@ -10,6 +10,7 @@
 #include "core/engine/engine.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "tests/support/molecules.hpp"
 #include "tests/ui/baseline.hpp"
 #include "ui/scene/objects/object_mesh.hpp"
 #include "ui/scene/scene.hpp"
@@ -22,7 +23,8 @@ constexpr int kWidth = 400, kHeight = 320;
 
 class ObjectPicture : public ::testing::Test {
  protected:
-  void open(const char* file) {
+  // A bundled molecule, or another one by its whole path.
+  void open(const std::filesystem::path& file) {
     pictured_.molecule = std::make_shared<const Molecule>(
         read_molecule(std::filesystem::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules" / file));
     pictured_.prepared = std::make_shared<const PreparedBalls>(prepare_balls(*pictured_.molecule));
@@ -90,6 +92,15 @@ TEST_F(ObjectPicture, StrandsAndSticksOnLight) {
   scene_.set_style(style_);
   show("cartoon,secondary; balls_and_sticks,60%:sidechain");
   testing::expect_like_baseline("objects/strands_light", drawn());
+}
+
+TEST_F(ObjectPicture, BasesAreFilledFarAndNear) {
+  ALPHASCOPE_NEED_TEST_DATA();
+  open(testing::test_data_folder() / "ladder/1bna.pdb");
+  show("cartoon");
+  testing::expect_like_baseline("objects/bases_far", drawn());
+  approach("resi 5-8 and chain A", 0.4);
+  testing::expect_like_baseline("objects/bases_near", drawn());
 }
 
 TEST_F(ObjectPicture, CutsAreFilled) {

@@ -24,7 +24,9 @@ void FramePicture::follow(const SessionChanges& changes) {
 
 void FramePicture::poll() {
   ViewState& state = p_.state;
+  const auto molecule_before = p_.scene.drawn().molecule;
   must_draw_ |= p_.scene.poll();
+  if (p_.scene.drawn().molecule != molecule_before) p_.due.ask_for_news();
   p_.scene.describe(state.viewport);
   if (state.result != p_.scene.drawn().answer) {
     state.result = p_.scene.drawn().answer;

@@ -224,7 +224,10 @@ void SceneController::render(ViewportInfo& viewport, bool interacting, bool pati
 void SceneController::begin_picture(ViewportInfo& viewport, bool interacting) {
   const bool new_one = shown_.pacing().has_new_picture() && !covered_;
   const bool layers = shown_.layers().wants_any();
-  if (!new_one || layers || !shown_.canvas().scene().renders_asynchronously()) return;
+  // The panels of this frame can show the first picture only if it is there before them.
+  const bool first = viewport.texture == 0;
+  const bool meanwhile = shown_.canvas().scene().renders_asynchronously();
+  if (!new_one || layers || (!first && !meanwhile)) return;
   render(viewport, interacting, false);
 }
 

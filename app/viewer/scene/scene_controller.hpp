@@ -61,8 +61,9 @@ class SceneController {
   // render() must not be skipped, because texts already describe the new complex.
   bool poll();
   // Call before the panels: begins a new picture, which a GPU draws while the panels are drawn. It
-  // has no effect without changes, with software OpenGL, or when panels add to the picture. A later
-  // render() is needed in any case, and draws again after a change.
+  // has no effect without changes, or when panels add to the picture. With software OpenGL it draws
+  // a first picture only, which the panels of the same frame then show. A later render() is needed
+  // in any case, and draws again after a change.
   void begin_picture(ViewportInfo& viewport, bool interacting);
   // Draws in the background with software OpenGL too.
   void render_asynchronously() { shown_.canvas().drawing().set_renders_asynchronously(true); }

@@ -139,6 +139,9 @@ BuiltFonts build_fonts(float scale, const std::filesystem::path& installed) {
   BuiltFonts built;
   built.atlas.reset(new ImFontAtlas);
   built.fonts = fill(*built.atlas, scale, installed);
+  unsigned char* pixels = nullptr;  // in the form that OpenGL gets; the atlas keeps them
+  int width = 0, height = 0;
+  built.atlas->GetTexDataAsRGBA32(&pixels, &width, &height);
   built.scale = scale;
   return built;
 }

@@ -61,6 +61,7 @@ void ImGuiFrame::load(Theme theme, float scale) {
   apply_style(theme, scale);
   theme_ = theme;
   if (scale == scale_) return;
+  const bool first = scale_ == 0;
   scale_ = scale;
   ImGuiIO& io = ImGui::GetIO();
   const ImGuiIO defaults;
@@ -68,7 +69,8 @@ void ImGuiFrame::load(Theme theme, float scale) {
   io.MouseDragThreshold = defaults.MouseDragThreshold * scale;
   const bool are_built = built_.scale == scale;
   fonts_ = are_built ? built_.fonts : load_fonts(scale);
-  built_.scale = 0;  // the next scale builds the atlas anew
+  built_.scale = 0;   // the next scale builds the atlas anew
+  if (first) return;  // the first frame makes the texture with ImGui's other objects
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }

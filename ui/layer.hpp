@@ -58,6 +58,8 @@ struct Layer {
   // a cavity. A tube passes through its spheres in order.
   std::vector<LayerSphere> spheres;
   std::vector<std::vector<LayerSphere>> tubes;
+  std::string tubes_name;  // shown under the mouse; empty: they have none
+  std::string tubes_page;  // id of the page that a click on them opens; empty: none
   std::vector<LayerAtom> atoms;
   std::shared_ptr<const LayerObjects> objects;  // null: none
   std::vector<LayerLabel> labels;

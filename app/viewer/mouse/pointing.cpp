@@ -46,6 +46,10 @@ std::optional<Pointing::UnderMouse> Pointing::under(int x, int y) const {
   if (references == nullptr) return std::nullopt;
   const auto hit = scene_.shown().pick(x, y, kBesideALine * scale);
   if (!hit) return std::nullopt;
+  if (hit->layer == kTubes) {
+    const LayerTubes& tubes = scene_.shown().layers().tubes(hit->index);
+    return UnderMouse{{}, {tubes.name, tubes.name}, tubes.page};
+  }
   if (hit->corners == 0) return UnderMouse{};  // a body that a panel draws, without a name
   if (hit->layer == kAtomInFront || hit->layer == kAtomOfObject) return under_atom(hit->index);
   if (hit->layer == kBesideBody) {
@@ -110,6 +114,7 @@ void Pointing::click(const PointerEvent& event) {
     if (!more) state_.settings.selection.clear();
     return;
   }
+  if (!found->page.empty()) state_.window.page = found->page;
   if (!found->what) return;
   const RefSet wanted = more ? items.toggled(*found->what) : RefSet({*found->what});
   if (wanted.size() > Selection::kMostItems) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "app/viewer/mouse/ball_drag.hpp"
 #include "app/viewer/mouse/hit_text.hpp"
@@ -30,6 +31,7 @@ class Pointing {
   struct UnderMouse {
     std::optional<Ref> what;  // none: a body that a panel draws, such as a cavity
     HitText text;
+    std::string page;  // id of the page that a click opens; empty: none
   };
   std::optional<UnderMouse> under(int x, int y) const;  // x and y in pixels of the picture
   UnderMouse under_atom(std::size_t atom) const;        // index of the atom in the molecule

@@ -3,6 +3,7 @@
 #include "app/viewer/scene/panel_layers.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "ui/layer_objects.hpp"
 #include "ui/scene/mesh/drawing_memory.hpp"
@@ -107,6 +108,26 @@ Layers PanelLayers::for_saved_pictures() const {
     if (layer->in_pictures) layers.push_back(layer);
   }
   return layers;
+}
+
+std::optional<PickLayer> PanelLayers::picked_first() const {
+  PickLayers first;
+  if (drawn_.atoms) first.push_back(*drawn_.atoms);
+  if (fades_rest()) {
+    std::copy_if(drawn_.picks.begin(), drawn_.picks.end(), std::back_inserter(first),
+                 [](const PickLayer& layer) { return layer.id == kTubes; });
+  }
+  if (first.empty()) return std::nullopt;
+  return PickLayer{kAtomInFront,
+                   [first, mesh = drawn_.mesh](const PickLine& line) -> std::optional<Hit> {
+                     for (const PickLayer& layer : first) {
+                       const std::optional<Hit> hit = layer.pick(line);
+                       const bool nameless =
+                           hit && layer.id == kTubes && mesh->tubes_of.at(hit->index).name.empty();
+                       if (hit && !nameless) return hit;
+                     }
+                     return std::nullopt;
+                   }};
 }
 
 std::uint64_t PanelLayers::bytes() const {

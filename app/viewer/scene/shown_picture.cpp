@@ -170,7 +170,7 @@ std::optional<Hit> ShownPicture::pick(int x, int y, double near) const {
   if (beside_.pick()) others.push_back(*beside_.pick());
   others.insert(others.end(), objects_.picks().begin(), objects_.picks().end());
   others.insert(others.end(), layers_.picks().begin(), layers_.picks().end());
-  return picking_.pick(x, y, near, layers_.atoms(), others);
+  return picking_.pick(x, y, near, layers_.picked_first(), others);
 }
 
 ViewProblem ShownPicture::view_problem() const {

@@ -14,6 +14,7 @@
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/channels/channel_state.hpp"
+#include "ui/panels/viewport_info.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -74,6 +75,30 @@ TEST_F(ChannelsTest, OfAPoreIsThereUponTheFirstClick) {
   EXPECT_TRUE(has_layer("channels.cursor"));
   run("move status.memory\nframes 3\n");
   EXPECT_FALSE(has_layer("channels.cursor"));
+}
+
+// Pale balls lie before the tube, and it is found nevertheless.
+TEST_F(ChannelsTest, TheTubeHasANameUnderTheMouse) {
+  open_tube(false);
+  ASSERT_TRUE(has_layer("channels.tube"));
+  run("move view 0.5 0.5\nframes 3\n");
+  const ViewportInfo& view = viewer_->state().viewport;
+  EXPECT_EQ(view.under_mouse, "Channel through the whole molecule  ·  narrowest radius 2.500 Å");
+  EXPECT_EQ(view.under_mouse_line, view.under_mouse);
+  run("click bottom.timings\nframes 3\nmove view 0.5 0.5\nframes 3\n");
+  EXPECT_EQ(view.under_mouse.find("Channel"), std::string::npos) << "it is no longer drawn";
+}
+
+TEST_F(ChannelsTest, AClickOnTheTubeOpensThePage) {
+  open_tube(false);
+  run("click bottom.structure\nframes 3\nclick structure.channels\n");
+  settle();
+  run("click structure.channel.1\nmove status.memory\n");
+  settle();
+  ASSERT_EQ(viewer_->state().window.page, "structure");
+  run("move view 0.5 0.5\nframes 3\nclick view 0.5 0.5\nframes 3\n");
+  EXPECT_EQ(viewer_->state().window.page, "channels");
+  EXPECT_TRUE(viewer_->state().settings.selection.items.empty());
 }
 
 // Two chains, each a tube with a way of its own. The wider way is shown first, and a click takes

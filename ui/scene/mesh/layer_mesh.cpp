@@ -103,6 +103,10 @@ class LayerBuilder {
     (layer.body && layer.translucent ? translucent_ : opaque_).add(layer, colour);
     for (const auto& [from, to] : layer.lines) add_line(from, to, colour);
     for (const auto& tube : layer.tubes) add_tube(tube, balls_.origin, colour, mesh_.tubes);
+    if (!layer.tubes.empty()) {
+      mesh_.tubes_of.push_back(
+          {mesh_.tubes.corners.size() / 3, layer.tubes_name, layer.tubes_page});
+    }
     for (const LayerAtom& atom : layer.atoms) {
       BodiesBuilder::add_ball(atom.centre_angstrom, atom.radius_angstrom, atoms_);
       mesh_.atom_colours.push_back(to_rgb8(atom.colour));

@@ -2,7 +2,9 @@
 // Layers that panels ask for, as flat arrays. Pure C++, may run in a worker; no VTK.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/molecule/rgb8.hpp"
@@ -24,11 +26,18 @@ struct LayerBodies {
   bool empty() const { return faces.points() == 0 && !spheres; }
 };
 
+// The tubes of one layer in LayerMesh::tubes.
+struct LayerTubes {
+  std::size_t end = 0;     // after their last triangle; they begin where the layer before ends
+  std::string name, page;  // as Layer::tubes_name and tubes_page
+};
+
 struct LayerMesh {
   DifferenceMesh marks;  // drawn over everything else
   LayerBodies opaque, translucent;
   CellSoup body_lines;  // lines of layers that are bodies
   SmoothMesh tubes;
+  std::vector<LayerTubes> tubes_of;
   // Atoms drawn in front of everything; null: none. Each has a colour and an index in
   // Molecule::atoms.
   std::shared_ptr<const BallGeometry> atoms;

@@ -281,7 +281,19 @@ PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh) {
       const float* p = &mesh->tubes.xyz[3 * static_cast<std::size_t>(corner)];
       tubes->xyz.insert(tubes->xyz.end(), p, p + 3);
     }
-    layers.push_back(layer_of(SoupCells{std::move(tubes)}, body));
+    const PickLayer cells = layer_of(SoupCells{std::move(tubes)}, {kTubes, 0});
+    layers.push_back({kTubes, [mesh, cells](const PickLine& line) {
+                        std::optional<Hit> hit = cells.pick(line);
+                        if (!hit) return hit;
+                        const auto& of = mesh->tubes_of;
+                        const auto at =
+                            std::upper_bound(of.begin(), of.end(), hit->index,
+                                             [](std::size_t triangle, const LayerTubes& t) {
+                                               return triangle < t.end;
+                                             });
+                        hit->index = static_cast<std::size_t>(at - of.begin());
+                        return hit;
+                      }});
   }
   return layers;
 }

@@ -29,11 +29,12 @@ struct PickLine {
 };
 
 inline constexpr std::string_view kBesideBody = "beside", kAtomInFront = "in front";
-inline constexpr std::string_view kAtomOfObject = "object";
+inline constexpr std::string_view kAtomOfObject = "object", kTubes = "tubes";
 
 struct Hit {
   // "balls", "tetrahedra", "boundary", "triangles", "edges"; "beside" (index in BesideBody::atoms);
-  // "in front" and "object" (index in Molecule::atoms); "bodies" (layers of panels, without index).
+  // "in front" and "object" (index in Molecule::atoms); "bodies" (layers of panels, without index)
+  // and "tubes" (of panels; index in LayerMesh::tubes_of).
   std::string_view layer;
   int corners = 1;        // 1: a ball; 0: a body
   std::size_t index = 0;  // of the ball, or of the simplex in its list in the complex

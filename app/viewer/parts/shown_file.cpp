@@ -75,6 +75,7 @@ void ShownFile::close() {
   const std::uint64_t seen = state.channels.balls_key;  // no two sets of balls may share a key
   state.channels = {};
   state.channels.balls_key = seen;
+  forget_cavities(state.cavities);
   reset_settings();
   p_.history.restart();
   p_.host.set_title("Alphascope");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests closing the molecule: nothing of it stays, its work ends, and other files open afterwards.
+#include "core/document/cavities/cavity_results.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/view_info.hpp"
 #include "ui/panels/viewport_info.hpp"
 
@@ -18,7 +21,14 @@ TEST_F(CloseTest, LeadsToTheStartPageAndKeepsNothing) {
   open_crambin();
   run("alpha.set 3\nselect.atoms A:THR 1:CA\nview.page cavities\nwait-idle\nframes 3\n");
   ASSERT_TRUE(state().result);
+  run("cavities.choose 1\nwait-idle\nframes 3\n");
+  ASSERT_TRUE(state().cavities.page);
+  const std::weak_ptr<const CavityLines> lines = state().cavities.page->rows.lines;
+  const std::weak_ptr<const CavityTable> table = state().cavities.page->rows.all;
+  EXPECT_FALSE(lines.expired() || table.expired());
   run("file.close\nwait-idle\nframes 5\n");
+  EXPECT_TRUE(lines.expired() && table.expired()) << "the page of cavities keeps its table";
+  EXPECT_TRUE(state().cavities.chosen.empty());
   EXPECT_FALSE(state().molecule.loaded);
   EXPECT_EQ(state().result, nullptr);
   EXPECT_EQ(state().references, nullptr);

@@ -164,6 +164,12 @@ void find_selected_rows(PanelContext& ctx, CavityPage& page) {
 
 }  // namespace
 
+void forget_cavities(CavityState& state) {
+  state.chosen.clear();
+  state.wanted_row.reset();
+  if (state.page) begin_page(*state.page, "");
+}
+
 RefSet lining_of(const CavityPage& page, const std::vector<std::size_t>& rows) {
   const CavityTable& table = page.rows.table();
   std::vector<Ref> lining;

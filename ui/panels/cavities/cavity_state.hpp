@@ -21,4 +21,7 @@ struct CavityState {
   std::shared_ptr<CavityPage> page;  // null until the page is drawn first
 };
 
+// Drops the table, the chosen cavities and their drawings. Filter, columns and drawn parts stay.
+void forget_cavities(CavityState& state);
+
 }  // namespace alphascope

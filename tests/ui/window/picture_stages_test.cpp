@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests when balls are left out while something moves, and the timings of a picture.
+// Tests when balls are left out while something moves, which frame shows the first picture, and the
+// timings of a picture.
 #include "app/viewer/scene/ball_stand_in.hpp"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <cstdint>
 
 #include "core/run/picture_stages.hpp"
 #include "tests/ui/viewer_fixture.hpp"
@@ -13,18 +17,47 @@ namespace {
 TEST(BallStandIn, OnlyForSlowPicturesThatMove) {
   BallStandIn balls;
   EXPECT_FALSE(balls.wanted(false, true)) << "nothing is known yet";
-  balls.note(RenderQuality::sketch, BallStandIn::kMost + 1);
+  const double slow = BallStandIn::kMost + 1;
+  balls.note(RenderQuality::sketch, slow);
+  EXPECT_FALSE(balls.wanted(false, true)) << "shaders may have been compiled";
+  balls.note(RenderQuality::sketch, slow);
   EXPECT_TRUE(balls.wanted(false, true));
   EXPECT_FALSE(balls.wanted(true, true)) << "at rest all is drawn";
   EXPECT_FALSE(balls.wanted(false, false)) << "the picture would be empty";
   balls.note(RenderQuality::fine, 1);
   EXPECT_TRUE(balls.wanted(false, true)) << "of another quality";
-  balls.note(RenderQuality::draft, BallStandIn::kMost + 1);
+  balls.note(RenderQuality::draft, slow);
   EXPECT_FALSE(balls.wanted(false, true)) << "a sketch has fewer pixels";
-  balls.note(RenderQuality::draft, 10 * BallStandIn::kMost);
+  balls.note(RenderQuality::draft, 10 * slow);
+  EXPECT_FALSE(balls.wanted(false, true)) << "two in a row are slow at least";
+  balls.note(RenderQuality::draft, 10 * slow);
   EXPECT_TRUE(balls.wanted(false, true));
   balls.forget();
   EXPECT_FALSE(balls.wanted(false, true));
+}
+
+class FirstPicture : public testing::ViewerTest {
+ protected:
+  FirstPicture() : ViewerTest(false) {}
+  std::uint64_t texture() const { return viewer_->state().viewport.texture; }
+  bool frame_shows_it() const {
+    const ImDrawData* const drawn = ImGui::GetDrawData();
+    for (int list = 0; list < drawn->CmdListsCount; ++list) {
+      for (const ImDrawCmd& command : drawn->CmdLists[list]->CmdBuffer) {
+        if (reinterpret_cast<std::uintptr_t>(command.GetTexID()) == texture()) return true;
+      }
+    }
+    return false;
+  }
+};
+
+TEST_F(FirstPicture, IsInTheFrameThatDrawsIt) {
+  run("frames 2\n");
+  EXPECT_EQ(texture(), 0u) << "nothing is open";
+  run("open " + testing::crambin().string() + "\n");
+  ScriptedInput no_input;
+  while (texture() == 0 && viewer_->state().error.empty()) viewer_->step(&no_input);
+  EXPECT_TRUE(frame_shows_it());
 }
 
 class PictureStages : public testing::ViewerTest {

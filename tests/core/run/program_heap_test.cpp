@@ -39,7 +39,7 @@ TEST(ProgramHeap, HasLargePages) {
   const auto serve = [] {
     start_heap_on_large_pages();
     // Beyond the first large page, which begins with what the heap had before.
-    constexpr std::size_t kSmall = 4'000'000, kLarge = 10'000'000;  // bytes
+    constexpr std::size_t kSmall = 2'500'000, kLarge = 4'000'000;  // bytes
     for (const std::size_t bytes : {kSmall, kLarge}) {
       void* volatile const memory = std::malloc(bytes);
       const auto end = reinterpret_cast<std::uintptr_t>(memory) + bytes - 1;

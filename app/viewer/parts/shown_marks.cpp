@@ -18,7 +18,8 @@ void ShownMarks::follow_picture() {
   if (drawn == nullptr) {
     state_.references = nullptr;
   } else if (!state_.references || &state_.references->prepared() != drawn->prepared.get()) {
-    state_.references = std::make_shared<const BallReferences>(drawn->molecule, drawn->prepared);
+    state_.references =
+        std::make_shared<const BallReferences>(drawn->molecule, drawn->prepared, drawn->secondary);
   }
 }
 

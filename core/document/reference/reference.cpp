@@ -11,6 +11,7 @@
 #include "core/molecule/name_table.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/radii/radii_set.hpp"
+#include "core/secondary/secondary_once.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/prepare_balls.hpp"
 
@@ -69,8 +70,11 @@ std::vector<AtomRef> Selection::atoms_in_order() const {
 }
 
 BallReferences::BallReferences(std::shared_ptr<const Molecule> molecule,
-                               std::shared_ptr<const PreparedBalls> prepared)
-    : molecule_(std::move(molecule)), prepared_(std::move(prepared)) {}
+                               std::shared_ptr<const PreparedBalls> prepared,
+                               std::shared_ptr<SecondaryOnce> secondary)
+    : molecule_(std::move(molecule)),
+      prepared_(std::move(prepared)),
+      secondary_(secondary ? std::move(secondary) : std::make_shared<SecondaryOnce>()) {}
 
 AtomRef BallReferences::atom(BallIndex ball) const {
   return atom_of_molecule(prepared_->atom_of_ball.at(ball));

@@ -22,12 +22,15 @@ namespace alphascope {
 
 struct Molecule;
 struct PreparedBalls;
+class SecondaryOnce;
 
 // Converts between balls of one molecule under one set of options and references.
 class BallReferences {
  public:
+  // `secondary`: of this molecule, shared with others; null: one of its own.
   BallReferences(std::shared_ptr<const Molecule> molecule,
-                 std::shared_ptr<const PreparedBalls> prepared);
+                 std::shared_ptr<const PreparedBalls> prepared,
+                 std::shared_ptr<SecondaryOnce> secondary = nullptr);
 
   AtomRef atom(BallIndex ball) const;
   AtomRef atom_of_molecule(std::size_t atom) const;  // index into the molecule's atoms; need not be
@@ -42,10 +45,12 @@ class BallReferences {
 
   const Molecule& molecule() const { return *molecule_; }
   const PreparedBalls& prepared() const { return *prepared_; }
+  SecondaryOnce& secondary() const { return *secondary_; }
 
  private:
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const PreparedBalls> prepared_;
+  std::shared_ptr<SecondaryOnce> secondary_;
 };
 
 // A value for each atom of the molecule: whether it is in the set, or a corner of a simplex in it.

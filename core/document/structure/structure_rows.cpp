@@ -15,7 +15,7 @@
 #include "core/document/store/key.hpp"
 #include "core/molecule/atom_type.hpp"
 #include "core/molecule/molecule.hpp"
-#include "core/secondary/secondary.hpp"
+#include "core/secondary/secondary_once.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/memory_need.hpp"
 
@@ -182,10 +182,11 @@ std::optional<std::size_t> StructureRows::row_of(std::uint32_t atom) const {
 }
 
 StructureRows make_structure_rows(const Molecule& molecule, const ModelRange& models,
-                                  const RunContext& context) {
+                                  const SecondaryModel& secondary, const RunContext& context) {
   RowMaker maker(molecule);
   maker.add(models.begin, models.end, context);
-  return maker.take(find_secondary_of_models(molecule, models, context));
+  context.cancel.throw_if_cancelled();
+  return maker.take(secondary);
 }
 
 std::string residue_title(const Molecule& molecule, const ResidueRow& row) {
@@ -211,9 +212,11 @@ const Definition<StructureRows>& structure_rows() {
            },
        .lane = Lane::interactive},
       [](const Inputs& in, const RunContext& context) {
-        return std::make_shared<const StructureRows>(make_structure_rows(
-            in.atoms->molecule(), models_of_balls(in.atoms->molecule(), in.atoms->prepared()),
-            context));
+        const Molecule& molecule = in.atoms->molecule();
+        const ModelRange models = models_of_balls(molecule, in.atoms->prepared());
+        const auto secondary = in.atoms->secondary().of(molecule, models, context);
+        return std::make_shared<const StructureRows>(
+            make_structure_rows(molecule, models, *secondary, context));
       }};
   return definition;
 }

@@ -19,6 +19,7 @@ struct Definition;
 struct ModelRange;
 struct Molecule;
 struct RunContext;
+struct SecondaryModel;
 
 // Twelve bytes, since an assembly may have millions of waters.
 struct ResidueRow {
@@ -46,7 +47,7 @@ struct StructureRows {
 // Chains come in the order of their first residues. A residue ends where its number, its chain or
 // its name changes. Throws Cancelled.
 StructureRows make_structure_rows(const Molecule& molecule, const ModelRange& models,
-                                  const RunContext& context);
+                                  const SecondaryModel& secondary, const RunContext& context);
 
 // "HIS 87", "HEM 142".
 std::string residue_title(const Molecule& molecule, const ResidueRow& row);

@@ -3,6 +3,7 @@
 // both ways.
 #include "core/document/reference/reference.hpp"
 #include "core/document/structure/structure_rows.hpp"
+#include "core/secondary/secondary_once.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 
 namespace alphascope::testing {
@@ -27,6 +28,15 @@ TEST_F(StructureTest, ALetterIsAResidue) {
   const auto& items = viewer_->state().settings.selection.items.items();
   EXPECT_EQ(std::get<AtomRef>(items.front()).atom, 0u);
   EXPECT_EQ(viewer_->state().undo_text, "selection");
+}
+
+TEST_F(StructureTest, SecondaryStructureIsThatOfTheCartoon) {
+  run("view.page timings\nopen " + crambin().string() + "\nwait-idle\n");
+  const auto references = viewer_->state().references;
+  EXPECT_FALSE(references->secondary().known());
+  run("view.cartoon on\nwait-idle\n");
+  EXPECT_EQ(viewer_->state().references, references);
+  EXPECT_TRUE(references->secondary().known());
 }
 
 TEST_F(StructureTest, BranchesOpenAndSelect) {

@@ -113,9 +113,9 @@ class ObjectBuilder {
 
   void colour_residues() {
     const auto& atoms = molecule_.atoms;
-    for (std::size_t r = 0; r < facts_.secondary.residues.size(); ++r) {
-      const std::size_t first = facts_.secondary.residues[r].first;
-      const Rgb8 colour = secondary_colour(facts_.secondary.kinds[r]).value_or(kNoSecondary);
+    for (std::size_t r = 0; r < facts_.secondary->residues.size(); ++r) {
+      const std::size_t first = facts_.secondary->residues[r].first;
+      const Rgb8 colour = secondary_colour(facts_.secondary->kinds[r]).value_or(kNoSecondary);
       for (std::size_t i = first; i < atoms.size() && same_residue_number(atoms[i], atoms[first]);
            ++i) {
         colours_[i] = colour;
@@ -131,7 +131,7 @@ class ObjectBuilder {
 
   void add_cartoon() {
     const CartoonTraces traces =
-        make_traces(molecule_, origin_, facts_.secondary, facts_.nucleotides, wanted_, colours_);
+        make_traces(molecule_, origin_, *facts_.secondary, facts_.nucleotides, wanted_, colours_);
     mesh_.cartoon = build_cartoon(traces.traces, cartoon_detail(traces.points), cancel_);
     add_plates(traces.plates, mesh_.cartoon);
     if (traces.rungs.empty()) return;
@@ -245,7 +245,7 @@ std::shared_ptr<const ObjectFacts> find_object_facts(const PicturedMolecule& mol
                                                      const RunContext& context) {
   auto facts = std::make_shared<ObjectFacts>();
   facts->atoms = models_of_balls(*molecule.molecule, *molecule.prepared);
-  facts->secondary = find_secondary_of_models(*molecule.molecule, facts->atoms, context);
+  facts->secondary = molecule.secondary->of(*molecule.molecule, facts->atoms, context);
   for (const ModelRange& model : molecule.molecule->models) {
     if (model.begin < facts->atoms.begin || model.end > facts->atoms.end) continue;
     const auto nucleotides = find_nucleotides(*molecule.molecule, model, context);

@@ -24,7 +24,7 @@ namespace alphascope {
 // Facts about the molecule that objects are drawn from.
 struct ObjectFacts {
   ModelRange atoms;  // the models whose atoms are balls
-  SecondaryModel secondary;
+  std::shared_ptr<const SecondaryModel> secondary;
   std::vector<Nucleotide> nucleotides;
   std::vector<Bond> bonds;
 };

@@ -9,6 +9,7 @@
 #include "core/document/store/answer.hpp"
 #include "core/measure/engine_measures.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/secondary/secondary_once.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "ui/scene/mesh/ball_geometry.hpp"
 
@@ -19,6 +20,7 @@ struct PicturedMolecule {
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const PreparedBalls> prepared;  // without solvent radius
   std::shared_ptr<const BallGeometry> geometry;   // of `prepared`, or empty: no ball is drawn
+  std::shared_ptr<SecondaryOnce> secondary = std::make_shared<SecondaryOnce>();
 };
 
 struct PaintTask {

@@ -9,6 +9,7 @@
 
 #include "core/read/read_molecule.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/secondary/secondary.hpp"
 
 namespace alphascope {
 namespace {
@@ -18,7 +19,8 @@ Molecule sample(const char* file) {
 }
 
 StructureRows rows_of(const Molecule& molecule) {
-  return make_structure_rows(molecule, molecule.models.front(), {});
+  return make_structure_rows(molecule, molecule.models.front(),
+                             find_secondary_of_models(molecule, molecule.models.front()), {});
 }
 
 TEST(StructureRows, CrambinHasItsSequence) {
@@ -70,7 +72,7 @@ TEST(StructureRows, StopsWhenCancelled) {
   const Molecule molecule = sample("4hhb.pdb.gz");
   RunContext context;
   context.cancel.cancel();
-  EXPECT_THROW(make_structure_rows(molecule, molecule.models.front(), context), Cancelled);
+  EXPECT_THROW(make_structure_rows(molecule, molecule.models.front(), {}, context), Cancelled);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ class ObjectMeshTest : public ::testing::Test {
     pictured.molecule = std::make_shared<const Molecule>(read_molecule(file));
     pictured.prepared = std::make_shared<const PreparedBalls>(prepare_balls(*pictured.molecule));
     pictured.geometry = std::make_shared<const BallGeometry>(*pictured.prepared->balls);
+    pictured.secondary = std::make_shared<SecondaryOnce>();
     facts = find_object_facts(pictured);
   }
   ObjectMesh built(const std::string& text, const Appearance& appearance = {}) const {
@@ -80,13 +81,17 @@ void expect_closed(const SmoothMesh& mesh) {
   EXPECT_EQ(open, 0) << "of " << sides.size() << " sides";
 }
 
+TEST_F(ObjectMeshTest, SecondaryStructureIsThatOfTheMolecule) {
+  EXPECT_EQ(facts->secondary, pictured.secondary->of(*pictured.molecule, facts->atoms));
+}
+
 TEST_F(ObjectMeshTest, CartoonIsAClosedSurfaceOfEachDetail) {
   const ObjectMesh whole = built("cartoon");
   EXPECT_GT(whole.cartoon.triangles(), 90000u);
   std::vector<bool> all(pictured.molecule->atoms.size(), true);
   const std::vector<Rgb8> colours(pictured.molecule->atoms.size());
   const CartoonTraces traces = make_traces(*pictured.molecule, pictured.geometry->origin,
-                                           facts->secondary, facts->nucleotides, all, colours);
+                                           *facts->secondary, facts->nucleotides, all, colours);
   ASSERT_EQ(traces.traces.size(), 4u);
   EXPECT_EQ(traces.points, 574u);  // 2 × 141 and 2 × 146 residues
   for (const std::size_t residues :
@@ -129,9 +134,9 @@ TEST_F(ObjectMeshTest, HelixPassesThroughItsAtoms) {
   const ObjectMesh mesh = built("cartoon");
   double worst = 0;
   std::size_t tried = 0;
-  for (std::size_t r = 0; r < facts->secondary.residues.size(); ++r) {
-    if (!is_helix(facts->secondary.kinds[r])) continue;
-    const RealPoint ca = place(facts->secondary.residues[r].ca);
+  for (std::size_t r = 0; r < facts->secondary->residues.size(); ++r) {
+    if (!is_helix(facts->secondary->kinds[r])) continue;
+    const RealPoint ca = place(facts->secondary->residues[r].ca);
     double nearest = 1e9;
     const SmoothMesh& surface = mesh.cartoon.surface;
     for (std::size_t p = 0; p < surface.points(); ++p) {

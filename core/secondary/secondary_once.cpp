@@ -15,8 +15,8 @@ std::shared_ptr<const SecondaryModel> SecondaryOnce::of(const Molecule& molecule
   while (!lock.try_lock_for(kBetweenChecks)) context.cancel.throw_if_cancelled();
   if (!found_ || models_.begin != models.begin || models_.end != models.end) {
     context.cancel.throw_if_cancelled();
-    found_ = std::make_shared<const SecondaryModel>(
-        find_secondary_of_models(molecule, models, context));
+    found_ =
+        std::make_shared<const SecondaryModel>(find_secondary_of_models(molecule, models, context));
     models_ = models;
   }
   return found_;

@@ -204,7 +204,7 @@ TEST_F(ObjectMeshTest, LadderHasARungAndAPlateForEachNucleotide) {
   ASSERT_EQ(mesh.sticks.rods.size(), 24u);
   expect_closed(mesh.cartoon.surface);
   const CartoonTraces traces =
-      make_traces(*pictured.molecule, pictured.geometry->origin, facts->secondary,
+      make_traces(*pictured.molecule, pictured.geometry->origin, *facts->secondary,
                   facts->nucleotides, std::vector<bool>(pictured.molecule->atoms.size(), true),
                   std::vector<Rgb8>(pictured.molecule->atoms.size()));
   ASSERT_EQ(traces.plates.size(), 24u);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compiles sources of a folder a dozen at a time. Most compile time goes into templates of the
-# standard library, which neighbouring sources share. So combining them halves the compile time of
-# core/, app/, ui/ and tests. Sources may then depend on each other unnoticed.
+# Compiles sources of a folder some twenty at a time. Most compile time goes into templates of the
+# standard library, which neighbouring sources share. GCC takes 0.7 s to read precompiled headers. So
+# combining sources halves the compile time of core/, app/, ui/ and tests. Sources may then depend on each other unnoticed.
 # check_sources, check_includes and builds without this option find such cases. Off by default with ccache, which
 # would find a source only together with the same neighbours. The presets ci, asan and tsan always
 # combine, because their builds begin from nothing.
@@ -63,30 +63,60 @@ function(alphascope_private_names source functions others)
   set(${others} ${found} ${macros} PARENT_SCOPE)
 endfunction()
 
-# Reads the names in headers that sources of TESTS, or those of the program, may include. Stores
-# them in properties, once.
-function(alphascope_header_names tests)
-  get_property(done GLOBAL PROPERTY ALPHASCOPE_HEADERS_READ_${tests})
-  if(done)
-    return()
+# Sets FOUND to the folders whose headers a source in FOLDER may include, by the order of the layers.
+function(alphascope_folders_seen_from folder found)
+  if(folder MATCHES "^core/document(/|$)")
+    alphascope_folders(seen core)
+  elseif(folder MATCHES "^core(/|$)")
+    alphascope_folders(seen core)
+    list(FILTER seen EXCLUDE REGEX "^core/document/")
+  elseif(folder MATCHES "^ui(/|$)")
+    alphascope_folders(seen core ui)
+  elseif(folder MATCHES "^app/(session|bench|options)(/|$)")
+    alphascope_folders(seen core app/session app/bench app/options)
+  else()
+    alphascope_folders(seen core ui app)
+    if(folder MATCHES "^tests(/|$)")
+      list(APPEND seen tests)
+    endif()
   endif()
-  set(folders app core ui)
-  if(tests)
-    list(APPEND folders tests)
-  endif()
-  list(TRANSFORM folders REPLACE ".+" "${PROJECT_SOURCE_DIR}/\\0/*.hpp")
-  file(GLOB_RECURSE headers ${folders})
-  foreach(header IN LISTS headers)
-    file(READ ${header} text)
-    alphascope_declared_names("${text}" some_functions some)
-    list(APPEND functions ${some_functions})
-    list(APPEND others ${some})
+  set(${found} ${seen} PARENT_SCOPE)
+endfunction()
+
+# Finds the names in headers that a source in FOLDER may include. Headers are read once.
+function(alphascope_header_names folder functions others)
+  set(found_functions)
+  set(found)
+  alphascope_folders_seen_from(${folder} seen)
+  foreach(from IN LISTS seen)
+    get_property(read GLOBAL PROPERTY ALPHASCOPE_HEADERS_READ_${from})
+    if(NOT read)
+      set(some_functions)
+      set(some)
+      set(glob GLOB)
+      if(from STREQUAL "tests")
+        set(glob GLOB_RECURSE)
+      endif()
+      file(${glob} headers ${PROJECT_SOURCE_DIR}/${from}/*.hpp)
+      foreach(header IN LISTS headers)
+        file(READ ${header} text)
+        alphascope_declared_names("${text}" its_functions its)
+        list(APPEND some_functions ${its_functions})
+        list(APPEND some ${its})
+      endforeach()
+      set_property(GLOBAL PROPERTY ALPHASCOPE_HEADER_FUNCTIONS_${from} "${some_functions}")
+      set_property(GLOBAL PROPERTY ALPHASCOPE_HEADER_OTHERS_${from} "${some}")
+      set_property(GLOBAL PROPERTY ALPHASCOPE_HEADERS_READ_${from} ON)
+    endif()
+    get_property(some_functions GLOBAL PROPERTY ALPHASCOPE_HEADER_FUNCTIONS_${from})
+    get_property(some GLOBAL PROPERTY ALPHASCOPE_HEADER_OTHERS_${from})
+    list(APPEND found_functions ${some_functions})
+    list(APPEND found ${some})
   endforeach()
-  list(REMOVE_DUPLICATES functions)
-  list(REMOVE_DUPLICATES others)
-  set_property(GLOBAL PROPERTY ALPHASCOPE_HEADER_FUNCTIONS_${tests} "${functions}")
-  set_property(GLOBAL PROPERTY ALPHASCOPE_HEADER_OTHERS_${tests} "${others}")
-  set_property(GLOBAL PROPERTY ALPHASCOPE_HEADERS_READ_${tests} ON)
+  list(REMOVE_DUPLICATES found_functions)
+  list(REMOVE_DUPLICATES found)
+  set(${functions} "${found_functions}" PARENT_SCOPE)
+  set(${others} "${found}" PARENT_SCOPE)
 endfunction()
 
 # Sets ANY to whether LIST contains one of the remaining arguments.
@@ -100,8 +130,8 @@ function(alphascope_any_of list any)
   endforeach()
 endfunction()
 
-# Combines sources of TARGET in groups of at most SIZE, each from one folder and those below it. No
-# group has two sources with the same private name. A source is compiled alone if a private name of
+# Combines sources of TARGET in groups of at most SIZE, each from one folder and those below it. Core
+# without core/document counts as one folder. No group has two sources with the same private name. A source is compiled alone if a private name of
 # it is also in a header. Only functions may have the name of a function in a header. The two then
 # overload each other, and an ambiguous call does not compile.
 function(alphascope_unity target size)
@@ -110,13 +140,10 @@ function(alphascope_unity target size)
   endif()
   get_target_property(sources ${target} SOURCES)
   get_target_property(target_folder ${target} SOURCE_DIR)
-  set(tests OFF)
+  set(in_tests OFF)
   if(target_folder MATCHES "^${PROJECT_SOURCE_DIR}/tests")
-    set(tests ON)
+    set(in_tests ON)
   endif()
-  alphascope_header_names(${tests})
-  get_property(header_functions GLOBAL PROPERTY ALPHASCOPE_HEADER_FUNCTIONS_${tests})
-  get_property(header_others GLOBAL PROPERTY ALPHASCOPE_HEADER_OTHERS_${tests})
   set(alone ${ALPHASCOPE_TIMED})
   if(ALPHASCOPE_UNTIMED OR ALPHASCOPE_SANITIZER)
     set(alone "^$")
@@ -131,6 +158,15 @@ function(alphascope_unity target size)
       continue()
     endif()
     alphascope_private_names(${source} functions others)
+    set(seen_from ${folder})
+    if(in_tests)  # they compile some sources of other folders again
+      set(seen_from tests)
+    endif()
+    if(NOT DEFINED header_others_${seen_from})
+      alphascope_header_names(${seen_from} header_functions_${seen_from} header_others_${seen_from})
+    endif()
+    set(header_functions ${header_functions_${seen_from}})
+    set(header_others ${header_others_${seen_from}})
     alphascope_any_of(header_others clashes ${functions} ${others})
     if(NOT clashes)
       alphascope_any_of(header_functions clashes ${others})
@@ -140,6 +176,9 @@ function(alphascope_unity target size)
     endif()
     set(names ${functions} ${others})
     string(REGEX REPLACE "^([^/]+/[^/]+).*" "\\1" hall ${folder})
+    if(folder MATCHES "^core/" AND NOT folder MATCHES "^core/document/")
+      set(hall core)  # its folders are small
+    endif()
     string(REPLACE "/" "_" hall ${hall})
     set(n 1)
     while(TRUE)  # the first group with room and without these names
@@ -163,6 +202,6 @@ function(alphascope_unity target size)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
-# Code that decides the times in docs/performance.md is compiled source by source.
+# Inner loops that decide the times in docs/performance.md are compiled source by source.
 set(ALPHASCOPE_TIMED
-  "^core/(predicates|neighbours|complex|engine|triangulation|dual_edge|tuples|engines|measure|verify)$")
+  "^core/(predicates|neighbours|triangulation|dual_edge|tuples)$")

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes the largest ball, which is never hidden, and the balls whose radical planes are nearest to
 // its centre. A tetrahedron of their triangulation is one of all balls' if no ball is in conflict
-// with it. If each has a conflict, more balls are taken.
+// with it. Else the ball in deepest conflict is taken, too.
 #include "core/wrapping/seed.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <mutex>
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
@@ -56,6 +55,9 @@ class RoughSphere {
     if (!usable_) return;
     behind_ = face_.turned();
     own_ = face_.crossing(rough(t[3]));
+    const double s = (face_.side() > 0 ? 0.5 : -0.5) * (own_.low + own_.high);
+    const auto &foot = face_.line().foot(), &n = face_.line().direction();
+    centre_ = {foot.x + s * n.x, foot.y + s * n.y, foot.z + s * n.z};
   }
   // With the last ball before the face of the others: a ball before that face has to touch later,
   // and a ball behind it earlier.
@@ -65,6 +67,12 @@ class RoughSphere {
     if (v.v.x == 0 && v.v.y == 0 && v.v.z == 0) return false;  // on both sides of every face
     const Crossing<double> before = face_.crossing(v), behind = behind_.crossing(v);
     return (before.none() || before.low > own_.high) && (behind.none() || -behind.low < own_.low);
+  }
+
+  // The power of a ball at the orthocentre beyond that of the corners, rounded.
+  double excess(BallIndex m) const {
+    const auto v = rough(m).v;
+    return v.c - 2 * (v.x * centre_.x + v.y * centre_.y + v.z * centre_.z);
   }
 
  private:
@@ -79,33 +87,37 @@ class RoughSphere {
   bool usable_ = false;
   OpenFace<double> face_, behind_;
   Crossing<double> own_{};
+  Vector3<double> centre_{};
 };
 
-// The first ball in conflict with a tetrahedron, or kNone.
+// The ball in deepest conflict with a tetrahedron, or kNone. Rounding changes only the choice among
+// several.
 constexpr BallIndex kNone = std::numeric_limits<BallIndex>::max();
 BallIndex conflict(const BallSet& balls, const std::array<BallIndex, 4>& tetrahedron,
                    const CancelToken& cancel) {
   IndexedBall corners[4];
   for (int c = 0; c < 4; ++c) corners[c] = indexed_ball(balls, tetrahedron[c]);
   const RoughSphere sphere(balls, tetrahedron);
-  std::atomic<BallIndex> first{kNone};
+  std::mutex mutex;
+  std::pair<double, BallIndex> deepest{0, kNone};
   constexpr std::size_t kGrain = 4096;
   parallel_ranges(BallIndex{0}, static_cast<BallIndex>(balls.size()), kGrain,
                   [&](BallIndex begin, BallIndex end) {
-                    if (cancel.cancelled()) return;
-                    for (BallIndex m = begin; m < end && m < first; ++m) {
+                    std::pair<double, BallIndex> own{0, kNone};
+                    for (BallIndex m = begin; m < end && !cancel.cancelled(); ++m) {
                       if (sphere.surely_out(m)) continue;
                       const bool corner =
                           std::find(tetrahedron.begin(), tetrahedron.end(), m) != tetrahedron.end();
                       if (corner || stays_out(corners, indexed_ball(balls, m))) continue;
-                      BallIndex before = first;
-                      while (m < before && !first.compare_exchange_weak(before, m)) {
-                      }
-                      return;
+                      const std::pair<double, BallIndex> found{sphere.excess(m), m};
+                      if (own.second == kNone || found < own) own = found;
                     }
+                    if (own.second == kNone) return;
+                    const std::lock_guard lock(mutex);
+                    if (deepest.second == kNone || own < deepest) deepest = own;
                   });
   cancel.throw_if_cancelled();
-  return first;
+  return deepest.second;
 }
 
 }  // namespace
@@ -127,12 +139,13 @@ std::optional<std::array<BallIndex, 4>> seed_tetrahedron(const BallSet& balls,
                z = static_cast<double>(v.z), square = x * x + y * y + z * z;
     if (square > 0) others.emplace_back(static_cast<double>(v.c) / std::sqrt(square), m);
   }
-  for (std::size_t count = 64;; count *= 4) {
-    const bool all = count >= others.size();
-    count = std::min(count, others.size());
-    std::nth_element(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count - 1),
-                     others.end());
-    for (std::size_t n = 0; n < count; ++n) taken.push_back(others[n].second);
+  constexpr std::size_t kNearest = 64;
+  const std::size_t nearest = std::min(kNearest, others.size());
+  std::nth_element(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(nearest - 1),
+                   others.end());
+  for (std::size_t n = 0; n < nearest; ++n) taken.push_back(others[n].second);
+  // Each pass takes at least one ball more. So this ends, at the latest with all of them.
+  for (;;) {
     std::sort(taken.begin(), taken.end());
     taken.erase(std::unique(taken.begin(), taken.end()), taken.end());
     BallSet few{balls.lattice, {}, {}};
@@ -159,13 +172,12 @@ std::optional<std::array<BallIndex, 4>> seed_tetrahedron(const BallSet& balls,
     std::sort(around.begin(), around.end(), [&](const auto& a, const auto& b) {
       return std::pair(size(a), a) < std::pair(size(b), b);
     });
-    constexpr std::size_t kTried = 8;
-    for (std::size_t n = 0; n < around.size() && (n < kTried || all); ++n) {
+    constexpr std::size_t kTried = 4;
+    for (std::size_t n = 0; n < around.size() && n < kTried; ++n) {
       const BallIndex m = conflict(balls, around[n], cancel);
       if (m == kNone) return around[n];
       taken.push_back(m);
     }
-    if (all) return std::nullopt;  // not reached: the balls taken are all that matter
   }
 }
 

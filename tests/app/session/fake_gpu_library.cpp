@@ -36,6 +36,9 @@ std::unique_ptr<Engine> make_tuple_engine(std::shared_ptr<const BallSet>, TupleO
   *why_not = "The fake GPU has no tuples.";
   return nullptr;
 }
+std::unique_ptr<DeviceTriangulator> make_triangulator() {
+  throw ExecutorFailed("The fake GPU makes no triangulations");
+}
 bool is_memory_unused() {
   return unused;
 }
@@ -43,8 +46,9 @@ void free_unused_memory() {
   unused = false;
 }
 
-[[maybe_unused]] constexpr GpuLibrary kTable = {device, make_executor, make_tuple_engine,
-                                                is_memory_unused, free_unused_memory};
+[[maybe_unused]] constexpr GpuLibrary kTable = {
+    device,           make_executor,     make_tuple_engine, make_triangulator,
+    is_memory_unused, free_unused_memory};
 
 }  // namespace
 }  // namespace alphascope

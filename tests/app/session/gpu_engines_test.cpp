@@ -62,6 +62,10 @@ void expect_unusable(const fs::path& place, const std::vector<std::string>& part
   why_not.clear();
   EXPECT_EQ(engines.make_tuple_engine(some_balls(), {}, why_not), nullptr);
   EXPECT_EQ(why_not, reason);
+  // Without a GPU there is no reason to tell.
+  why_not.clear();
+  EXPECT_EQ(engines.make_triangulator(why_not), nullptr);
+  EXPECT_EQ(why_not, "");
   EXPECT_FALSE(engines.is_memory_unused());
   engines.free_unused_memory();
 }
@@ -132,6 +136,8 @@ TEST(GpuEngines, LetTheCpuAnswerWhereTheLibraryDoesNot) {
   expect_route(-0.1, "(on the CPU: the fake GPU is lost)");
   EXPECT_EQ(engines.make_tuple_engine(balls, {}, why_not), nullptr);
   EXPECT_EQ(why_not, "The fake GPU has no tuples.");
+  EXPECT_EQ(engines.make_triangulator(why_not), nullptr);
+  EXPECT_EQ(why_not, "The fake GPU makes no triangulations");
   EXPECT_TRUE(engines.is_memory_unused());
   engines.free_unused_memory();
   EXPECT_FALSE(engines.is_memory_unused());
@@ -173,6 +179,7 @@ TEST(GpuEngines, LoadTheRealLibrary) {
   if (engine) {
     testing::expect_same(engine->compute({1}, {}), make_cpu_engine(balls)->compute({1}, {}));
     EXPECT_TRUE(engines.make_tuple_engine(balls, {}, why_not)) << why_not;
+    EXPECT_TRUE(engines.make_triangulator(why_not)) << why_not;
   } else {
     EXPECT_EQ(why_not, device.why_not);
     EXPECT_NE(why_not.find("NVIDIA"), std::string::npos) << why_not;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests that the proof of a hull accepts CGAL's triangulations and finds hulls that are open, dented
-// or doubled.
+// Tests that the proof of a hull accepts CGAL's triangulations and finds hulls that are open,
+// dented or doubled.
 #include "core/wrapping/hull_proof.hpp"
 
 #include <gtest/gtest.h>

@@ -130,9 +130,10 @@ function(alphascope_any_of list any)
   endforeach()
 endfunction()
 
-# Combines sources of TARGET in groups of at most SIZE, each from one folder and those below it. Core
-# without core/document counts as one folder. No group has two sources with the same private name. A source is compiled alone if a private name of
-# it is also in a header. Only functions may have the name of a function in a header. The two then
+# Combines sources of TARGET in groups of at most SIZE, each from one folder and those below it. The
+# library with the GPU engines takes whole objects of core, and must not get CGAL's. So folders are not
+# mixed, and sources that call CGAL are compiled alone. No group has two sources with the same private
+# name. A source is compiled alone if a private name of it is also in a header. Only functions may have the name of a function in a header. The two then
 # overload each other, and an ambiguous call does not compile.
 function(alphascope_unity target size)
   if(NOT ALPHASCOPE_UNITY)
@@ -157,6 +158,10 @@ function(alphascope_unity target size)
     if(folder MATCHES "^\\.\\." OR folder MATCHES "${alone}")
       continue()
     endif()
+    file(STRINGS ${source} calls_cgal REGEX "^#include \"core/triangulation/cgal_triangulation.hpp\"" LIMIT_COUNT 1)
+    if(calls_cgal AND NOT in_tests)
+      continue()
+    endif()
     alphascope_private_names(${source} functions others)
     set(seen_from ${folder})
     if(in_tests)  # they compile some sources of other folders again
@@ -176,9 +181,6 @@ function(alphascope_unity target size)
     endif()
     set(names ${functions} ${others})
     string(REGEX REPLACE "^([^/]+/[^/]+).*" "\\1" hall ${folder})
-    if(folder MATCHES "^core/" AND NOT folder MATCHES "^core/document/")
-      set(hall core)  # its folders are small
-    endif()
     string(REPLACE "/" "_" hall ${hall})
     set(n 1)
     while(TRUE)  # the first group with room and without these names

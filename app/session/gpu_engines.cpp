@@ -7,6 +7,7 @@
 
 #include "app/session/loaded_library.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/wrapping/seed.hpp"
 
 namespace alphascope {
 namespace {
@@ -68,7 +69,7 @@ std::unique_ptr<Engine> GpuEngines::make_tuple_engine(std::shared_ptr<const Ball
 std::unique_ptr<DeviceTriangulator> GpuEngines::make_triangulator(std::string& why_not) const {
   if (library_ == nullptr || !library_->device().usable) return nullptr;
   try {
-    return library_->make_triangulator();
+    return library_->make_triangulator(seed_tetrahedron);
   } catch (const std::exception& error) {
     why_not = error.what();
     return nullptr;

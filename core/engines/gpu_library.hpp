@@ -40,7 +40,7 @@ struct GpuLibrary {
   std::unique_ptr<Engine> (*make_tuple_engine)(std::shared_ptr<const BallSet> balls,
                                                TupleOptions tuples, std::string* why_not);
   // For a usable device only. Throws std::bad_alloc and ExecutorFailed.
-  std::unique_ptr<DeviceTriangulator> (*make_triangulator)();
+  std::unique_ptr<DeviceTriangulator> (*make_triangulator)(FindSeed find_seed);
   // Returns whether there is pinned memory of results that are no longer used. Fast.
   bool (*is_memory_unused)();
   // Frees that memory. Waits for the device, so it must not be called by the thread that draws.

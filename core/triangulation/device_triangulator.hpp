@@ -2,9 +2,12 @@
 // The interface of a device that makes regular triangulations.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <optional>
 
 #include "core/complex/triangulation.hpp"
+#include "core/geometry/ball_index.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/triangulation_report.hpp"
 
@@ -18,6 +21,12 @@ struct DeviceTriangulation {
   std::optional<Triangulation> triangulation;  // empty: report.why_not says why
   TriangulationReport report;
 };
+
+// Finds a tetrahedron of the triangulation with which a device can begin, as seed_tetrahedron()
+// does (core/wrapping/seed.hpp). The library of the device has no CGAL, so the program gives it
+// this.
+using FindSeed = std::function<std::optional<std::array<BallIndex, 4>>(const BallSet& balls,
+                                                                       const CancelToken& cancel)>;
 
 class DeviceTriangulator {
  public:

@@ -16,7 +16,6 @@
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/order_tetrahedra.hpp"
 #include "core/wrapping/hull_proof.hpp"
-#include "core/wrapping/seed.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "gpu/memory/prefix_sum.cuh"
@@ -102,7 +101,8 @@ double typical_weight(const BallSet& balls) {
 
 class GpuTriangulator : public DeviceTriangulator {
  public:
-  explicit GpuTriangulator(std::function<void(Uncertified&)> spoil) : spoil_(std::move(spoil)) {}
+  GpuTriangulator(FindSeed find_seed, std::function<void(Uncertified&)> spoil)
+      : find_seed_(std::move(find_seed)), spoil_(std::move(spoil)) {}
   ~GpuTriangulator() override { results_->close(); }
 
   DeviceTriangulation make(const BallSet& balls, const RunContext& context) override {
@@ -188,7 +188,7 @@ class GpuTriangulator : public DeviceTriangulator {
       if (within.fits && found.count > 0) return found;
       if (within.fits) break;
     }
-    const std::optional<std::array<BallIndex, 4>> seed = seed_tetrahedron(balls, cancel);
+    const std::optional<std::array<BallIndex, 4>> seed = find_seed_(balls, cancel);
     if (!seed) return std::nullopt;
     m.seed.reserve(4);
     check(cudaMemcpy(m.seed.get(), seed->data(), sizeof *seed, cudaMemcpyHostToDevice),
@@ -371,6 +371,7 @@ class GpuTriangulator : public DeviceTriangulator {
   };
   std::unique_ptr<Memory> memory_;
   std::shared_ptr<ResultMemory> results_ = std::make_shared<ResultMemory>();
+  FindSeed find_seed_;
   std::function<void(Uncertified&)> spoil_;  // of tests; else empty
 };
 
@@ -396,14 +397,14 @@ void GpuTriangulator::spoil(Wrapped& all) const {
 }  // namespace
 
 std::unique_ptr<DeviceTriangulator> make_spoilt_triangulator(
-    std::function<void(Uncertified&)> spoil) {
-  return std::make_unique<GpuTriangulator>(std::move(spoil));
+    FindSeed find_seed, std::function<void(Uncertified&)> spoil) {
+  return std::make_unique<GpuTriangulator>(std::move(find_seed), std::move(spoil));
 }
 
 }  // namespace gpu
 
-std::unique_ptr<DeviceTriangulator> make_gpu_triangulator() {
-  return gpu::make_spoilt_triangulator({});
+std::unique_ptr<DeviceTriangulator> make_gpu_triangulator(FindSeed find_seed) {
+  return gpu::make_spoilt_triangulator(std::move(find_seed), {});
 }
 
 }  // namespace alphascope

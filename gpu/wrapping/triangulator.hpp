@@ -13,7 +13,7 @@
 namespace alphascope {
 
 // For a usable device only. Throws std::bad_alloc and ExecutorFailed.
-std::unique_ptr<DeviceTriangulator> make_gpu_triangulator();
+std::unique_ptr<DeviceTriangulator> make_gpu_triangulator(FindSeed find_seed);
 
 namespace gpu {
 
@@ -24,7 +24,7 @@ struct Uncertified {
   std::vector<std::array<std::uint32_t, 4>> quads, neighbours;
 };
 std::unique_ptr<DeviceTriangulator> make_spoilt_triangulator(
-    std::function<void(Uncertified&)> spoil);
+    FindSeed find_seed, std::function<void(Uncertified&)> spoil);
 
 }  // namespace gpu
 }  // namespace alphascope

@@ -13,6 +13,7 @@
 
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/wrapping/seed.hpp"
 #include "gpu/wrapping/triangulator.hpp"
 #include "tests/bench/read_balls.hpp"
 
@@ -80,7 +81,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: alphascope_triangulation_bench RUNS FILE.balls[:SOLVENT]...\n");
     return 2;
   }
-  const auto triangulator = make_gpu_triangulator();
+  const auto triangulator = make_gpu_triangulator(seed_tetrahedron);
   bool equal = true;
   for (int n = 2; n < argc; ++n) {
     const std::string word = argv[n];

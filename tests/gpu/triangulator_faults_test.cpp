@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/wrapping/seed.hpp"
 #include "gpu/wrapping/triangulator.hpp"
 #include "tests/gpu/emulated/device.h"
 #include "tests/support/random_balls.hpp"
@@ -26,7 +27,7 @@ class GpuTriangulatorFaults : public ::testing::Test {
     const BallSet balls = testing::random_balls(random, 60, 300, 20, 150);
     const Triangulation expected = make_triangulation(balls, 1);
     for (int n = 0;; ++n) {
-      const auto triangulator = make_gpu_triangulator();
+      const auto triangulator = make_gpu_triangulator(seed_tetrahedron);
       fault(n);
       const DeviceTriangulation made = triangulator->make(balls, {});
       const bool met = emulated::faults_met() > 0;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/triangulation/cgal_triangulation.hpp"
+#include "core/wrapping/seed.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "tests/core/measure/measured_sets.hpp"
 #include "tests/support/random_balls.hpp"
@@ -26,7 +27,7 @@ class GpuTriangulator : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
-    triangulator_ = make_gpu_triangulator();
+    triangulator_ = make_gpu_triangulator(seed_tetrahedron);
   }
 
   void expect_cgal(const BallSet& balls) {
@@ -187,7 +188,8 @@ bool lose_a_ball(Uncertified& all) {
 std::string message_for(const std::function<void(Uncertified&)>& spoil) {
   Random random(84);
   const BallSet balls = testing::random_balls(random, 200, 400, 20, 200);
-  const DeviceTriangulation made = gpu::make_spoilt_triangulator(spoil)->make(balls, {});
+  const DeviceTriangulation made =
+      gpu::make_spoilt_triangulator(seed_tetrahedron, spoil)->make(balls, {});
   EXPECT_EQ(made.triangulation.has_value(), made.report.why_not.empty());
   return made.report.why_not;
 }
@@ -267,11 +269,14 @@ TEST_F(GpuTriangulator, FindsAFaceThatIsNotRegular) {
   BallSet equal = balls;
   for (auto& radius : equal.radii) radius = 100;
   Uncertified other;
-  ASSERT_TRUE(gpu::make_spoilt_triangulator([&](Uncertified& all) { other = all; })
-                  ->make(equal, {})
-                  .triangulation);
+  ASSERT_TRUE(
+      gpu::make_spoilt_triangulator(seed_tetrahedron, [&](Uncertified& all) { other = all; })
+          ->make(equal, {})
+          .triangulation);
   const DeviceTriangulation made =
-      gpu::make_spoilt_triangulator([&](Uncertified& all) { all = other; })->make(balls, {});
+      gpu::make_spoilt_triangulator(seed_tetrahedron, [&](Uncertified& all) {
+        all = other;
+      })->make(balls, {});
   EXPECT_TRUE(says(made.report.why_not, "faces that are not regular")) << made.report.why_not;
 }
 

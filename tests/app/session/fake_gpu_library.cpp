@@ -36,7 +36,7 @@ std::unique_ptr<Engine> make_tuple_engine(std::shared_ptr<const BallSet>, TupleO
   *why_not = "The fake GPU has no tuples.";
   return nullptr;
 }
-std::unique_ptr<DeviceTriangulator> make_triangulator() {
+std::unique_ptr<DeviceTriangulator> make_triangulator(FindSeed) {
   throw ExecutorFailed("The fake GPU makes no triangulations");
 }
 bool is_memory_unused() {

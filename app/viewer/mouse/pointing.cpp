@@ -14,6 +14,7 @@
 #include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"
+#include "ui/panels/window_settings.hpp"
 
 namespace alphascope {
 namespace {

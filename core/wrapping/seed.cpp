@@ -12,6 +12,7 @@
 
 #include "core/geometry/ball_set.hpp"
 #include "core/predicates/exact_alpha.hpp"
+#include "core/predicates/spanning_balls.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/wrapping/conflict.hpp"
@@ -23,25 +24,6 @@ namespace {
 IndexedBall indexed_ball(const BallSet& balls, BallIndex i) {
   const LatticePoint& p = balls.centres[i];
   return {p.x, p.y, p.z, balls.radii[i], i};
-}
-
-// Four balls whose centres are not in a plane, the first of them given. Fewer if all are in one.
-std::vector<BallIndex> spanning(const BallSet& balls, BallIndex first) {
-  std::vector<BallIndex> found{first};
-  LiftedInt j{}, k{};
-  for (BallIndex m = 0; m < balls.size() && found.size() < 4; ++m) {
-    const LiftedInt v = lifted_vector(balls, first, m);
-    const auto n = cross(j, v);
-    if (found.size() == 1 && (v.x != 0 || v.y != 0 || v.z != 0)) {
-      j = v;
-    } else if (found.size() == 2 && (n.x != 0 || n.y != 0 || n.z != 0)) {
-      k = v;
-    } else if (found.size() != 3 || orientation(j, k, v) == 0) {
-      continue;
-    }
-    found.push_back(m);
-  }
-  return found;
 }
 
 // Tells by doubles which balls certainly stay out of the orthosphere of a tetrahedron.
@@ -127,7 +109,7 @@ std::optional<std::array<BallIndex, 4>> seed_tetrahedron(const BallSet& balls,
   if (balls.size() < 4) return std::nullopt;
   const auto largest = std::max_element(balls.radii.begin(), balls.radii.end());
   const auto top = static_cast<BallIndex>(largest - balls.radii.begin());
-  std::vector<BallIndex> taken = spanning(balls, top);
+  std::vector<BallIndex> taken = spanning_balls(balls, top);
   if (taken.size() < 4) return std::nullopt;
 
   // By the distance of the radical plane, c / (2 |d|). Its rounding changes only the order.

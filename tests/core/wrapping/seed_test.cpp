@@ -36,7 +36,7 @@ TEST(Seed, IsATetrahedronOfTheTriangulation) {
     ++(expect_seed(set.balls) ? seeds : flat);
     if (HasFailure()) return;
   }
-  EXPECT_GT(seeds, 100);
+  EXPECT_GT(seeds, 50);
   EXPECT_GT(flat, 10);
 }
 

@@ -82,6 +82,9 @@ struct Wrapping::State {
   PinnedBuffer<std::uint32_t> host_number;
   PinnedBuffer<Quad> host_quads;
   PinnedBuffer<int4> host_balls;
+  // Targets of copies are members, because a copy may still come after a failure.
+  PinnedBuffer<float> host_gaps;
+  PinnedBuffer<BallIndex> host_index;
   Lattice lattice;
   LatticePoint low, high;
   std::int32_t max_radius = 1;
@@ -270,11 +273,12 @@ double Wrapping::small_gap() {
   const std::uint32_t samples = std::min(kSamples, s.n);
   s.gaps.reserve(kSamples);
   s.stream.each(find_gaps, samples, s.balls.get(), s.n, samples, s.gaps.get());
-  std::vector<float> gaps(samples);
-  s.stream.fetch(gaps.data(), s.gaps.get(), samples);
+  s.host_gaps.reserve(kSamples);
+  float* const gaps = s.host_gaps.get();
+  s.stream.fetch(gaps, s.gaps.get(), samples);
   s.stream.wait("measuring gaps");
-  const auto decile = gaps.begin() + static_cast<std::ptrdiff_t>(samples / 10);
-  std::nth_element(gaps.begin(), decile, gaps.end());
+  float* const decile = gaps + samples / 10;
+  std::nth_element(gaps, decile, gaps + samples);
   return static_cast<double>(*decile);
 }
 
@@ -373,8 +377,9 @@ void Wrapping::State::search_round(const Front& front, const SearchSpace& space,
 
 // Copies the tetrahedra after the known ones to the host.
 void Wrapping::State::bring(std::size_t known, std::size_t all, WrappingResult& result) {
-  std::vector<BallIndex> ball_of_slot(n);
-  stream.fetch(ball_of_slot.data(), index_sorted.get(), n);
+  host_index.reserve(n);
+  const BallIndex* const ball_of_slot = host_index.get();
+  stream.fetch(host_index.get(), index_sorted.get(), n);
   host_quads.reserve(all - known);
   stream.fetch(host_quads.get(), quads.get() + known, all - known);
   stream.wait("copying tetrahedra");

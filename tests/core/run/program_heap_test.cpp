@@ -49,6 +49,10 @@ TEST(ProgramHeap, HasLargePages) {
   };
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer has a heap of its own";
+#elif defined(__has_feature)  // clang
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+  GTEST_SKIP() << "a sanitizer has a heap of its own";
+#endif
 #endif
   EXPECT_EXIT(serve(), ::testing::ExitedWithCode(0), "");
 }

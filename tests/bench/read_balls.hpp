@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -65,6 +66,13 @@ inline BallSet read_xyzr(const std::string& path) {
 
 inline BallSet read_balls(const std::string& path) {
   return path.ends_with(".xyzr") ? read_xyzr(path) : read_ball_file(path);
+}
+
+// Reads FILE[:SOLVENT], and grows the balls by the solvent radius in Å.
+inline BallSet read_grown_balls(const std::string& word) {
+  const std::size_t colon = word.rfind(':');
+  const double solvent = colon == std::string::npos ? 0 : std::atof(word.c_str() + colon + 1);
+  return with_solvent(read_balls(word.substr(0, colon)), solvent);
 }
 
 }  // namespace alphascope::bench

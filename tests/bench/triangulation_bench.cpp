@@ -85,9 +85,7 @@ int main(int argc, char** argv) {
   bool equal = true;
   for (int n = 2; n < argc; ++n) {
     const std::string word = argv[n];
-    const std::size_t colon = word.rfind(':');
-    const double solvent = colon == std::string::npos ? 0 : std::atof(word.c_str() + colon + 1);
-    const BallSet balls = with_solvent(bench::read_balls(word.substr(0, colon)), solvent);
+    const BallSet balls = bench::read_grown_balls(word);
     equal = time_set(*triangulator, word, balls, std::atoi(argv[1])) && equal;
   }
   return equal ? 0 : 1;

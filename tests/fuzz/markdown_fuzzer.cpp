@@ -33,6 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
         require(row || !span.text.empty() || span.code);
     }
   }
-  require(bytes <= 3 * size);  // a byte 0 becomes a character of three
+  // A byte 0 becomes a character of three bytes, and a tab before code up to four spaces.
+  require(bytes <= 4 * size);
   return 0;
 }

@@ -5,13 +5,27 @@
 #include <bit>
 #include <memory>
 
+#include "app/session/gpu_engines.hpp"
 #include "app/session/system_memory.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/inputs.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 
 namespace alphascope::cli {
+namespace {
+
+// The start of a GPU takes as long as CGAL takes for this many balls.
+const std::shared_ptr<TriangulationMaker>& triangulations() {
+  constexpr std::size_t kWorthAStart = 200'000;
+  static const auto maker = std::make_shared<TriangulationMaker>(
+      [](std::string& why_not) { return GpuEngines::of_program().make_triangulator(why_not); },
+      kWorthAStart);
+  return maker;
+}
+
+}  // namespace
 
 Inputs derived_inputs(const Input& input, double solvent_radius_angstrom,
                       const Alpha& alpha_angstrom2) {
@@ -27,6 +41,7 @@ Inputs derived_inputs(const Input& input, double solvent_radius_angstrom,
   inputs.atoms =
       std::make_shared<const BallReferences>(input.opened.molecule, input.opened.prepared);
   inputs.alpha_angstrom2 = alpha_angstrom2;
+  inputs.triangulation_maker = triangulations();
   return inputs;
 }
 

@@ -31,6 +31,17 @@ const GpuLibrary& load_first(const std::vector<fs::path>& places) {
   return *reinterpret_cast<decltype(&alphascope_gpu_library)>(load_library(kGpu, places))();
 }
 
+std::unique_ptr<DeviceTriangulator> triangulator_of(const GpuLibrary* library,
+                                                    std::string& why_not) {
+  if (library == nullptr || !library->device().usable) return nullptr;
+  try {
+    return library->make_triangulator(seed_tetrahedron);
+  } catch (const std::exception& error) {
+    why_not = error.what();
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 const GpuEngines& GpuEngines::of_program() {
@@ -44,6 +55,8 @@ GpuEngines::GpuEngines(const std::vector<fs::path>& places) {
   } catch (const UnusableLibrary& error) {
     none_.why_not = error.what() + std::string(kFallback);
   }
+  triangulations_ = std::make_shared<TriangulationMaker>(
+      [library = library_](std::string& why_not) { return triangulator_of(library, why_not); });
 }
 
 const GpuDevice& GpuEngines::device() const {
@@ -53,9 +66,13 @@ const GpuDevice& GpuEngines::device() const {
 std::unique_ptr<Engine> GpuEngines::make_engine(std::shared_ptr<const BallSet> balls,
                                                 const EngineOptions& options,
                                                 std::string& why_not) const {
-  if (library_ != nullptr) return make_gpu_engine(*library_, std::move(balls), options, &why_not);
-  why_not = none_.why_not;
-  return nullptr;
+  if (library_ == nullptr) {
+    why_not = none_.why_not;
+    return nullptr;
+  }
+  EngineOptions with_device = options;
+  with_device.triangulations = triangulations_;
+  return make_gpu_engine(*library_, std::move(balls), with_device, &why_not);
 }
 
 std::unique_ptr<Engine> GpuEngines::make_tuple_engine(std::shared_ptr<const BallSet> balls,
@@ -67,13 +84,7 @@ std::unique_ptr<Engine> GpuEngines::make_tuple_engine(std::shared_ptr<const Ball
 }
 
 std::unique_ptr<DeviceTriangulator> GpuEngines::make_triangulator(std::string& why_not) const {
-  if (library_ == nullptr || !library_->device().usable) return nullptr;
-  try {
-    return library_->make_triangulator(seed_tetrahedron);
-  } catch (const std::exception& error) {
-    why_not = error.what();
-    return nullptr;
-  }
+  return triangulator_of(library_, why_not);
 }
 
 std::vector<fs::path> gpu_library_places(const fs::path& program) {

@@ -11,6 +11,7 @@
 #include "core/engine/engine.hpp"
 #include "core/engine/gpu_device.hpp"
 #include "core/engines/gpu_library.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 #include "core/tuples/tuple_options.hpp"
 
 namespace alphascope {
@@ -34,6 +35,9 @@ class GpuEngines {
                                             const TupleOptions& tuples, std::string& why_not) const;
   // Returns null if the GPU cannot be used. Sets `why_not` to the reason if there is a GPU.
   std::unique_ptr<DeviceTriangulator> make_triangulator(std::string& why_not) const;
+  // Makes triangulations on the GPU, or by CGAL where it cannot be used. Engines and derived
+  // results share it, and with it the memory on the GPU.
+  const std::shared_ptr<TriangulationMaker>& triangulations() const { return triangulations_; }
   // As in GpuLibrary.
   bool is_memory_unused() const { return library_ != nullptr && library_->is_memory_unused(); }
   void free_unused_memory() const {
@@ -43,6 +47,7 @@ class GpuEngines {
  private:
   const GpuLibrary* library_ = nullptr;  // never unloaded
   GpuDevice none_;                       // says why there is no library
+  std::shared_ptr<TriangulationMaker> triangulations_;
 };
 
 // Returns absolute paths at which the library of an executable may be. The environment variable

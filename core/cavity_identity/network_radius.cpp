@@ -16,8 +16,8 @@
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/membership.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 
 namespace alphascope {
 namespace {
@@ -128,8 +128,8 @@ class RadiusSearch {
     ++end_.triangulations;
     const double radius = radius_of(step);
     auto balls = std::make_shared<const BallSet>(with_solvent(balls_, radius));
-    auto triangulation =
-        std::make_shared<const Triangulation>(make_triangulation(*balls, search_.threads, quiet()));
+    auto triangulation = std::make_shared<const Triangulation>(
+        make_triangulation_by(search_.maker, *balls, search_.threads, quiet()));
     const auto ground = std::make_shared<const CavityGround>(
         make_cavity_ground(std::move(balls), std::move(triangulation), search_.ties, quiet()));
     const CavityParameters question{table_.question.alpha_angstrom2, radius, table_.question.rule};

@@ -2,6 +2,7 @@
 // The solvent radius at which a network falls apart, found with new triangulations.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -13,6 +14,7 @@ namespace alphascope {
 
 struct BallSet;
 struct CavityTable;
+class TriangulationMaker;
 
 // The stage name given to RunContext::progress.
 inline constexpr std::string_view kNetworkStage = "where networks fall apart";
@@ -37,8 +39,9 @@ struct NetworkEnd {
 };
 
 struct NetworkSearch {
-  int threads = 1;                      // for each triangulation
-  FlowTies ties = FlowTies::perturbed;  // as for the ground of the table
+  std::shared_ptr<TriangulationMaker> maker = {};  // of triangulations; null: CGAL
+  int threads = 1;                                 // for each triangulation of CGAL
+  FlowTies ties = FlowTies::perturbed;             // as for the ground of the table
 };
 
 // `cavity` is the index in table.found.cavities of a network. `balls` are those of the table

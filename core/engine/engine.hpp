@@ -17,6 +17,7 @@ namespace alphascope {
 
 struct RunContext;
 struct UnionMeasures;
+class TriangulationMaker;
 
 struct AlphaRequest {
   Alpha alpha_angstrom2;         // Å²; any but NaN
@@ -80,6 +81,8 @@ struct EngineOptions {
   int threads = 0;
   // Threads shared with others. Null: the engine makes `threads` threads of its own.
   std::shared_ptr<WorkThreads> shared = {};
+  // Makes whole triangulations, for engines other than CGAL's. Null: CGAL makes them.
+  std::shared_ptr<TriangulationMaker> triangulations = {};
 
   std::shared_ptr<WorkThreads> work_threads() const {
     return shared ? shared : std::make_shared<WorkThreads>(threads);
@@ -88,14 +91,14 @@ struct EngineOptions {
 
 // Both functions throw std::length_error for more balls than can be handled (count_limits.hpp).
 
-// Clips dual edges for small alpha, and uses CGAL's triangulation where that is faster. Answers
+// Clips dual edges for small alpha, and uses the whole triangulation where that is faster. Answers
 // from a filtration where one is known. (core/engines/cpu_engine.cpp)
 std::unique_ptr<Engine> make_cpu_engine(std::shared_ptr<const BallSet> balls,
                                         EngineOptions options = {});
 
 // CGAL's Regular_triangulation_3 (its parallel code for three threads or more and some thousand
-// balls), then classification. All other engines are compared with this one.
-// (core/engines/cgal_engine.cpp)
+// balls), then classification. All other engines are compared with this one. It always uses CGAL
+// for triangulations, and ignores EngineOptions::triangulations. (core/engines/cgal_engine.cpp)
 std::unique_ptr<Engine> make_cgal_engine(std::shared_ptr<const BallSet> balls,
                                          EngineOptions options = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The CPU engine. It clips dual edges while alpha is small, and uses CGAL's triangulation where
+// The CPU engine. It clips dual edges while alpha is small, and uses the whole triangulation where
 // that is faster (route.hpp). Where a filtration is known, it takes a threshold.
 
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "core/dual_edge/cpu_dual_edges.hpp"
 #include "core/engine/engine.hpp"
 #include "core/engines/answers_from_known.hpp"
+#include "core/engines/by_triangulation.hpp"
 #include "core/engines/route.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/neighbours/coincident.hpp"
@@ -20,9 +21,9 @@ namespace {
 class CpuEngine : public Engine {
  public:
   CpuEngine(std::shared_ptr<const BallSet> balls, EngineOptions options)
-      : balls_(std::move(balls)), options_(options), threads_(options.work_threads()) {
-    options_.shared = threads_;  // the CGAL engine works on them, too
-  }
+      : balls_(std::move(balls)),
+        triangulations_(std::move(options.triangulations)),
+        threads_(options.work_threads()) {}
 
   AlphaComplex compute(const AlphaRequest& request, KnownResults& known,
                        const RunContext& context) override {
@@ -65,8 +66,9 @@ class CpuEngine : public Engine {
     context.report(stage::kGrid, 0);
     if (!std::isfinite(alpha.below)) return triangulated(request, known, context, timer);
     const UniformGrid grid = make_uniform_grid(*balls_, alpha, *hidden_);
-    const Route route = choose_route(
-        grid, {threads_->used(), request.tetrahedra_only, known.triangulation != nullptr});
+    const Route route =
+        choose_route(grid, {threads_->used(), request.tetrahedra_only,
+                            known.triangulation != nullptr || triangulations_ != nullptr});
     timer.lap(stage::kGrid);
     if (route == Route::triangulate) return triangulated(request, known, context, timer);
     AlphaComplex complex = clipped(grid, alpha, request.tetrahedra_only, context, timer);
@@ -93,13 +95,12 @@ class CpuEngine : public Engine {
 
   AlphaComplex triangulated(const AlphaRequest& request, KnownResults& known,
                             const RunContext& context, StageTimer& timer) const {
-    AlphaComplex complex = make_cgal_engine(balls_, options_)->compute(request, known, context);
-    timer.adopt(complex.timings);
-    return complex;
+    return compute_by_triangulation({balls_, triangulations_, threads_->asked()}, request, known,
+                                    context, timer);
   }
 
   std::shared_ptr<const BallSet> balls_;
-  EngineOptions options_;
+  std::shared_ptr<TriangulationMaker> triangulations_;
   std::shared_ptr<WorkThreads> threads_;
   std::optional<std::vector<bool>> hidden_;
 };

@@ -12,6 +12,7 @@
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope {
 namespace {
@@ -164,8 +165,11 @@ class EngineOfExecutors : public Engine {
     release_memory();
     why_not_whole_ = why;
     if (!cpu_) cpu_ = make_cpu_engine(balls_, options_);
+    const bool had_triangulation = known.triangulation != nullptr;
     AlphaComplex complex = cpu_->compute(request, known, context);
-    complex.engine.route += " (on the CPU: " + why + ")";
+    const bool by_device =
+        !had_triangulation && known.triangulation && made_by_device(*known.triangulation);
+    complex.engine.route += (by_device ? " (the rest on the CPU: " : " (on the CPU: ") + why + ")";
     return complex;
   }
 

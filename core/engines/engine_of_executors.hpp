@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Engines made of executors, which compute on a device. Only this code decides what happens when an
 // executor fails or its memory is short. First the set is cut into ever more slabs, then the CPU
-// engine computes. An executor knows nothing of this. It computes its balls, or says that it
-// cannot.
+// engine computes. That can still take whole triangulations from the device
+// (EngineOptions::triangulations). An executor knows nothing of this. It computes its balls, or
+// says that it cannot.
 #pragma once
 
 #include <functional>
@@ -40,7 +41,8 @@ using MakeExecutor = std::function<std::unique_ptr<Executor>(std::shared_ptr<con
 // An engine that answers every request, even where its executors cannot. It remembers how many
 // slabs were needed. It tries fewer for smaller requests, and once in a while, because another
 // program may have freed memory. EngineInfo::route tells how it was done: "..., in 4 slabs", "...
-// (on the CPU: the GPU's memory is full)".
+// (on the CPU: the GPU's memory is full)", "regular triangulation on NVIDIA H200, filtration, then
+// threshold (the rest on the CPU: beyond the GPU kernels' limits)".
 std::unique_ptr<Engine> make_engine_of_executors(std::shared_ptr<const BallSet> balls,
                                                  EngineOptions options, MakeExecutor make);
 

@@ -12,7 +12,8 @@ enum class Route { clip_dual_edges, triangulate };
 struct RouteInput {
   int threads = 1;
   bool tetrahedra_only = false;
-  bool has_triangulation = false;  // then only the steps after it cost
+  // The triangulation is known, or a device makes it in little time. Only the steps after it cost.
+  bool has_triangulation = false;
 };
 
 // True when the differences of neighbours stay within the clipping kernels' range.

@@ -11,8 +11,6 @@
 namespace alphascope {
 namespace {
 
-// With fewer balls CGAL takes some milliseconds only.
-constexpr std::size_t kWorthBalls = 2000;
 // The memory for more balls is freed after each triangulation, because engines need it.
 constexpr std::size_t kKeptBalls = 250'000;
 
@@ -35,7 +33,7 @@ DeviceTriangulation TriangulationMaker::make_on_device(const BallSet& balls,
 Triangulation TriangulationMaker::make(const BallSet& balls, int threads,
                                        const RunContext& context) {
   DeviceTriangulation made;
-  if (balls.size() >= kWorthBalls) made = make_on_device(balls, context);
+  if (balls.size() >= least_balls_) made = make_on_device(balls, context);
   Triangulation result;
   TriangulationReport report = std::move(made.report);
   if (made.triangulation) {
@@ -53,6 +51,11 @@ Triangulation TriangulationMaker::make(const BallSet& balls, int threads,
   }
   result.report = std::make_shared<const TriangulationReport>(std::move(report));
   return result;
+}
+
+Triangulation make_triangulation_by(const std::shared_ptr<TriangulationMaker>& maker,
+                                    const BallSet& balls, int threads, const RunContext& context) {
+  return maker ? maker->make(balls, threads, context) : make_triangulation(balls, threads, context);
 }
 
 }  // namespace alphascope

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes triangulations on a device where there is one, else by CGAL. Both have the same bytes.
+// Engines, derived results and searches take a maker; null stands for CGAL.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -21,19 +23,29 @@ class TriangulationMaker {
   // Called at the first triangulation. Returns null if there is no device, and may set `why_not`:
   // why one that is there cannot be used.
   using MakeDevice = std::function<std::unique_ptr<DeviceTriangulator>(std::string& why_not)>;
-  explicit TriangulationMaker(MakeDevice make_device) : make_device_(std::move(make_device)) {}
+  // CGAL makes those with fewer balls than `least_balls`.
+  explicit TriangulationMaker(MakeDevice make_device, std::size_t least_balls = kWorthBalls)
+      : make_device_(std::move(make_device)), least_balls_(least_balls) {}
 
   // `threads` as in make_triangulation(). The result has a report. Throws Cancelled, and
   // std::length_error for more balls or tetrahedra than can be handled.
   Triangulation make(const BallSet& balls, int threads, const RunContext& context);
 
  private:
+  // With fewer balls CGAL takes some milliseconds only.
+  static constexpr std::size_t kWorthBalls = 2000;
+
   DeviceTriangulation make_on_device(const BallSet& balls, const RunContext& context);
 
   std::mutex mutex_;
   MakeDevice make_device_;  // empty once it was called
+  const std::size_t least_balls_;
   std::unique_ptr<DeviceTriangulator> device_;
   std::string no_device_;
 };
+
+// As TriangulationMaker::make(). By CGAL if there is no maker.
+Triangulation make_triangulation_by(const std::shared_ptr<TriangulationMaker>& maker,
+                                    const BallSet& balls, int threads, const RunContext& context);
 
 }  // namespace alphascope

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/complex/triangulation.hpp"
 #include "core/run/stage_timer.hpp"
 
 namespace alphascope {
@@ -21,5 +22,10 @@ struct TriangulationReport {
   std::uint64_t needed = 0;      // balls that the next tetrahedra can have
   std::uint64_t rounds = 0;      // of wrapping
 };
+
+// Whether a device made it, so that its equality with CGAL's triangulation is evidence.
+inline bool made_by_device(const Triangulation& triangulation) {
+  return triangulation.report && !triangulation.report->by_cgal;
+}
 
 }  // namespace alphascope

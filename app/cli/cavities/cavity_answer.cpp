@@ -21,6 +21,7 @@
 #include "core/predicates/flow_predicate.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/text/grouped_number.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -58,8 +59,11 @@ void fill(CavityAnswer& answer, const CavitiesOptions& options, int threads,
   const auto made = [&](const auto& definition) {
     return evaluator.evaluate(definition, inputs, context);
   };
-  made(whole_triangulation());
+  const auto triangulation = made(whole_triangulation());
   timer.lap(stage::kTriangulation, true);
+  if (made_by_device(*triangulation)) {
+    answer.device += ", triangulation on " + triangulation->report->maker;
+  }
   made(cavity_ground());
   timer.lap(stage::kFlow, true);
   answer.all = made(cavity_table());

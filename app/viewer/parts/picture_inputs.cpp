@@ -22,9 +22,6 @@ PictureInputs::PictureInputs(const ViewState& state, const Session& session,
       marks_(marks),
       store_(store),
       due_(due),
-      on_device_(std::make_shared<TriangulationMaker>([](std::string& why_not) {
-        return GpuEngines::of_program().make_triangulator(why_not);
-      })),
       by_cgal_(std::make_shared<TriangulationMaker>(nullptr)) {}
 
 // Whether derived results may take the balls of the new picture as inputs. While the solvent radius
@@ -63,7 +60,8 @@ void PictureInputs::follow_picture() {
     take(shown);
   }
   if (inputs_.balls) {
-    inputs_.triangulation_maker = computes_on_gpu() ? on_device_ : by_cgal_;
+    inputs_.triangulation_maker =
+        computes_on_gpu() ? GpuEngines::of_program().triangulations() : by_cgal_;
     inputs_.split_networks = state_.settings.cavity_settings.split_networks;
     inputs_.complex = nullptr;
     inputs_.measures = nullptr;

@@ -24,9 +24,10 @@ std::shared_ptr<const FoundNetworkEnd> make_end(const Inputs& in,
   const BallSet balls = balls_without_solvent(in);
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (table.sink(row) != sink) continue;
-    return std::make_shared<const FoundNetworkEnd>(
-        FoundNetworkEnd{sink, find_network_end(balls, table, table.order[row],
-                                               {in.triangulation_threads, in.flow_ties}, context)});
+    return std::make_shared<const FoundNetworkEnd>(FoundNetworkEnd{
+        sink, find_network_end(balls, table, table.order[row],
+                               {in.triangulation_maker, in.triangulation_threads, in.flow_ties},
+                               context)});
   }
   throw std::invalid_argument("there is no such cavity");
 }

@@ -7,7 +7,6 @@
 #include "core/engine/known_results.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/freed_memory.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/memory_need.hpp"
 #include "core/triangulation/triangulation_maker.hpp"
@@ -24,13 +23,10 @@ const Definition<Triangulation>& whole_triangulation() {
        .keep_stale = false},
       [](const Inputs& in, const RunContext& context) {
         constexpr std::size_t kManyBalls = 100'000;
-        auto made = std::make_shared<const Triangulation>(
-            in.triangulation_maker
-                ? in.triangulation_maker->make(*in.balls, in.triangulation_threads, context)
-                : make_triangulation(*in.balls, in.triangulation_threads, context));
+        auto made = std::make_shared<const Triangulation>(make_triangulation_by(
+            in.triangulation_maker, *in.balls, in.triangulation_threads, context));
         // CGAL's triangulation took four times as much memory, in small pieces.
-        const bool by_cgal = !made->report || made->report->by_cgal;
-        if (by_cgal && in.balls->size() > kManyBalls) return_freed_memory();
+        if (!made_by_device(*made) && in.balls->size() > kManyBalls) return_freed_memory();
         return made;
       }};
   return definition;

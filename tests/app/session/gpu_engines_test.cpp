@@ -14,6 +14,7 @@
 
 #include "core/complex/compare.hpp"
 #include "core/run/library_build.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
 
@@ -49,6 +50,13 @@ std::shared_ptr<const BallSet> some_balls() {
   return std::make_shared<const BallSet>(testing::random_balls(random, 60, 4000, 500, 900));
 }
 
+// The reason why CGAL made the triangulation of many balls; empty if there is no GPU.
+std::string why_not_triangulated(const GpuEngines& engines) {
+  testing::Random random(4);
+  const BallSet many = testing::random_balls(random, 2500, 4000, 100, 200);
+  return engines.triangulations()->make(many, 1, {}).report->why_not;
+}
+
 // The library at `place` gives no engine, and its reason has all of `parts`.
 void expect_unusable(const fs::path& place, const std::vector<std::string>& parts) {
   const GpuEngines engines({place});
@@ -62,10 +70,7 @@ void expect_unusable(const fs::path& place, const std::vector<std::string>& part
   why_not.clear();
   EXPECT_EQ(engines.make_tuple_engine(some_balls(), {}, why_not), nullptr);
   EXPECT_EQ(why_not, reason);
-  // Without a GPU there is no reason to tell.
-  why_not.clear();
-  EXPECT_EQ(engines.make_triangulator(why_not), nullptr);
-  EXPECT_EQ(why_not, "");
+  EXPECT_EQ(why_not_triangulated(engines), "") << "without a GPU there is no reason to tell";
   EXPECT_FALSE(engines.is_memory_unused());
   engines.free_unused_memory();
 }
@@ -136,8 +141,7 @@ TEST(GpuEngines, LetTheCpuAnswerWhereTheLibraryDoesNot) {
   expect_route(-0.1, "(on the CPU: the fake GPU is lost)");
   EXPECT_EQ(engines.make_tuple_engine(balls, {}, why_not), nullptr);
   EXPECT_EQ(why_not, "The fake GPU has no tuples.");
-  EXPECT_EQ(engines.make_triangulator(why_not), nullptr);
-  EXPECT_EQ(why_not, "The fake GPU makes no triangulations");
+  EXPECT_EQ(why_not_triangulated(engines), "The fake GPU makes no triangulations");
   EXPECT_TRUE(engines.is_memory_unused());
   engines.free_unused_memory();
   EXPECT_FALSE(engines.is_memory_unused());
@@ -179,7 +183,7 @@ TEST(GpuEngines, LoadTheRealLibrary) {
   if (engine) {
     testing::expect_same(engine->compute({1}, {}), make_cpu_engine(balls)->compute({1}, {}));
     EXPECT_TRUE(engines.make_tuple_engine(balls, {}, why_not)) << why_not;
-    EXPECT_TRUE(engines.make_triangulator(why_not)) << why_not;
+    EXPECT_EQ(why_not_triangulated(engines), "");
   } else {
     EXPECT_EQ(why_not, device.why_not);
     EXPECT_NE(why_not.find("NVIDIA"), std::string::npos) << why_not;

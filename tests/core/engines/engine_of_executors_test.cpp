@@ -11,9 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "core/complex/triangulation.hpp"
+#include "core/engine/known_results.hpp"
 #include "core/measure/union_measures.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 #include "tests/support/expect_same.hpp"
 #include "tests/support/random_balls.hpp"
+#include "tests/support/stand_in_triangulator.hpp"
 
 namespace alphascope {
 namespace {
@@ -143,6 +147,53 @@ TEST_F(ShortOfMemory, TheCpuComputesWhatIsBeyondTheLimits) {
   device_.beyond = true;  // for a slab
   EXPECT_NE(route(2e5).find("beyond the GPU kernels' limits"), std::string::npos);
   EXPECT_THROW(engine_->compute({std::nan("")}, {}), std::invalid_argument);
+}
+
+// At a large alpha only the triangulation comes from the device. It is the device's own, so CGAL's
+// complex is independent of it.
+TEST_F(ShortOfMemory, TheDeviceMakesTheTriangulationOfWhatIsBeyondTheLimits) {
+  testing::TriangulatorCalls calls;
+  for (const std::string why_not : {"", "it is tired"}) {
+    const auto maker = std::make_shared<TriangulationMaker>(
+        [&](std::string&) {
+          return std::make_unique<testing::StandInTriangulator>(calls, why_not);
+        },
+        1);
+    device_.beyond = true;
+    engine_ = make_engine_of_executors(balls_, {1, {}, maker}, [this](auto balls) {
+      return std::make_unique<SmallExecutor>(std::move(balls), device_);
+    });
+    constexpr double kAll = 1e12;
+    KnownResults known;
+    for (const bool tetrahedra_only : {true, false}) {
+      const AlphaComplex found = engine_->compute({kAll, tetrahedra_only}, known, {});
+      testing::expect_same(found,
+                           make_cgal_engine(balls_, {1})->compute({kAll, tetrahedra_only}, {}));
+      EXPECT_EQ(found.engine.rests_on_cgal, !why_not.empty());
+      const std::string all =
+          why_not.empty()
+              ? "regular triangulation on a device, then threshold (the rest on the CPU: "
+              : "regular triangulation, then threshold (on the CPU: ";
+      const std::string more =
+          "filtration of the whole triangulation, then threshold (on the CPU: ";
+      EXPECT_EQ(found.engine.route,
+                (tetrahedra_only ? all : more) + "beyond the GPU kernels' limits)");
+    }
+    EXPECT_EQ(calls.asked, why_not.empty() ? 1 : 2);
+  }
+  // CGAL's engine is the reference, and stays it.
+  const AlphaComplex reference =
+      make_cgal_engine(balls_, {1,
+                                {},
+                                std::make_shared<TriangulationMaker>(
+                                    [&](std::string&) {
+                                      return std::make_unique<testing::StandInTriangulator>(calls,
+                                                                                            "");
+                                    },
+                                    1)})
+          ->compute({100}, {});
+  EXPECT_TRUE(reference.engine.rests_on_cgal);
+  EXPECT_EQ(calls.asked, 2);
 }
 
 TEST_F(ShortOfMemory, SaysWhyADeviceDoesNoMoreThanCompute) {

@@ -7,35 +7,12 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 #include "tests/support/random_balls.hpp"
+#include "tests/support/stand_in_triangulator.hpp"
 
 namespace alphascope {
 namespace {
-
-struct Calls {
-  int made = 0, asked = 0, released = 0;
-};
-
-// A device whose triangulations are CGAL's, or which makes none.
-class Device : public DeviceTriangulator {
- public:
-  Device(Calls& calls, std::string why_not) : calls_(calls), why_not_(std::move(why_not)) {}
-  DeviceTriangulation make(const BallSet& balls, const RunContext& context) override {
-    ++calls_.asked;
-    context.cancel.throw_if_cancelled();
-    DeviceTriangulation made;
-    made.report.maker = "a device";
-    made.report.rounds = 3;
-    made.report.why_not = why_not_;
-    if (why_not_.empty()) made.triangulation = make_triangulation(balls, 1);
-    return made;
-  }
-  void release_memory() override { ++calls_.released; }
-
- private:
-  Calls& calls_;
-  std::string why_not_;
-};
 
 class TriangulationMakerTest : public ::testing::Test {
  protected:
@@ -46,11 +23,10 @@ class TriangulationMakerTest : public ::testing::Test {
   }
   TriangulationMaker maker(const std::string& why_not = {}) {
     return TriangulationMaker([this, why_not](std::string&) {
-      ++calls_.made;
-      return std::make_unique<Device>(calls_, why_not);
+      return std::make_unique<testing::StandInTriangulator>(calls_, why_not);
     });
   }
-  Calls calls_;
+  testing::TriangulatorCalls calls_;
   BallSet many_, few_;
 };
 
@@ -75,6 +51,21 @@ TEST_F(TriangulationMakerTest, CgalMakesThoseOfFewBalls) {
   EXPECT_EQ(made.report->why_not, "");
   EXPECT_GT(made.report->timings.wall_milliseconds, 0);
   EXPECT_EQ(calls_.made, 0);
+}
+
+TEST_F(TriangulationMakerTest, ADeviceThatIsSlowToStartIsUsedForMoreBallsOnly) {
+  TriangulationMaker slow(
+      [](std::string& why_not) {
+        why_not = "it was asked";
+        return nullptr;
+      },
+      many_.size() + 1);
+  EXPECT_EQ(slow.make(many_, 1, {}).report->why_not, "");
+}
+
+TEST_F(TriangulationMakerTest, IsNotNeeded) {
+  EXPECT_TRUE(make_triangulation_by(nullptr, many_, 1, {}) == make_triangulation(many_, 1));
+  EXPECT_FALSE(made_by_device(make_triangulation_by(nullptr, many_, 1, {})));
 }
 
 TEST_F(TriangulationMakerTest, SaysWhyTheDeviceDidNot) {

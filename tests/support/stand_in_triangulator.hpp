@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A device for tests: its triangulations are CGAL's, or it makes none and says why.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "core/geometry/ball_set.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/device_triangulator.hpp"
+
+namespace alphascope::testing {
+
+struct TriangulatorCalls {
+  int made = 0, asked = 0, released = 0;
+};
+
+class StandInTriangulator : public DeviceTriangulator {
+ public:
+  StandInTriangulator(TriangulatorCalls& calls, std::string why_not)
+      : calls_(calls), why_not_(std::move(why_not)) {
+    ++calls_.made;
+  }
+  DeviceTriangulation make(const BallSet& balls, const RunContext& context) override {
+    ++calls_.asked;
+    context.cancel.throw_if_cancelled();
+    DeviceTriangulation made;
+    made.report.maker = "a device";
+    made.report.rounds = 3;
+    made.report.why_not = why_not_;
+    if (why_not_.empty()) made.triangulation = make_triangulation(balls, 1);
+    return made;
+  }
+  void release_memory() override { ++calls_.released; }
+
+ private:
+  TriangulatorCalls& calls_;
+  std::string why_not_;
+};
+
+}  // namespace alphascope::testing

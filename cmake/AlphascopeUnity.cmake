@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compiles sources of a folder some twenty at a time. Most compile time goes into templates of the
-# standard library, which neighbouring sources share. GCC takes 0.7 s to read precompiled headers. So
-# combining sources halves the compile time of core/, app/, ui/ and tests. Sources may then depend on each other unnoticed.
-# check_sources, check_includes and builds without this option find such cases. Off by default with ccache, which
-# would find a source only together with the same neighbours. The presets ci, asan and tsan always
-# combine, because their builds begin from nothing.
+# Compiles some twenty sources of a folder at once. Most compile time goes into templates of the
+# standard library, which neighbouring sources share, and GCC takes 0.7 s or more to read precompiled
+# headers. So combining halves the compile time of core/, app/, ui/ and tests. Sources may then depend
+# on each other unnoticed. check_sources, check_includes and builds without this option find such
+# cases. Off by default with ccache, which would find a source only together with the same neighbours.
+# The presets ci, asan and tsan always combine, because their builds begin from nothing.
 set(by_default ON)
 # Off also where every warning is an error: one build has to compile each source alone.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR ALPHASCOPE_STRICT)
@@ -148,8 +148,9 @@ endfunction()
 # Combines sources of TARGET in groups of at most SIZE, each from one folder and those below it. The
 # library with the GPU engines takes whole objects of core, and must not get CGAL's. So folders are not
 # mixed, and sources that call CGAL are compiled alone. No group has two sources with the same private
-# name, except for the same alias. A source is compiled alone if a private name of it is also in a header. Only functions may have the name of a function in a header. The two then
-# overload each other, and an ambiguous call does not compile.
+# name, except for the same alias. A source is compiled alone if a private name of it is also in a
+# header. Only functions may have the name of a function in a header. The two then overload each
+# other, and an ambiguous call does not compile.
 function(alphascope_unity target size)
   if(NOT ALPHASCOPE_UNITY)
     return()

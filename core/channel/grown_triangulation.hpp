@@ -41,11 +41,6 @@ int passage_digits(const BallSet& balls, const std::vector<RealPoint>& ends_angs
 // The same balls on that lattice, rounded if their own is finer.
 BallSet on_passage_lattice(const BallSet& balls, const std::vector<RealPoint>& ends_angstrom);
 
-inline std::int64_t square_distance(const LatticePoint& a, const LatticePoint& b) {
-  const std::int64_t x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
-  return x * x + y * y + z * z;
-}
-
 // A ball that touches the plane from behind. `from` is outside it by at most a lattice unit.
 struct Wall {
   LatticePoint centre;

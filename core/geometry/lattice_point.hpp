@@ -17,4 +17,10 @@ struct LatticePoint {
   friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
 };
 
+// The square of the distance. Exact, because differences fit 31 bits.
+inline std::int64_t square_distance(const LatticePoint& a, const LatticePoint& b) {
+  const std::int64_t x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+  return x * x + y * y + z * z;
+}
+
 }  // namespace alphascope

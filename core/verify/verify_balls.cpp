@@ -21,12 +21,6 @@ namespace {
 constexpr double kBeyondDistances = 4611686018427387904.0;  // 2^62 > 3 (2^30)²
 constexpr double kBeyondWeights = 4503599627370496.0;       // 2^52
 
-std::int64_t squared_length(const LatticePoint& p, const LatticePoint& q) {
-  const std::int64_t x = std::int64_t{q.x} - p.x, y = std::int64_t{q.y} - p.y,
-                     z = std::int64_t{q.z} - p.z;
-  return x * x + y * y + z * z;
-}
-
 Int128 fixed(std::int64_t square_units) {
   return Int128{square_units} << 20;
 }
@@ -89,7 +83,7 @@ bool VerifyBalls::empty(BallIndex i) const {
 bool VerifyBalls::may_touch(BallIndex i, BallIndex m) const {
   if (all_touch_) return true;
   const Int128 sum = fixed(balls_.weight(i) + balls_.weight(m)) + 2 * fixed_alpha_;
-  return fixed(squared_length(balls_.centres[i], balls_.centres[m])) <= 2 * sum;
+  return fixed(square_distance(balls_.centres[i], balls_.centres[m])) <= 2 * sum;
 }
 
 void VerifyBalls::around(BallIndex i, std::vector<BallIndex>& found) const {
@@ -104,7 +98,7 @@ void VerifyBalls::around(BallIndex i, std::vector<BallIndex>& found) const {
            ++place) {
         const BallIndex m = place->ball;
         if (m == i || !may_touch(i, m)) continue;
-        by_distance.emplace_back(squared_length(balls_.centres[i], balls_.centres[m]), m);
+        by_distance.emplace_back(square_distance(balls_.centres[i], balls_.centres[m]), m);
       }
     }
   }

@@ -343,14 +343,17 @@ class GpuTriangulator : public DeviceTriangulator {
     stream.wait("certifying a triangulation");
   }
   static std::string failure(const CertificateCounts& counts) {
-    std::string text = "the certificate of the triangulation failed:";
-    const auto add = [&](std::uint32_t count, const char* what) {
-      if (count > 0) text += ' ' + std::to_string(count) + what;
+    std::string text = "the certificate of the triangulation failed;";
+    const char* separator = " ";
+    const auto add = [&](const char* what, std::uint32_t count) {
+      if (count == 0) return;
+      text += separator + std::string(what) + ": " + std::to_string(count);
+      separator = ", ";
     };
-    add(counts.cells, " tetrahedra flat or turned");
-    add(counts.pairs, " wrong neighbours");
-    add(counts.irregular, " faces that are not regular");
-    add(counts.unproven, " balls neither in a tetrahedron nor hidden");
+    add("tetrahedra that are flat or turned", counts.cells);
+    add("wrong neighbours", counts.pairs);
+    add("faces that are not regular", counts.irregular);
+    add("balls neither in a tetrahedron nor hidden", counts.unproven);
     return text;
   }
 

@@ -205,7 +205,7 @@ TEST_F(GpuTriangulator, FindsALostBall) {
   bool lost = false;
   const std::string message = message_for([&](Uncertified& all) { lost = lose_a_ball(all); });
   EXPECT_TRUE(lost);
-  EXPECT_TRUE(says(message, "1 balls neither in a tetrahedron nor hidden")) << message;
+  EXPECT_TRUE(says(message, "balls neither in a tetrahedron nor hidden: 1")) << message;
 }
 
 TEST_F(GpuTriangulator, FindsWrongNeighbours) {
@@ -259,7 +259,7 @@ TEST_F(GpuTriangulator, FindsADoubleCover) {
 TEST_F(GpuTriangulator, FindsATurnedTetrahedron) {
   const std::string message =
       message_for([](Uncertified& all) { all.quads[all.quads.size() / 2][0] ^= kNegative; });
-  EXPECT_TRUE(says(message, "1 tetrahedra flat or turned")) << message;
+  EXPECT_TRUE(says(message, "tetrahedra that are flat or turned: 1")) << message;
 }
 
 // The triangulation is the regular one of other weights.

@@ -12,6 +12,7 @@
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 #include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope {
@@ -133,7 +134,8 @@ class EngineOfExecutors : public Engine {
       } catch (const std::bad_alloc&) {
         whole_.reset();
         const bool held_more = std::exchange(holds_more_, false);  // freed with whole_
-        if (!held_more && !slabs_.refused(request)) throw;
+        const bool kept = options_.triangulations && options_.triangulations->release_memory();
+        if (!held_more && !kept && !slabs_.refused(request)) throw;
       }
     }
   }

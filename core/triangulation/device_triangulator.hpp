@@ -36,6 +36,10 @@ class DeviceTriangulator {
   // failed device, too little memory and a failed certificate are reported in `why_not`.
   virtual DeviceTriangulation make(const BallSet& balls, const RunContext& context) = 0;
 
+  // Whether the memory that is kept for the next call takes room that others may need: less than
+  // half of the device's memory is free.
+  virtual bool takes_much_room() = 0;
+
   // Frees the memory that is kept for the next call. May wait for the device. Two threads must not
   // call it at once, nor together with make().
   virtual void release_memory() = 0;

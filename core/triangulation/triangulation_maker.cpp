@@ -9,12 +9,6 @@
 #include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope {
-namespace {
-
-// The memory for more balls is freed after each triangulation, because engines need it.
-constexpr std::size_t kKeptBalls = 250'000;
-
-}  // namespace
 
 DeviceTriangulation TriangulationMaker::make_on_device(const BallSet& balls,
                                                        const RunContext& context) {
@@ -25,9 +19,22 @@ DeviceTriangulation TriangulationMaker::make_on_device(const BallSet& balls,
     made.report.why_not = no_device_;
     return made;
   }
+  holds_memory_ = true;
   made = device_->make(balls, context);
-  if (balls.size() > kKeptBalls) device_->release_memory();
+  if (device_->takes_much_room()) release_kept();
   return made;
+}
+
+void TriangulationMaker::release_kept() {
+  device_->release_memory();
+  holds_memory_ = false;
+}
+
+bool TriangulationMaker::release_memory() {
+  const std::lock_guard lock(mutex_);
+  if (!holds_memory_) return false;
+  release_kept();
+  return true;
 }
 
 Triangulation TriangulationMaker::make(const BallSet& balls, int threads,

@@ -31,16 +31,22 @@ class TriangulationMaker {
   // std::length_error for more balls or tetrahedra than can be handled.
   Triangulation make(const BallSet& balls, int threads, const RunContext& context);
 
+  // Frees the device's memory that is kept for the next triangulation. Returns whether there was
+  // any. Engines call it when they are short of memory.
+  bool release_memory();
+
  private:
   // With fewer balls CGAL takes some milliseconds only.
   static constexpr std::size_t kWorthBalls = 2000;
 
   DeviceTriangulation make_on_device(const BallSet& balls, const RunContext& context);
+  void release_kept();  // with mutex_ locked
 
   std::mutex mutex_;
   MakeDevice make_device_;  // empty once it was called
   const std::size_t least_balls_;
   std::unique_ptr<DeviceTriangulator> device_;
+  bool holds_memory_ = false;  // of the device
   std::string no_device_;
 };
 

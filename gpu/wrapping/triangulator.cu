@@ -123,6 +123,11 @@ class GpuTriangulator : public DeviceTriangulator {
     return made;
   }
 
+  bool takes_much_room() override {
+    std::size_t free = 0, all = 0;
+    return cudaMemGetInfo(&free, &all) != cudaSuccess || free < all / 2;
+  }
+
   void release_memory() override {
     memory_ = {};
     results_->release_memory();

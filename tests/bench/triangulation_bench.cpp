@@ -39,7 +39,9 @@ bool time_set(DeviceTriangulator& triangulator, const std::string& name, const B
   start = Clock::now();
   whole = make_triangulation(balls, 16);
   const double sixteen = milliseconds(start);
+  start = Clock::now();
   DeviceTriangulation made = triangulator.make(balls, {});
+  const double first = milliseconds(start);
   const bool equal = made.triangulation && *made.triangulation == whole;
   std::printf("%s %s: balls %zu, hidden %zu, tetrahedra %zu (CGAL %.1f ms, with 16 threads %.1f)\n",
               equal ? "ok  " : "DIFF", name.c_str(), balls.size(), whole.hidden.size(),
@@ -48,8 +50,15 @@ bool time_set(DeviceTriangulator& triangulator, const std::string& name, const B
     std::printf("  none: %s\n", made.report.why_not.c_str());
     return false;
   }
-  std::vector<double> wall;
+  std::vector<double> wall, anew;
   std::vector<std::vector<double>> stages;
+  for (int run = 0; run < 3; ++run) {
+    made = {};
+    triangulator.release_memory();
+    start = Clock::now();
+    made = triangulator.make(balls, {});
+    anew.push_back(milliseconds(start));
+  }
   for (int run = 0; run < runs + 2; ++run) {
     made = {};  // as a program that shows one triangulation at a time
     start = Clock::now();
@@ -61,8 +70,9 @@ bool time_set(DeviceTriangulator& triangulator, const std::string& name, const B
       stages[s].push_back(made.report.timings.stages[s].milliseconds);
   }
   std::printf(
-      "  wall %.2f (least %.2f); known %llu, open faces %llu, balls needed %llu, rounds %llu\n ",
-      median(wall), *std::min_element(wall.begin(), wall.end()),
+      "  wall %.2f (least %.2f; first %.2f; with new memory %.2f); known %llu, open faces %llu, "
+      "balls needed %llu, rounds %llu\n ",
+      median(wall), *std::min_element(wall.begin(), wall.end()), first, median(anew),
       static_cast<unsigned long long>(made.report.known),
       static_cast<unsigned long long>(made.report.open_faces),
       static_cast<unsigned long long>(made.report.needed),

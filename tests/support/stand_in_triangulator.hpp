@@ -13,6 +13,7 @@ namespace alphascope::testing {
 
 struct TriangulatorCalls {
   int made = 0, asked = 0, released = 0;
+  bool takes_much_room = false;
 };
 
 class StandInTriangulator : public DeviceTriangulator {
@@ -31,6 +32,7 @@ class StandInTriangulator : public DeviceTriangulator {
     if (why_not_.empty()) made.triangulation = make_triangulation(balls, 1);
     return made;
   }
+  bool takes_much_room() override { return calls_.takes_much_room; }
   void release_memory() override { ++calls_.released; }
 
  private:

@@ -180,6 +180,13 @@ TEST_F(ShortOfMemory, TheDeviceMakesTheTriangulationOfWhatIsBeyondTheLimits) {
                 (tetrahedra_only ? all : more) + "beyond the GPU kernels' limits)");
     }
     EXPECT_EQ(calls.asked, why_not.empty() ? 1 : 2);
+    // An executor short of memory first gets what triangulations keep.
+    device_.beyond = false;
+    device_.room = 0;
+    calls.released = 0;
+    engine_->compute({kAll}, {});
+    EXPECT_EQ(calls.released, 1);
+    device_.room = ~std::size_t{0};
   }
   // CGAL's engine is the reference, and stays it.
   const AlphaComplex reference =

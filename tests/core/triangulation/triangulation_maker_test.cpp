@@ -63,6 +63,20 @@ TEST_F(TriangulationMakerTest, ADeviceThatIsSlowToStartIsUsedForMoreBallsOnly) {
   EXPECT_EQ(slow.make(many_, 1, {}).report->why_not, "");
 }
 
+TEST_F(TriangulationMakerTest, KeepsMemoryUntilOthersNeedIt) {
+  TriangulationMaker triangulations = maker();
+  EXPECT_FALSE(triangulations.release_memory()) << "nothing was made";
+  triangulations.make(many_, 1, {});
+  EXPECT_EQ(calls_.released, 0);
+  EXPECT_TRUE(triangulations.release_memory());
+  EXPECT_FALSE(triangulations.release_memory());
+  EXPECT_EQ(calls_.released, 1);
+  calls_.takes_much_room = true;
+  triangulations.make(many_, 1, {});
+  EXPECT_EQ(calls_.released, 2);
+  EXPECT_FALSE(triangulations.release_memory());
+}
+
 TEST_F(TriangulationMakerTest, IsNotNeeded) {
   EXPECT_TRUE(make_triangulation_by(nullptr, many_, 1, {}) == make_triangulation(many_, 1));
   EXPECT_FALSE(made_by_device(make_triangulation_by(nullptr, many_, 1, {})));

@@ -187,8 +187,8 @@ TEST_F(ViewerMoleculeTest, AGuessIsShownAtOnceAndConfirmedOrPutRight) {
   EXPECT_EQ(viewer_->state().settings.open.balls.treated, std::vector<std::string>{"QQ1=ligand"});
   EXPECT_EQ(molecule().residues->guessed, 0u);
   EXPECT_EQ(molecule().balls, 3u);
-  run("click molecule.ligands\nwait-idle\nclick residue.QQ1\nclick "
-      "residue.as.polymer\nwait-idle\n");
+  run("click molecule.ligands\nwait-idle\n"
+      "click residue.QQ1\nclick residue.as.polymer\nwait-idle\n");
   EXPECT_EQ(viewer_->state().settings.open.balls.treated, std::vector<std::string>{"QQ1=polymer"});
   EXPECT_EQ(molecule().balls, 3u) << "no ligand any more";
   open_crambin();

@@ -11,22 +11,8 @@
 #include "core/document/store/inputs.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/ball_set.hpp"
-#include "core/triangulation/triangulation_maker.hpp"
 
 namespace alphascope::cli {
-namespace {
-
-// A GPU's first triangulation begins some 0.5 s after it was asked for. CGAL with 16 threads takes
-// 1 s for this many balls.
-const std::shared_ptr<TriangulationMaker>& triangulations() {
-  constexpr std::size_t kWorthAStart = 500'000;
-  static const auto maker = std::make_shared<TriangulationMaker>(
-      [](std::string& why_not) { return GpuEngines::of_program().make_triangulator(why_not); },
-      kWorthAStart);
-  return maker;
-}
-
-}  // namespace
 
 Inputs derived_inputs(const Input& input, double solvent_radius_angstrom,
                       const Alpha& alpha_angstrom2) {
@@ -42,7 +28,12 @@ Inputs derived_inputs(const Input& input, double solvent_radius_angstrom,
   inputs.atoms =
       std::make_shared<const BallReferences>(input.opened.molecule, input.opened.prepared);
   inputs.alpha_angstrom2 = alpha_angstrom2;
-  inputs.triangulation_maker = triangulations();
+  // A GPU's first triangulation begins some 0.5 s after it was asked for. CGAL with 16 threads
+  // takes 1 s for this many balls.
+  constexpr std::size_t kWorthAStart = 500'000;
+  if (inputs.balls->size() >= kWorthAStart) {
+    inputs.triangulation_maker = GpuEngines::of_program().triangulations();
+  }
   return inputs;
 }
 

@@ -31,6 +31,7 @@ const GpuLibrary& load_first(const std::vector<fs::path>& places) {
   return *reinterpret_cast<decltype(&alphascope_gpu_library)>(load_library(kGpu, places))();
 }
 
+// Returns null if the GPU cannot be used. Sets `why_not` to the reason if there is a GPU.
 std::unique_ptr<DeviceTriangulator> triangulator_of(const GpuLibrary* library,
                                                     std::string& why_not) {
   if (library == nullptr || !library->device().usable) return nullptr;
@@ -81,10 +82,6 @@ std::unique_ptr<Engine> GpuEngines::make_tuple_engine(std::shared_ptr<const Ball
   if (library_ != nullptr) return library_->make_tuple_engine(std::move(balls), tuples, &why_not);
   why_not = none_.why_not;
   return nullptr;
-}
-
-std::unique_ptr<DeviceTriangulator> GpuEngines::make_triangulator(std::string& why_not) const {
-  return triangulator_of(library_, why_not);
 }
 
 std::vector<fs::path> gpu_library_places(const fs::path& program) {

@@ -33,8 +33,6 @@ class GpuEngines {
                                       const EngineOptions& options, std::string& why_not) const;
   std::unique_ptr<Engine> make_tuple_engine(std::shared_ptr<const BallSet> balls,
                                             const TupleOptions& tuples, std::string& why_not) const;
-  // Returns null if the GPU cannot be used. Sets `why_not` to the reason if there is a GPU.
-  std::unique_ptr<DeviceTriangulator> make_triangulator(std::string& why_not) const;
   // Makes triangulations on the GPU, or by CGAL where it cannot be used. Engines and derived
   // results share it, and with it the memory on the GPU.
   const std::shared_ptr<TriangulationMaker>& triangulations() const { return triangulations_; }

@@ -37,7 +37,8 @@ class DeviceTriangulator {
   virtual DeviceTriangulation make(const BallSet& balls, const RunContext& context) = 0;
 
   // Whether the memory that is kept for the next call takes room that others may need: less than
-  // half of the device's memory is free.
+  // half of the device's memory is free. Asks the driver only if the last call had more balls than
+  // those before it.
   virtual bool takes_much_room() = 0;
 
   // Frees the memory that is kept for the next call. May wait for the device. Two threads must not

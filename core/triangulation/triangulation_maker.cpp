@@ -2,6 +2,8 @@
 // Chooses between device and CGAL, and writes the report.
 #include "core/triangulation/triangulation_maker.hpp"
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include "core/geometry/ball_set.hpp"
@@ -9,10 +11,27 @@
 #include "core/triangulation/cgal_triangulation.hpp"
 
 namespace alphascope {
+namespace {
+
+// With fewer balls CGAL takes some milliseconds only.
+constexpr std::size_t kWorthBalls = 2000;
+
+// Another thread may hold the device for a second. A cancel need not wait for it.
+std::unique_lock<std::mutex> lock_unless_cancelled(std::mutex& mutex, const CancelToken& cancel) {
+  constexpr std::chrono::milliseconds kPause{1};
+  std::unique_lock lock(mutex, std::defer_lock);
+  while (!lock.try_lock()) {
+    cancel.throw_if_cancelled();
+    std::this_thread::sleep_for(kPause);
+  }
+  return lock;
+}
+
+}  // namespace
 
 DeviceTriangulation TriangulationMaker::make_on_device(const BallSet& balls,
                                                        const RunContext& context) {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock lock = lock_unless_cancelled(mutex_, context.cancel);
   DeviceTriangulation made;
   if (make_device_) device_ = std::exchange(make_device_, nullptr)(no_device_);
   if (!device_) {
@@ -40,7 +59,7 @@ bool TriangulationMaker::release_memory() {
 Triangulation TriangulationMaker::make(const BallSet& balls, int threads,
                                        const RunContext& context) {
   DeviceTriangulation made;
-  if (balls.size() >= least_balls_) made = make_on_device(balls, context);
+  if (balls.size() >= kWorthBalls) made = make_on_device(balls, context);
   Triangulation result;
   TriangulationReport report = std::move(made.report);
   if (made.triangulation) {

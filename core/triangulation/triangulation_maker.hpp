@@ -17,15 +17,13 @@ namespace alphascope {
 
 struct BallSet;
 
-// Any thread may call all functions. Calls wait for each other.
+// Any thread may call all functions. Calls that use the device wait for each other.
 class TriangulationMaker {
  public:
   // Called at the first triangulation. Returns null if there is no device, and may set `why_not`:
   // why one that is there cannot be used.
   using MakeDevice = std::function<std::unique_ptr<DeviceTriangulator>(std::string& why_not)>;
-  // CGAL makes those with fewer balls than `least_balls`.
-  explicit TriangulationMaker(MakeDevice make_device, std::size_t least_balls = kWorthBalls)
-      : make_device_(std::move(make_device)), least_balls_(least_balls) {}
+  explicit TriangulationMaker(MakeDevice make_device) : make_device_(std::move(make_device)) {}
 
   // `threads` as in make_triangulation(). The result has a report. Throws Cancelled, and
   // std::length_error for more balls or tetrahedra than can be handled.
@@ -36,15 +34,11 @@ class TriangulationMaker {
   bool release_memory();
 
  private:
-  // With fewer balls CGAL takes some milliseconds only.
-  static constexpr std::size_t kWorthBalls = 2000;
-
   DeviceTriangulation make_on_device(const BallSet& balls, const RunContext& context);
   void release_kept();  // with mutex_ locked
 
   std::mutex mutex_;
   MakeDevice make_device_;  // empty once it was called
-  const std::size_t least_balls_;
   std::unique_ptr<DeviceTriangulator> device_;
   bool holds_memory_ = false;  // of the device
   std::string no_device_;

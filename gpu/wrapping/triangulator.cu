@@ -117,7 +117,7 @@ class GpuTriangulator : public DeviceTriangulator {
     } catch (const ExecutorFailed& failed) {
       made.report.why_not = failed.what();
     }
-    if (!made.triangulation) memory_ = {};
+    if (!made.triangulation) forget_memory();
     wall.finish();
     made.report.timings.wall_milliseconds = whole.wall_milliseconds;
     return made;
@@ -125,16 +125,22 @@ class GpuTriangulator : public DeviceTriangulator {
 
   bool takes_much_room() override {
     std::size_t free = 0, all = 0;
+    if (!std::exchange(grown_, false)) return false;
     return cudaMemGetInfo(&free, &all) != cudaSuccess || free < all / 2;
   }
 
   void release_memory() override {
-    memory_ = {};
+    forget_memory();
     results_->release_memory();
     ResultMemory::free_unused();
   }
 
  private:
+  void forget_memory() {
+    memory_ = {};
+    most_balls_ = 0;
+  }
+
   void triangulate(const BallSet& balls, const RunContext& context, DeviceTriangulation& made) {
     if (balls.size() > Wrapping::kMost) {
       made.report.why_not = "more balls than the device's triangulation can have";
@@ -146,6 +152,8 @@ class GpuTriangulator : public DeviceTriangulator {
     }
     if (!memory_) memory_ = std::make_unique<Memory>();
     Memory& m = *memory_;
+    grown_ = grown_ || balls.size() > most_balls_;
+    most_balls_ = std::max(most_balls_, balls.size());
     context.report(stage::kTriangulation, 0);
     m.wrapping.load(balls);
     context.cancel.throw_if_cancelled();
@@ -378,6 +386,8 @@ class GpuTriangulator : public DeviceTriangulator {
     DeviceBuffer<unsigned char> scratch, result;
   };
   std::unique_ptr<Memory> memory_;
+  std::size_t most_balls_ = 0;  // for which it is kept
+  bool grown_ = false;          // since takes_much_room() was called
   std::shared_ptr<ResultMemory> results_ = std::make_shared<ResultMemory>();
   FindSeed find_seed_;
   std::function<void(Uncertified&)> spoil_;  // of tests; else empty

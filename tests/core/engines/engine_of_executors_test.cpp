@@ -154,12 +154,12 @@ TEST_F(ShortOfMemory, TheCpuComputesWhatIsBeyondTheLimits) {
 TEST_F(ShortOfMemory, TheDeviceMakesTheTriangulationOfWhatIsBeyondTheLimits) {
   testing::TriangulatorCalls calls;
   const auto maker = [&](const std::string& why_not) {
-    return std::make_shared<TriangulationMaker>(
-        [&calls, why_not](std::string&) {
-          return std::make_unique<testing::StandInTriangulator>(calls, why_not);
-        },
-        1);
+    return std::make_shared<TriangulationMaker>([&calls, why_not](std::string&) {
+      return std::make_unique<testing::StandInTriangulator>(calls, why_not);
+    });
   };
+  Random random(62);
+  balls_ = std::make_shared<const BallSet>(testing::random_balls(random, 2500, 10000, 300, 500));
   for (const std::string why_not : {"", "it is tired"}) {
     device_.beyond = true;
     engine_ = make_engine_of_executors(balls_, {1, {}, maker(why_not)}, [this](auto balls) {

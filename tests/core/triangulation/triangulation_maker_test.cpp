@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <future>
+#include <thread>
+
 #include "core/complex/alpha_complex.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
@@ -53,14 +57,25 @@ TEST_F(TriangulationMakerTest, CgalMakesThoseOfFewBalls) {
   EXPECT_EQ(calls_.made, 0);
 }
 
-TEST_F(TriangulationMakerTest, ADeviceThatIsSlowToStartIsUsedForMoreBallsOnly) {
-  TriangulationMaker slow(
-      [](std::string& why_not) {
-        why_not = "it was asked";
-        return nullptr;
-      },
-      many_.size() + 1);
-  EXPECT_EQ(slow.make(many_, 1, {}).report->why_not, "");
+// Another thread uses the device meanwhile.
+TEST_F(TriangulationMakerTest, IsCancelledWhileItWaitsForTheDevice) {
+  std::promise<void> begun, end;
+  TriangulationMaker slow([&](std::string&) {
+    begun.set_value();
+    end.get_future().wait();
+    return nullptr;
+  });
+  std::thread other([&] { slow.make(many_, 1, {}); });
+  begun.get_future().wait();
+  RunContext context;
+  auto waiting =
+      std::async(std::launch::async, [&] { return slow.make(many_, 1, context).report->by_cgal; });
+  EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
+  context.cancel.cancel();
+  EXPECT_EQ(waiting.wait_for(std::chrono::seconds(20)), std::future_status::ready);
+  end.set_value();
+  other.join();
+  EXPECT_THROW(waiting.get(), Cancelled);
 }
 
 TEST_F(TriangulationMakerTest, KeepsMemoryUntilOthersNeedIt) {

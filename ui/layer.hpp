@@ -58,8 +58,9 @@ struct Layer {
   // a cavity. A tube passes through its spheres in order.
   std::vector<LayerSphere> spheres;
   std::vector<std::vector<LayerSphere>> tubes;
-  std::string tubes_name;  // shown under the mouse; empty: they have none
-  std::string tubes_page;  // id of the page that a click on them opens; empty: none
+  std::string name;  // of bodies, spheres and tubes, shown under the mouse; empty: they have none
+  std::string page;  // id of the page that a click on them opens; empty: none
+  std::optional<std::size_t> cavity;  // of which they are: its row in the table of cavities
   std::vector<LayerAtom> atoms;
   std::shared_ptr<const LayerObjects> objects;  // null: none
   std::vector<LayerLabel> labels;

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "core/complex/own_dimension.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
 #include "ui/panels/frame/context_state.hpp"
 #include "ui/panels/frame/mouse_state.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
@@ -47,11 +48,10 @@ std::optional<Pointing::UnderMouse> Pointing::under(int x, int y) const {
   if (references == nullptr) return std::nullopt;
   const auto hit = scene_.shown().pick(x, y, kBesideALine * scale);
   if (!hit) return std::nullopt;
-  if (hit->layer == kTubes) {
-    const LayerTubes& tubes = scene_.shown().layers().tubes(hit->index);
-    return UnderMouse{{}, {tubes.name, tubes.name}, tubes.page};
+  if (hit->layer == kBodies || hit->layer == kTubes) {
+    const Layer& layer = scene_.shown().layers().layer_of(*hit);
+    return UnderMouse{{}, {layer.name, layer.name}, layer.page, layer.cavity};
   }
-  if (hit->corners == 0) return UnderMouse{};  // a body that a panel draws, without a name
   if (hit->layer == kAtomInFront || hit->layer == kAtomOfObject) return under_atom(hit->index);
   if (hit->layer == kBesideBody) {
     const LeftOutAtom& atom = scene_.shown().beside_body().atoms.at(hit->index);
@@ -88,12 +88,14 @@ void Pointing::describe_under_mouse() {
   ViewportInfo& v = state_.viewport;
   v.under_mouse = v.under_mouse_line = {};
   state_.hovered.reset();
+  state_.cavities.under_mouse.reset();
   marks_.follow_picture();
   if (!v.hovered) return;
   if (auto found = under(v.mouse_x, v.mouse_y)) {
     v.under_mouse = std::move(found->text.tooltip);
     v.under_mouse_line = std::move(found->text.line);
     state_.hovered = std::move(found->what);
+    state_.cavities.under_mouse = found->cavity;
   }
 }
 

@@ -29,9 +29,10 @@ class Pointing {
 
  private:
   struct UnderMouse {
-    std::optional<Ref> what;  // none: a body that a panel draws, such as a cavity
+    std::optional<Ref> what;  // none: a body or tube that a panel draws
     HitText text;
-    std::string page = {};  // id of the page that a click opens; empty: none
+    std::string page = {};                   // id of the page that a click opens; empty: none
+    std::optional<std::size_t> cavity = {};  // row of the cavity whose body it is
   };
   std::optional<UnderMouse> under(int x, int y) const;  // x and y in pixels of the picture
   UnderMouse under_atom(std::size_t atom) const;        // index of the atom in the molecule

@@ -111,22 +111,18 @@ Layers PanelLayers::for_saved_pictures() const {
 }
 
 std::optional<PickLayer> PanelLayers::picked_first() const {
-  PickLayers first;
-  if (drawn_.atoms) first.push_back(*drawn_.atoms);
-  if (fades_rest()) {
-    std::copy_if(drawn_.picks.begin(), drawn_.picks.end(), std::back_inserter(first),
-                 [](const PickLayer& layer) { return layer.id == kTubes; });
-  }
-  if (first.empty()) return std::nullopt;
+  const PickLayers among_pale = fades_rest() ? drawn_.picks : PickLayers{};
+  if (!drawn_.atoms && among_pale.empty()) return std::nullopt;
   return PickLayer{kAtomInFront,
-                   [first, mesh = drawn_.mesh](const PickLine& line) -> std::optional<Hit> {
-                     for (const PickLayer& layer : first) {
-                       const std::optional<Hit> hit = layer.pick(line);
-                       const bool nameless =
-                           hit && layer.id == kTubes && mesh->tubes_of.at(hit->index).name.empty();
-                       if (hit && !nameless) return hit;
+                   [atoms = drawn_.atoms, among_pale,
+                    layers = drawn_.layers](const PickLine& line) -> std::optional<Hit> {
+                     if (atoms) {
+                       if (const std::optional<Hit> hit = atoms->pick(line)) return hit;
                      }
-                     return std::nullopt;
+                     const std::optional<Hit> hit = nearest_hit(among_pale, line);
+                     const bool of_layer = hit && (hit->layer == kBodies || hit->layer == kTubes);
+                     if (of_layer && layers.at(hit->index)->name.empty()) return std::nullopt;
+                     return hit;
                    }};
 }
 

@@ -48,10 +48,11 @@ class PanelLayers {
   Layers for_saved_pictures() const;
   PicturedObjects objects_for_saved_pictures() const;
   const PickLayers& picks() const { return drawn_.picks; }
-  // What is picked before all else: atoms in front, and named tubes among pale balls.
+  // What is picked before all else: atoms in front, then among pale balls named bodies and tubes,
+  // and objects.
   std::optional<PickLayer> picked_first() const;
-  // The tubes of a hit on kTubes.
-  const LayerTubes& tubes(std::size_t index) const { return drawn_.mesh->tubes_of.at(index); }
+  // The layer of a hit on kBodies or kTubes.
+  const Layer& layer_of(const Hit& hit) const { return *drawn_.layers.at(hit.index); }
   bool fades_rest() const { return drawn_.mesh && drawn_.mesh->fades_rest; }
   const std::string& not_drawn() const { return drawn_.not_drawn; }
   std::uint64_t bytes() const;

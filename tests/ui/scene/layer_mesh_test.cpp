@@ -13,6 +13,7 @@
 #include "tests/ui/molecule_fixture.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/texture_pixels.hpp"
+#include "ui/scene/pick/pick.hpp"
 #include "ui/scene/picture/draw_marks.hpp"
 #include "ui/scene/scene.hpp"
 #include "ui/window/egl_context.hpp"
@@ -61,6 +62,38 @@ std::vector<LayerSphere> wavy(int spheres) {
     result.push_back({{t, 2 * std::sin(0.3 * t), std::cos(0.2 * t)}, 1 + 0.5 * std::sin(t), {}});
   }
   return result;
+}
+
+// Faces, spheres and tubes of several layers share arrays.
+TEST(LayerPick, AHitSaysOfWhichLayerItIs) {
+  BallGeometry balls;
+  balls.centres = {{0, 0, 0},  {2, 0, 0},  {0, 2, 0},  {0, 0, 2},
+                   {20, 0, 0}, {22, 0, 0}, {20, 2, 0}, {20, 0, 2}};
+  balls.radii.assign(balls.centres.size(), 0.1f);
+  Layer nothing, first, second, spheres, tube;
+  first.body = second.body = second.translucent = spheres.body = tube.body = true;
+  first.tetrahedra = {{0, 1, 2, 3}};
+  second.tetrahedra = {{4, 5, 6, 7}};
+  spheres.spheres = {{{0, 20, 0}, 1}, {{20, 20, 0}, 1}};
+  tube.tubes = {{{{-2, 40, 0}, 1}, {{2, 40, 0}, 1}}};
+  Layers layers;
+  for (const Layer& layer : {nothing, first, second, spheres, first, tube}) {
+    layers.push_back(std::make_shared<const Layer>(layer));
+  }
+  const auto mesh = std::make_shared<const LayerMesh>(build_layer_mesh(balls, layers));
+  const PickLayers picks = body_layers(mesh);
+  const auto hit = [&](double x, double y) {
+    return nearest_hit(picks, {{{x, y, -50}, {0, 0, 1}}});
+  };
+  const auto is = [&](const std::optional<Hit>& found, std::string_view kind, std::size_t layer) {
+    return found && found->layer == kind && found->index == layer;
+  };
+  EXPECT_TRUE(is(hit(0.5, 0.5), kBodies, 1)) << "of equal ones the first";
+  EXPECT_TRUE(is(hit(20.5, 0.5), kBodies, 2));
+  EXPECT_TRUE(is(hit(0, 20), kBodies, 3));
+  EXPECT_TRUE(is(hit(20, 20), kBodies, 3));
+  EXPECT_TRUE(is(hit(0, 40), kTubes, 5));
+  EXPECT_FALSE(hit(50, 50));
 }
 
 TEST(TubeMesh, ItsSurfaceIsThatOfTheBalls) {

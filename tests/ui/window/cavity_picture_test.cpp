@@ -3,6 +3,7 @@
 // window, in a saved picture and in a recording.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_contents.hpp"
@@ -13,6 +14,7 @@
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
+#include "ui/panels/cavities/cavity_parts.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -248,6 +250,63 @@ TEST_F(CavityPictureTest, TheMouseNamesALigandThroughItsCavity) {
     }
   }
   EXPECT_GE(named, 3);
+}
+
+// Pale balls lie before the bodies, and these are found nevertheless.
+TEST_F(CavityPictureTest, ACavityHasItsNameUnderTheMouse) {
+  open_cavities(haemoglobin());
+  std::vector<Ref> sinks;
+  for (const std::size_t row : {0, 1}) {
+    choose(row);
+    sinks.emplace_back(viewer_->state().cavities.chosen.at(0));
+  }
+  viewer_->state().settings.selection.cavities = RefSet(sinks);
+  settle();
+  ASSERT_EQ(page().selected_rows, (std::vector<std::size_t>{0, 1}));
+  run("click bottom.structure\nframes 3\nclick structure.cavities\n");
+  settle();
+  std::map<std::string, int> seen;
+  std::string place_of_second;
+  for (int x = 4; x < 17; ++x) {
+    for (int y = 4; y < 17; ++y) {
+      const std::string place = std::to_string(0.05 * x) + " " + std::to_string(0.05 * y);
+      run("move view " + place + "\nframes 2\n");
+      const auto row = viewer_->state().cavities.under_mouse;
+      if (!row) continue;
+      ++seen[viewer_->state().viewport.under_mouse];
+      EXPECT_EQ(viewer_->state().viewport.under_mouse, cavity_title(page(), *row));
+      if (*row == 1) place_of_second = place;
+    }
+  }
+  EXPECT_EQ(seen.size(), 2u);
+  ASSERT_FALSE(place_of_second.empty());
+  EXPECT_TRUE(cavity_title(page(), 1).starts_with("Cavity 2  ·  pocket  ·  "));
+  ASSERT_EQ(viewer_->state().window.page, "structure");
+  run("move view " + place_of_second + "\nframes 3\nclick view " + place_of_second +
+      "\nframes 3\n");
+  EXPECT_EQ(viewer_->state().window.page, "cavities");
+  EXPECT_EQ(page().selected_rows, (std::vector<std::size_t>{0, 1})) << "a click chooses no other";
+}
+
+TEST_F(CavityPictureTest, ARowUnderTheMouseIsMarkedInThePicture) {
+  open_cavities(haemoglobin());
+  const auto marked = [&]() -> std::string {
+    for (const auto& layer : viewer_->state().layers) {
+      if (layer->id == "cavities.hovered") return layer->labels.at(0).text;
+    }
+    return "";
+  };
+  EXPECT_EQ(marked(), "");
+  run("move cavities.row.3 0.2\nframes 3\n");
+  EXPECT_EQ(marked(), "3");
+  run("move cavities.row.2 0.2\nframes 3\n");
+  EXPECT_EQ(marked(), "2");
+  run("move status.memory\nframes 3\n");
+  EXPECT_EQ(marked(), "");
+  run("click bottom.structure\nframes 3\nclick structure.cavities\n");
+  settle();
+  run("move structure.cavity.2\nframes 3\n");
+  EXPECT_EQ(marked(), "2");
 }
 
 TEST_F(CavityPictureTest, OpacityIsASettingOfThePage) {

@@ -15,6 +15,8 @@
 #include "ui/panels/cavities/cavity_columns.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
+#include "ui/panels/cavities/cavity_state.hpp"
+#include "ui/panels/view_state.hpp"
 #include "ui/theme.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/table_cells.hpp"
@@ -109,10 +111,7 @@ void kind_cell(PanelContext& ctx, const CavityPage& page, std::size_t row) {
                                             to_u32(cavity_colour(page, row)));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side + ctx.px(6));
   const std::string between = between_text(line, {}), change = change_text(page, row);
-  std::string text = line.is_void      ? "void"
-                     : line.is_network ? "network"
-                     : line.is_part    ? "part"
-                                       : "pocket";
+  std::string text = kind_word(line);
   if (!between.empty()) text += " ↔";
   if (!change.empty()) text += " ↕";
   ImGui::TextUnformatted(text.c_str());
@@ -136,10 +135,12 @@ bool draw_row(PanelContext& ctx, CavityPage& page, std::size_t row) {
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(row));
   const std::string number = std::to_string(row + 1);
-  const bool chosen = std::binary_search(page.selected_rows.begin(), page.selected_rows.end(), row);
+  const bool marked = ctx.state.cavities.under_mouse == row ||
+                      std::binary_search(page.selected_rows.begin(), page.selected_rows.end(), row);
   const bool clicked = ImGui::Selectable(
-      number.c_str(), chosen,
+      number.c_str(), marked,
       ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+  if (ImGui::IsItemHovered()) page.hovered = row;
   record(ctx, ("cavities.row." + number).c_str());
   ImGui::PopID();
   for (int n = 1; n < column_count(); ++n) {
@@ -160,6 +161,19 @@ HowSelected how_selected() {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.KeyShift) return HowSelected::range;
   return io.KeyCtrl ? HowSelected::toggled : HowSelected::alone;
+}
+
+// A cavity under the mouse in the picture comes into sight, once.
+void scroll_to_pointed(const PanelContext& ctx, CavityPage& page) {
+  const auto row = ctx.state.cavities.under_mouse;
+  if (std::exchange(page.scrolled, row) == row || !row) return;
+  const auto at = std::find(page.order.begin(), page.order.end(), *row);
+  if (at == page.order.end()) return;  // the filter hides it
+  const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float line = static_cast<float>(at - page.order.begin()) * height;
+  const float seen = ImGui::GetWindowHeight() - 2 * height;  // without titles and scroll bar
+  const bool in_sight = line >= ImGui::GetScrollY() && line + height <= ImGui::GetScrollY() + seen;
+  if (!in_sight) ImGui::SetScrollY(std::max(0.0F, line - seen / 2));
 }
 
 // Returns the width of the columns on show, at their first widths.
@@ -204,6 +218,7 @@ void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool cu
   follow_columns(page);
   take_sorting(page.filter);
   follow_order(page);
+  scroll_to_pointed(ctx, page);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(page.order.size()));
   std::optional<std::size_t> clicked;

@@ -53,6 +53,8 @@ void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current) 
   }
   make_layers(ctx, page);
   for (const auto& layer : page.layers) ctx.state.layers.push_back(layer);
+  follow_hover_mark(ctx, page);
+  if (page.hover_mark) ctx.state.layers.push_back(page.hover_mark);
 }
 
 }  // namespace alphascope

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layers of the view that show a cavity, and the balls to which they belong.
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
+#include "core/cavity_shape/cavity_shape.hpp"
 #include "core/cavity_shape/filling_spheres.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/cavities/selected_cavities.hpp"
@@ -37,6 +41,9 @@ void add_layers_of_cavity(PanelContext& ctx, CavityPage& page, const SelectedCav
   if (!cavity.surface.empty() || !cavity.tetrahedra.empty() || !cavity.spheres.empty()) {
     Layer& body = add("body", colour);
     body.body = body.translucent = true;
+    body.name = cavity_title(page, cavity.row);
+    body.page = "cavities";
+    body.cavity = cavity.row;
     body.fades_rest = page.fades_rest;
     body.triangles = cavity.surface;
     body.tetrahedra = cavity.tetrahedra;
@@ -54,6 +61,35 @@ void add_layers_of_cavity(PanelContext& ctx, CavityPage& page, const SelectedCav
     add("number", ctx.palette.text)
         .labels.push_back({cavity.place_angstrom, std::to_string(cavity.row + 1)});
   }
+}
+
+void follow_hover_mark(PanelContext& ctx, CavityPage& page) {
+  const auto row = std::exchange(page.hovered, std::nullopt);
+  const auto& lines = page.rows.lines;
+  const auto& balls = ctx.state.shown_balls();
+  const auto& chosen = page.selected_rows;  // they are drawn whole
+  if (!row || !lines || !balls || *row >= lines->of.size() ||
+      ctx.state.shown_selection() != &lines->atoms->prepared() ||
+      std::binary_search(chosen.begin(), chosen.end(), *row)) {
+    page.hover_mark = nullptr;
+    return;
+  }
+  const bool same = page.hover_mark && page.marked_row == row && page.hover_mark->balls == balls &&
+                    page.marked_in == lines;
+  if (same) return;
+  page.marked_row = row;
+  page.marked_in = lines;
+  const CavityTable& table = page.rows.table();
+  auto mark = std::make_shared<Layer>();
+  mark->id = "cavities.hovered";
+  mark->key = ++page.layers_key;
+  mark->balls = balls;
+  mark->colour = cavity_colour(page, *row);
+  mark->tetrahedra.push_back(table.sink(*row));
+  mark->labels.push_back(
+      {deepest_place_angstrom(*table.ground, table.cavity(*row)), std::to_string(*row + 1)});
+  mark->in_pictures = false;
+  page.hover_mark = std::move(mark);
 }
 
 }  // namespace alphascope

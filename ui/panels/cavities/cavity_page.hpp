@@ -82,6 +82,12 @@ struct CavityPage {
   std::shared_ptr<const BallSet> layers_of;  // Layer::balls
   std::uint64_t layers_key = 0;
   bool layers_are_old = true;
+  std::optional<std::size_t> hovered;       // row under the mouse, here or in the tree
+  std::optional<std::size_t> scrolled;      // row in the picture to which the table was scrolled
+  std::shared_ptr<const Layer> hover_mark;  // shows where that cavity is; null: none
+  // For which hover_mark was made.
+  std::optional<std::size_t> marked_row;
+  std::shared_ptr<const CavityLines> marked_in;
   struct Sticks {  // for which the layers were made
     bool lining = false;
     float lining_opacity = 1, content_opacity = 1;

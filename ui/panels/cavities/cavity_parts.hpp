@@ -79,6 +79,12 @@ void draw_layers_of_cavities(PanelContext& ctx, CavityPage& page, bool current);
 // Returns the colour of the cavity's surface in the view, and of its mark in the table.
 Colour cavity_colour(const CavityPage& page, std::size_t row);
 
+// --- cavity_title.cpp
+
+const char* kind_word(const CavityLine& line);  // "void", "pocket", "network" or "part"
+// Returns the number, kind and SA volume, "Cavity 3  ·  pocket  ·  512 Å³".
+std::string cavity_title(const CavityPage& page, std::size_t row);
+
 // --- cavity_layers.cpp
 
 // Returns the balls to which layers belong. A picture of another solvent radius has other balls,
@@ -86,6 +92,9 @@ Colour cavity_colour(const CavityPage& page, std::size_t row);
 std::shared_ptr<const BallSet> balls_of_layers(const PanelContext& ctx, const CavityPage& page);
 // Adds the cavity to CavityPage::layers.
 void add_layers_of_cavity(PanelContext& ctx, CavityPage& page, const SelectedCavity& cavity);
+// Marks where the cavity of CavityPage::hovered is, if it is not drawn: its deepest sink and its
+// number.
+void follow_hover_mark(PanelContext& ctx, CavityPage& page);
 
 // --- cavity_contents_layer.cpp
 

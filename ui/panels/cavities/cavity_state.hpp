@@ -18,6 +18,8 @@ struct CavityState {
   std::vector<SimplexRef> chosen;
   // Row to be chosen as soon as there is a table, counted from 0.
   std::optional<std::size_t> wanted_row;
+  // Row of the cavity whose body is under the mouse in the picture, as the picture has it.
+  std::optional<std::size_t> under_mouse;
   std::shared_ptr<CavityPage> page;  // null until the page is drawn first
 };
 

@@ -45,12 +45,11 @@ void make_layers(ChannelState& memory) {
   auto& tube = layer->tubes.emplace_back();
   for (const ChannelSample& sample : channel.samples) tube.push_back(sphere_of(sample));
   const std::string through = memory.shown->way ? memory.shown->way->through : "";
-  layer->tubes_name =
-      "Channel" + (through.empty() ? "" : " through " + through) + "  ·  " +
-      (channel.is_open()
-           ? "narrowest radius " + number_text(channel.narrowest().radius_angstrom, 3) + " Å"
-           : "closed");
-  layer->tubes_page = "channels";
+  layer->name = "Channel" + (through.empty() ? "" : " through " + through) + "  ·  " +
+                (channel.is_open() ? "narrowest radius " +
+                                         number_text(channel.narrowest().radius_angstrom, 3) + " Å"
+                                   : "closed");
+  layer->page = "channels";
   const std::string text = number_text(channel.narrowest().radius_angstrom, 3) + " Å";
   layer->labels.push_back(
       {channel.narrowest().position_angstrom, channel.is_open() ? text : "closed here"});

@@ -61,12 +61,13 @@ void draw_title_of_cavities(StructurePage& page) {
 void draw_cavity(StructurePage& page, std::size_t row) {
   CavityPage& cavities = *page.ctx.state.cavities.page;
   const CavityLine& line = cavities.rows.lines->of[row];
-  const bool chosen =
+  const bool marked =
+      page.ctx.state.cavities.under_mouse == row ||
       std::binary_search(cavities.selected_rows.begin(), cavities.selected_rows.end(), row);
-  const std::string text = std::to_string(row + 1) + (line.is_void ? "  void  " : "  pocket  ") +
+  const std::string text = std::to_string(row + 1) + "  " + kind_word(line) + "  " +
                            measure_text(line.volume_sa_angstrom3) + " Å³";
   ImGui::Indent(page.ctx.px(22));
-  if (ImGui::Selectable((text + "##cavity" + std::to_string(row)).c_str(), chosen)) {
+  if (ImGui::Selectable((text + "##cavity" + std::to_string(row)).c_str(), marked)) {
     const ImGuiIO& io = ImGui::GetIO();
     select_cavity(page.ctx, cavities, row,
                   io.KeyShift  ? HowSelected::range
@@ -74,6 +75,7 @@ void draw_cavity(StructurePage& page, std::size_t row) {
                                : HowSelected::alone);
   }
   record(page.ctx, ("structure.cavity." + std::to_string(row + 1)).c_str());
+  if (ImGui::IsItemHovered()) cavities.hovered = row;
   ImGui::Unindent(page.ctx.px(22));
 }
 

@@ -47,6 +47,11 @@ class BodiesBuilder {
     to.radii.push_back(static_cast<float>(radius));
   }
 
+  void end_layer() {
+    bodies_.face_ends.push_back(faces_.faces.points() / 3);
+    bodies_.sphere_ends.push_back(spheres_.centres.size());
+  }
+
   LayerBodies finish() {
     bodies_.faces = std::move(faces_.faces);
     bodies_.edges = std::move(outlines_.edges);
@@ -103,10 +108,9 @@ class LayerBuilder {
     (layer.body && layer.translucent ? translucent_ : opaque_).add(layer, colour);
     for (const auto& [from, to] : layer.lines) add_line(from, to, colour);
     for (const auto& tube : layer.tubes) add_tube(tube, balls_.origin, colour, mesh_.tubes);
-    if (!layer.tubes.empty()) {
-      mesh_.tubes_of.push_back(
-          {mesh_.tubes.corners.size() / 3, layer.tubes_name, layer.tubes_page});
-    }
+    opaque_.end_layer();
+    translucent_.end_layer();
+    mesh_.tube_ends.push_back(mesh_.tubes.corners.size() / 3);
     for (const LayerAtom& atom : layer.atoms) {
       BodiesBuilder::add_ball(atom.centre_angstrom, atom.radius_angstrom, atoms_);
       mesh_.atom_colours.push_back(to_rgb8(atom.colour));
@@ -153,6 +157,11 @@ class LayerBuilder {
 };
 
 }  // namespace
+
+std::size_t layer_at(const LayerEnds& ends, std::size_t thing) {
+  const auto at = std::upper_bound(ends.begin(), ends.end(), thing);
+  return static_cast<std::size_t>(at - ends.begin());
+}
 
 LayerMesh build_layer_mesh(const BallGeometry& balls, const Layers& layers) {
   LayerBuilder builder(balls);

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "core/molecule/rgb8.hpp"
@@ -17,19 +16,20 @@
 
 namespace alphascope {
 
+// For each of the layers, in their order: the number of its things and of those before it. Things
+// are triangles of an array, or spheres.
+using LayerEnds = std::vector<std::size_t>;
+// The layer that this thing is of.
+std::size_t layer_at(const LayerEnds& ends, std::size_t thing);
+
 // Bodies are lit. Bounds and axes of `spheres` are not set.
 struct LayerBodies {
   CellSoup faces;                               // triangles
   CellSoup edges;                               // of tetrahedra
   std::shared_ptr<const BallGeometry> spheres;  // null: none
   std::vector<Rgb8> sphere_colours;
+  LayerEnds face_ends, sphere_ends;
   bool empty() const { return faces.points() == 0 && !spheres; }
-};
-
-// The tubes of one layer in LayerMesh::tubes.
-struct LayerTubes {
-  std::size_t end = 0;     // after their last triangle; they begin where the layer before ends
-  std::string name, page;  // as Layer::tubes_name and tubes_page
 };
 
 struct LayerMesh {
@@ -37,7 +37,7 @@ struct LayerMesh {
   LayerBodies opaque, translucent;
   CellSoup body_lines;  // lines of layers that are bodies
   SmoothMesh tubes;
-  std::vector<LayerTubes> tubes_of;
+  LayerEnds tube_ends;
   // Atoms drawn in front of everything; null: none. Each has a colour and an index in
   // Molecule::atoms.
   std::shared_ptr<const BallGeometry> atoms;

@@ -264,16 +264,32 @@ PickLayer ball_layer(std::string_view id, std::shared_ptr<const BallGeometry> ba
           }};
 }
 
+namespace {
+
+// The same hits, with the panel's layer as index. `ends` belongs to `mesh`.
+PickLayer by_layer(PickLayer things, std::shared_ptr<const LayerMesh> mesh, const LayerEnds& ends) {
+  return {things.id,
+          [pick = std::move(things.pick), mesh = std::move(mesh), &ends](const PickLine& line) {
+            std::optional<Hit> hit = pick(line);
+            if (hit) hit->index = layer_at(ends, hit->index);
+            return hit;
+          }};
+}
+
+}  // namespace
+
 PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh) {
   PickLayers layers;
   if (!mesh) return layers;
-  const Meaning body{"bodies", 0};
   for (const LayerBodies* bodies : {&mesh->opaque, &mesh->translucent}) {
     if (bodies->faces.points() > 0) {
-      layers.push_back(
-          layer_of(SoupCells{std::shared_ptr<const CellSoup>(mesh, &bodies->faces)}, body));
+      const auto faces = std::shared_ptr<const CellSoup>(mesh, &bodies->faces);
+      layers.push_back(by_layer(layer_of(SoupCells{faces}, {kBodies, 0}), mesh, bodies->face_ends));
     }
-    if (bodies->spheres) layers.push_back(ball_layer(body.id, bodies->spheres, body.corners));
+    if (bodies->spheres) {
+      layers.push_back(
+          by_layer(ball_layer(kBodies, bodies->spheres, 0), mesh, bodies->sphere_ends));
+    }
   }
   if (mesh->tubes.points() > 0) {
     auto tubes = std::make_shared<CellSoup>();
@@ -281,19 +297,8 @@ PickLayers body_layers(const std::shared_ptr<const LayerMesh>& mesh) {
       const float* p = &mesh->tubes.xyz[3 * static_cast<std::size_t>(corner)];
       tubes->xyz.insert(tubes->xyz.end(), p, p + 3);
     }
-    const PickLayer cells = layer_of(SoupCells{std::move(tubes)}, {kTubes, 0});
-    layers.push_back({kTubes, [mesh, cells](const PickLine& line) {
-                        std::optional<Hit> hit = cells.pick(line);
-                        if (!hit) return hit;
-                        const auto& of = mesh->tubes_of;
-                        const auto at =
-                            std::upper_bound(of.begin(), of.end(), hit->index,
-                                             [](std::size_t triangle, const LayerTubes& t) {
-                                               return triangle < t.end;
-                                             });
-                        hit->index = static_cast<std::size_t>(at - of.begin());
-                        return hit;
-                      }});
+    layers.push_back(
+        by_layer(layer_of(SoupCells{std::move(tubes)}, {kTubes, 0}), mesh, mesh->tube_ends));
   }
   return layers;
 }

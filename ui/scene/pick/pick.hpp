@@ -29,12 +29,12 @@ struct PickLine {
 };
 
 inline constexpr std::string_view kBesideBody = "beside", kAtomInFront = "in front";
-inline constexpr std::string_view kAtomOfObject = "object", kTubes = "tubes";
+inline constexpr std::string_view kAtomOfObject = "object", kBodies = "bodies", kTubes = "tubes";
 
 struct Hit {
   // "balls", "tetrahedra", "boundary", "triangles", "edges"; "beside" (index in BesideBody::atoms);
-  // "in front" and "object" (index in Molecule::atoms); "bodies" (layers of panels, without index)
-  // and "tubes" (of panels; index in LayerMesh::tubes_of).
+  // "in front" and "object" (index in Molecule::atoms); "bodies" and "tubes" (index of the panel's
+  // layer among those of LayerMesh).
   std::string_view layer;
   int corners = 1;        // 1: a ball; 0: a body
   std::size_t index = 0;  // of the ball, or of the simplex in its list in the complex

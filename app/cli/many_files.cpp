@@ -10,7 +10,7 @@
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
 #include "core/files/read_error.hpp"
-#include "core/files/small_text.hpp"
+#include "core/text_files/small_text.hpp"
 
 namespace alphascope::cli {
 namespace {

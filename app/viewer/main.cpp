@@ -24,10 +24,10 @@
 #include "core/document/session/session_file.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/read_error.hpp"
-#include "core/files/small_text.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/run/program_heap.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/small_text.hpp"
 #include "ui/panels/whole_state.hpp"
 #include "ui/widgets/style.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "core/cavity/cavities.hpp"
 #include "core/cavity/cavity_ground.hpp"
-#include "core/channel/empty_space.hpp"
-#include "core/channel/plane_ascent.hpp"
+#include "core/clearance/empty_space.hpp"
+#include "core/clearance/plane_ascent.hpp"
 
 namespace alphascope {
 namespace {

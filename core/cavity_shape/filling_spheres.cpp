@@ -11,8 +11,8 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity_identity/point_location.hpp"
-#include "core/channel/clearance.hpp"
-#include "core/channel/orthocentre.hpp"
+#include "core/clearance/clearance.hpp"
+#include "core/clearance/orthocentre.hpp"
 #include "core/neighbours/uniform_grid.hpp"
 #include "core/run/parallel.hpp"
 

@@ -11,11 +11,11 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "core/channel/clearance.hpp"
-#include "core/channel/empty_space.hpp"
-#include "core/channel/equal_clearance.hpp"
-#include "core/channel/grown_triangulation.hpp"
 #include "core/channel/passage.hpp"
+#include "core/clearance/clearance.hpp"
+#include "core/clearance/empty_space.hpp"
+#include "core/clearance/equal_clearance.hpp"
+#include "core/clearance/grown_triangulation.hpp"
 
 namespace alphascope {
 namespace {

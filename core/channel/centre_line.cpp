@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/channel/plane_ascent.hpp"
 #include "core/channel/walk.hpp"
+#include "core/clearance/plane_ascent.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/channel/channel.hpp"
-#include "core/channel/clearance.hpp"
 #include "core/channel/envelope.hpp"
+#include "core/clearance/clearance.hpp"
 
 namespace alphascope {
 

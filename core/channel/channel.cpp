@@ -13,10 +13,10 @@
 
 #include "core/channel/by_place.hpp"
 #include "core/channel/centre_line.hpp"
-#include "core/channel/clearance.hpp"
 #include "core/channel/envelope.hpp"
 #include "core/channel/passage.hpp"
-#include "core/channel/plane_ascent.hpp"
+#include "core/clearance/clearance.hpp"
+#include "core/clearance/plane_ascent.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/point_text.hpp"
 

@@ -10,10 +10,10 @@
 #include <memory>
 #include <utility>
 
-#include "core/channel/empty_space.hpp"
-#include "core/channel/equal_clearance.hpp"
-#include "core/channel/plane_ascent.hpp"
 #include "core/channel/walk.hpp"
+#include "core/clearance/empty_space.hpp"
+#include "core/clearance/equal_clearance.hpp"
+#include "core/clearance/plane_ascent.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/run/internal_error.hpp"
 

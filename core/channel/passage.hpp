@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/channel/clearance.hpp"
-#include "core/channel/grown_triangulation.hpp"
+#include "core/clearance/clearance.hpp"
+#include "core/clearance/grown_triangulation.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"

@@ -8,7 +8,7 @@
 #include <queue>
 #include <utility>
 
-#include "core/channel/equal_clearance.hpp"
+#include "core/clearance/equal_clearance.hpp"
 #include "core/predicates/exact_alpha.hpp"
 
 namespace alphascope {

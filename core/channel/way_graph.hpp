@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/channel/empty_space.hpp"
 #include "core/channel/envelope.hpp"
-#include "core/channel/grown_triangulation.hpp"
+#include "core/clearance/empty_space.hpp"
+#include "core/clearance/grown_triangulation.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
 

@@ -12,11 +12,11 @@
 
 #include "core/channel/by_place.hpp"
 #include "core/channel/centre_line.hpp"
-#include "core/channel/clearance.hpp"
 #include "core/channel/envelope.hpp"
-#include "core/channel/grown_triangulation.hpp"
 #include "core/channel/passage.hpp"
 #include "core/channel/way_graph.hpp"
+#include "core/clearance/clearance.hpp"
+#include "core/clearance/grown_triangulation.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/principal_axes.hpp"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/files/line_reader.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 

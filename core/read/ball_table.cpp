@@ -8,7 +8,6 @@
 #include <charconv>
 #include <vector>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/ball_columns.hpp"
@@ -17,6 +16,7 @@
 #include "core/read/molecule_builder.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

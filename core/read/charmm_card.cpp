@@ -5,7 +5,6 @@
 // is no radius.
 #include <charconv>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/field_kinds.hpp"
@@ -13,6 +12,7 @@
 #include "core/read/molecule_builder.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

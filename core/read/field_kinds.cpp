@@ -2,8 +2,8 @@
 // Classifies the fields of a line as integers, other numbers and words.
 #include "core/read/field_kinds.hpp"
 
-#include "core/files/line_reader.hpp"
 #include "core/read/decimal.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 

@@ -3,13 +3,13 @@
 // its reader and entry, and a line here.
 #include <algorithm>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/lookalike.hpp"
 #include "core/text/letter_case.hpp"
+#include "core/text_files/line_reader.hpp"
 
 // In the order of texts for people. The fuzzers are made from this list as well.
 #define ALPHASCOPE_FORMATS(FORMAT) \

@@ -7,13 +7,13 @@
 #include <array>
 #include <optional>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/read/field_kinds.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/molecule_builder.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,7 +6,6 @@
 // first.
 #include <charconv>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/file_format.hpp"
@@ -15,6 +14,7 @@
 #include "core/read/pdb/pdb_records.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <future>
 
-#include "core/files/text_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/lookalike.hpp"
+#include "core/text_files/text_file.hpp"
 
 namespace alphascope {
 namespace {

@@ -2,13 +2,13 @@
 // Parses tables of radii that users write.
 #include "core/read/user_radii.hpp"
 
-#include "core/files/line_reader.hpp"
-#include "core/files/text_file.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/decimal.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/line_reader.hpp"
+#include "core/text_files/text_file.hpp"
 
 namespace alphascope {
 namespace {

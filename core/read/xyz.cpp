@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/field_kinds.hpp"
@@ -14,6 +13,7 @@
 #include "core/read/residues/atom_names.hpp"
 #include "core/read/residues/virtual_sites.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

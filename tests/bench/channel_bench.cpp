@@ -19,7 +19,7 @@
 #include "core/cavity_shape/cavity_places.hpp"
 #include "core/channel/bottlenecks.hpp"
 #include "core/channel/channel.hpp"
-#include "core/channel/clearance.hpp"
+#include "core/clearance/clearance.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/flow.hpp"
 #include "tests/bench/read_balls.hpp"

@@ -20,10 +20,10 @@
 #include <string>
 #include <vector>
 
-#include "core/files/text_file.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/read_molecule.hpp"
+#include "core/text_files/text_file.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes any bytes as gzip data. The result is a text within the limit, or a ReadError.
-#include "core/files/gzip.hpp"
+#include "core/text_files/gzip.hpp"
 #include "tests/fuzz/check_molecule.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

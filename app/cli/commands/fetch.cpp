@@ -21,8 +21,8 @@
 #include "core/files/fetched_file.hpp"
 #include "core/files/read_error.hpp"
 #include "core/files/read_options.hpp"
-#include "core/files/text_file.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/text_file.hpp"
 
 namespace alphascope::cli {
 namespace {

@@ -12,8 +12,8 @@
 #include "ui/panels/dialogs/browser_state.hpp"
 #include "ui/panels/dialogs/dialog_state.hpp"
 #include "ui/panels/dialogs/fetch_state.hpp"
-#include "ui/panels/dialogs/typed_id.hpp"
-#include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/dialogs/fields/typed_id.hpp"
+#include "ui/panels/dialogs/fields/typed_path.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/widgets/widgets.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/parts/due_frames.hpp"
+#include "app/viewer/frames/due_frames.hpp"
 #include "core/run/worker.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/running_job.hpp"

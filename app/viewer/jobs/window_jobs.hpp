@@ -8,11 +8,11 @@
 
 #include "app/session/machine.hpp"
 #include "app/session/session.hpp"
+#include "app/viewer/frames/due_frames.hpp"
 #include "app/viewer/jobs/benchmark.hpp"
 #include "app/viewer/jobs/folder_reader.hpp"
 #include "app/viewer/jobs/guide_reader.hpp"
 #include "app/viewer/jobs/job_list.hpp"
-#include "app/viewer/parts/due_frames.hpp"
 #include "ui/panels/view_state.hpp"
 
 namespace alphascope {

@@ -9,8 +9,8 @@
 #include <memory>
 #include <string>
 
-#include "app/viewer/jobs/picture_saver.hpp"
 #include "app/viewer/lessons/lesson_player.hpp"
+#include "app/viewer/saving/picture_saver.hpp"
 #include "ui/scene/picture/lesson_page.hpp"
 
 namespace alphascope {

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "app/session/session.hpp"
+#include "app/viewer/frames/due_frames.hpp"
+#include "app/viewer/frames/settings_sender.hpp"
 #include "app/viewer/lessons/lesson_files.hpp"
 #include "app/viewer/lessons/lesson_player.hpp"
-#include "app/viewer/parts/due_frames.hpp"
 #include "app/viewer/parts/history.hpp"
 #include "app/viewer/parts/opening.hpp"
-#include "app/viewer/parts/settings_sender.hpp"
 #include "app/viewer/parts/window_preferences.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "core/document/commands/commands.hpp"

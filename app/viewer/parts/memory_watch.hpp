@@ -3,7 +3,7 @@
 // runs.
 #pragma once
 
-#include "app/viewer/parts/due_frames.hpp"
+#include "app/viewer/frames/due_frames.hpp"
 #include "ui/panels/view_state.hpp"
 
 namespace alphascope {

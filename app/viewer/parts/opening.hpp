@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "app/session/session.hpp"
+#include "app/viewer/frames/due_frames.hpp"
 #include "app/viewer/jobs/fetcher.hpp"
-#include "app/viewer/jobs/session_files.hpp"
-#include "app/viewer/parts/due_frames.hpp"
 #include "app/viewer/parts/history.hpp"
 #include "app/viewer/parts/window_preferences.hpp"
+#include "app/viewer/saving/session_files.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/window/host.hpp"

@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "app/session/session.hpp"
-#include "app/viewer/parts/due_frames.hpp"
+#include "app/viewer/frames/due_frames.hpp"
 #include "app/viewer/parts/model_playback.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "ui/panels/view_state.hpp"

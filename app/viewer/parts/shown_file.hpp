@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "app/session/session.hpp"
-#include "app/viewer/parts/due_frames.hpp"
+#include "app/viewer/frames/due_frames.hpp"
+#include "app/viewer/frames/settings_sender.hpp"
 #include "app/viewer/parts/history.hpp"
 #include "app/viewer/parts/opening.hpp"
-#include "app/viewer/parts/settings_sender.hpp"
 #include "app/viewer/parts/window_preferences.hpp"
 #include "app/viewer/scene/scene_controller.hpp"
 #include "ui/panels/view_state.hpp"

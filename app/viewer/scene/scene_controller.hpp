@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/session/session.hpp"
-#include "app/viewer/jobs/picture_saver.hpp"
+#include "app/viewer/saving/picture_saver.hpp"
 #include "app/viewer/scene/drawing_maker.hpp"
 #include "app/viewer/scene/scene_controls.hpp"
 #include "app/viewer/scene/shown_picture.hpp"

@@ -13,7 +13,7 @@
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/cavity_shape/cavity_shape.hpp"
 #include "core/cavity_shape/filling_spheres.hpp"
-#include "core/channel/clearance.hpp"
+#include "core/clearance/clearance.hpp"
 #include "core/document/cavities/cavity_contents.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/channel/channel_tube.hpp"
-#include "core/channel/clearance.hpp"
+#include "core/clearance/clearance.hpp"
 #include "core/document/channels/channel_records.hpp"
 #include "core/document/channels/channel_text.hpp"
 #include "core/document/store/definition.hpp"

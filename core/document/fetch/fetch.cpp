@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "core/files/atomic_file.hpp"
-#include "core/files/gzip.hpp"
 #include "core/files/read_error.hpp"
 #include "core/files/read_options.hpp"
+#include "core/text_files/gzip.hpp"
 
 namespace alphascope {
 namespace {

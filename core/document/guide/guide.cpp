@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/files/read_error.hpp"
-#include "core/files/small_text.hpp"
 #include "core/text/letter_case.hpp"
+#include "core/text_files/small_text.hpp"
 
 namespace alphascope {
 namespace {

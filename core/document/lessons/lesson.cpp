@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "core/document/lessons/lesson_facts.hpp"
-#include "core/files/line_reader.hpp"
 #include "core/files/read_error.hpp"
-#include "core/files/text_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/stage_timer.hpp"
+#include "core/text_files/line_reader.hpp"
+#include "core/text_files/text_file.hpp"
 
 namespace alphascope {
 namespace {

@@ -15,7 +15,6 @@
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/answer.hpp"
 #include "core/document/store/inputs.hpp"
-#include "core/files/line_reader.hpp"
 #include "core/geometry/grown_radius.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/union_measures.hpp"
@@ -24,6 +23,7 @@
 #include "core/selection/selection_expression.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/short_number.hpp"
+#include "core/text_files/line_reader.hpp"
 #include "core/triangulation/filtration.hpp"
 
 namespace alphascope {

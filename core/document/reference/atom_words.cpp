@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "core/document/reference/reference.hpp"
-#include "core/files/line_reader.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 

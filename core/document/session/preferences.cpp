@@ -7,11 +7,11 @@
 #include "core/document/session/json_fields.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/read_error.hpp"
-#include "core/files/text_file.hpp"
 #include "core/files/user_folder.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/selection/selection_expression.hpp"
+#include "core/text_files/text_file.hpp"
 
 namespace alphascope {
 

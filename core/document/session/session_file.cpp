@@ -9,13 +9,13 @@
 #include "core/document/session/settings_fields.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/read_error.hpp"
-#include "core/files/text_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "core/selection/treatments.hpp"
 #include "core/text/letter_case.hpp"
+#include "core/text_files/text_file.hpp"
 
 namespace alphascope {
 

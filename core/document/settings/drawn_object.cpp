@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "core/chart/colour_text.hpp"
-#include "core/files/line_reader.hpp"
 #include "core/selection/contents.hpp"
 #include "core/selection/selection_expression.hpp"
 #include "core/text/choices.hpp"
 #include "core/text/text_parts.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

@@ -6,12 +6,12 @@
 
 #include "core/chart/colour_text.hpp"
 #include "core/document/commands/number_input.hpp"
-#include "core/files/line_reader.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/text/choices.hpp"
 #include "core/text/former_name.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <string>
 
-#include "core/files/line_reader.hpp"
 #include "core/files/read_error.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/residues/atom_names.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 

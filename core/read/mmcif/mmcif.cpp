@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/file_format.hpp"
 #include "core/read/mmcif/cif_grammar.hpp"
@@ -19,6 +18,7 @@
 #include "core/read/predicted_model.hpp"
 #include "core/read/residues/atom_names.hpp"
 #include "core/text/letter_case.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

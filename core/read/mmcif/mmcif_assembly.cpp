@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/decimal.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

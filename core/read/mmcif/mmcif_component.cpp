@@ -6,9 +6,9 @@
 #include <array>
 #include <cstdint>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/residues/stated_element.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 

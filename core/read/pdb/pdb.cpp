@@ -10,7 +10,6 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/frame_marks.hpp"
@@ -24,6 +23,7 @@
 #include "core/read/residues/atom_names.hpp"
 #include "core/read/residues/autodock_types.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/files/line_reader.hpp"
 #include "core/read/pdb/pdb_records.hpp"
 #include "core/read/residues/atom_names.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

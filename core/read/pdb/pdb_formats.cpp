@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/read/decimal.hpp"
 #include "core/read/pdb/pdb_reader.hpp"
 #include "core/read/pdb/pdb_records.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

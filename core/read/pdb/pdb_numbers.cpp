@@ -4,9 +4,9 @@
 
 #include <charconv>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/name_table.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/files/line_reader.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/element.hpp"
 #include "core/molecule/molecule.hpp"
@@ -12,6 +11,7 @@
 #include "core/read/decimal.hpp"
 #include "core/text/grouped_number.hpp"
 #include "core/text/letter_case.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

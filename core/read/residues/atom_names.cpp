@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <gemmi/resinfo.hpp>  // find_tabulated_residue
 
-#include "core/files/line_reader.hpp"
 #include "core/read/residues/ion_names.hpp"
 #include "core/read/residues/virtual_sites.hpp"
 #include "core/text/letter_case.hpp"
 #include "core/text/printable.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/files/line_reader.hpp"
 #include "core/read/pdb/pdb_numbers.hpp"
 #include "core/read/pdb/pdb_records.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

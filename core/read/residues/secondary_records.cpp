@@ -8,10 +8,10 @@
 #include <tuple>
 #include <utility>
 
-#include "core/files/line_reader.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/read/pdb/pdb_numbers.hpp"
 #include "core/read/pdb/pdb_records.hpp"
+#include "core/text_files/line_reader.hpp"
 
 namespace alphascope {
 namespace {

@@ -15,10 +15,10 @@
 
 #include "core/bonds/covalent_radii.hpp"
 #include "core/bonds/residue_structures.hpp"
-#include "core/files/text_file.hpp"
 #include "core/molecule/assembly.hpp"
 #include "core/molecule/atom_type.hpp"
 #include "core/selection/prepare_balls.hpp"
+#include "core/text_files/text_file.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

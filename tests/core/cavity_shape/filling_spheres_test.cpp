@@ -10,7 +10,7 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
-#include "core/channel/clearance.hpp"
+#include "core/clearance/clearance.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/predicates/lifted.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"

@@ -11,7 +11,7 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity_shape/cavity_places.hpp"
 #include "core/channel/channel.hpp"
-#include "core/channel/clearance.hpp"
+#include "core/clearance/clearance.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"

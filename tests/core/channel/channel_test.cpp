@@ -13,7 +13,7 @@
 #include <numeric>
 #include <thread>
 
-#include "core/channel/clearance.hpp"
+#include "core/clearance/clearance.hpp"
 #include "core/geometry/alpha.hpp"
 #include "tests/core/cavity/flooded_grid.hpp"
 #include "tests/core/cavity/gramicidin.hpp"

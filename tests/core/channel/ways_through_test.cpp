@@ -11,7 +11,7 @@
 #include <numeric>
 #include <set>
 
-#include "core/channel/clearance.hpp"
+#include "core/clearance/clearance.hpp"
 #include "core/geometry/alpha.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests small texts read at once, and the limits of large ones.
-#include "core/files/small_text.hpp"
+#include "core/text_files/small_text.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "core/files/files_read.hpp"
-#include "core/files/text_limits.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/text_files/text_limits.hpp"
 #include "tests/core/files/temporary_file.hpp"
 
 namespace alphascope {

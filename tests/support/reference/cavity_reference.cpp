@@ -10,9 +10,9 @@
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/complex/triangulation.hpp"
-#include "core/files/text_file.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
+#include "core/text_files/text_file.hpp"
 #include "core/triangulation/filtration.hpp"
 
 namespace alphascope::testing {

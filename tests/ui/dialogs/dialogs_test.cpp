@@ -12,7 +12,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
-#include "ui/panels/dialogs/typed_path.hpp"
+#include "ui/panels/dialogs/fields/typed_path.hpp"
 
 namespace alphascope {
 namespace {

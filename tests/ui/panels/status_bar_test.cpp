@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests of the last move in the status bar: its time, its forms at each size, and its button.
-#include "app/viewer/parts/move_clock.hpp"
+#include "app/viewer/frames/move_clock.hpp"
 #include "core/document/store/answer.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"

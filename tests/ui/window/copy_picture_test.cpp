@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "app/viewer/jobs/picture_clipboard.hpp"
+#include "app/viewer/saving/picture_clipboard.hpp"
 #include "core/run/cancel_token.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 

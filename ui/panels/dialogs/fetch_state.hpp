@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/document/fetch/fetch.hpp"
-#include "ui/panels/dialogs/typed_id.hpp"
+#include "ui/panels/dialogs/fields/typed_id.hpp"
 
 namespace alphascope {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "ui/panels/dialogs/typed_id.hpp"
+#include "ui/panels/dialogs/fields/typed_id.hpp"
 
 namespace alphascope {
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ascends in a plane to a local maximum of clearance, by small linear programs.
+#include "core/clearance/plane_ascent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace alphascope {
+namespace {
+
+// Only this many of the nearest surfaces within reach of a step are used. More are that near only
+// where many are equally far. There the step shrinks until they no longer are.
+constexpr std::size_t kMostSurfaces = 14;
+
+// A lower bound of a surface's distance near a point of the plane: value + (gx, gy)·step. It holds
+// because distances from points are convex.
+struct Slope {
+  double value, gx, gy;
+  double at(double x, double y) const { return value + gx * x + gy * y; }
+};
+
+struct Step {
+  double x = 0, y = 0, value = 0;
+};
+
+// Finds the step of at most `longest` that maximises the least of all slopes. The maximum is
+// limited by one slope and the length, by two slopes and the length, or by three slopes.
+class BestStep {
+ public:
+  BestStep(const std::vector<Slope>& slopes, double longest) : slopes_(slopes), longest_(longest) {
+    best_.value = -std::numeric_limits<double>::infinity();
+    try_step(0, 0);
+  }
+  Step find() {
+    const std::size_t count = slopes_.size();
+    for (std::size_t a = 0; a < count; ++a) {
+      const double size = std::hypot(slopes_[a].gx, slopes_[a].gy);
+      if (size > 0) try_step(slopes_[a].gx / size * longest_, slopes_[a].gy / size * longest_);
+      for (std::size_t b = a + 1; b < count; ++b) {
+        try_equal(slopes_[a], slopes_[b]);
+        for (std::size_t c = b + 1; c < count; ++c) try_corner(slopes_[a], slopes_[b], slopes_[c]);
+      }
+    }
+    return best_;
+  }
+
+ private:
+  void try_step(double x, double y) {
+    double least = slopes_[0].at(x, y);
+    for (const Slope& slope : slopes_) {
+      least = std::min(least, slope.at(x, y));
+      if (!(least > best_.value)) return;
+    }
+    best_ = {x, y, least};
+  }
+  // The line a = b is { n·x = c }.
+  void try_equal(const Slope& a, const Slope& b) {
+    const double nx = a.gx - b.gx, ny = a.gy - b.gy, c = b.value - a.value;
+    const double square = nx * nx + ny * ny;
+    if (!(square > 1e-24)) return;
+    const double x = c * nx / square, y = c * ny / square;
+    const double rest = longest_ * longest_ - (x * x + y * y);
+    if (!(rest > 0)) return;
+    const double along = std::sqrt(rest / square);
+    try_step(x - ny * along, y + nx * along);
+    try_step(x + ny * along, y - nx * along);
+  }
+  void try_corner(const Slope& a, const Slope& b, const Slope& c) {
+    const double bx = a.gx - b.gx, by = a.gy - b.gy, bc = b.value - a.value;
+    const double cx = a.gx - c.gx, cy = a.gy - c.gy, cc = c.value - a.value;
+    const double determinant = bx * cy - by * cx;
+    if (determinant == 0) return;
+    const double x = (bc * cy - by * cc) / determinant, y = (bx * cc - bc * cx) / determinant;
+    if (x * x + y * y <= longest_ * longest_) try_step(x, y);
+  }
+
+  const std::vector<Slope>& slopes_;
+  double longest_;
+  Step best_;
+};
+
+}  // namespace
+
+Ascent ascend_in_plane(const Clearance& clearance, const RealPoint& x, const RealPoint& normal,
+                       const AscentLimits& limits) {
+  constexpr int kMostSteps = 4000;
+  RealPoint first, second;
+  normals_of(normal, first, second);
+  Ascent ascent{x, false};
+  std::vector<Surface> surfaces;
+  std::vector<Slope> slopes;
+  double step_length = limits.longest_step_angstrom;
+  double value = clearance.at(x);
+  for (int n = 0; n < kMostSteps; ++n) {
+    if (value >= limits.most_clearance_angstrom) return ascent;
+    if (length(ascent.place - x) >= limits.farthest_angstrom) return ascent;
+    clearance.collect(ascent.place, value + 2 * step_length + 1e-9, surfaces);
+    slopes.clear();
+    for (const Surface& s : surfaces) {
+      if (slopes.size() == kMostSurfaces) break;
+      slopes.push_back({s.distance_angstrom, dot(s.away, first), dot(s.away, second)});
+    }
+    const Step step = BestStep(slopes, step_length).find();
+    const RealPoint next = ascent.place + step.x * first + step.y * second;
+    const double risen = step.value > value ? clearance.at(next) : value;
+    const double rise = risen - value;
+    if (rise > 0) {
+      ascent.place = next;
+      value = risen;
+    }
+    // Shortens the step if it gains little for its length. The ascent then ends between three
+    // balls.
+    if (rise < 1e-3 * step_length) step_length /= 4;
+    if (step_length < limits.shortest_step_angstrom) {
+      ascent.settled = true;
+      return ascent;
+    }
+  }
+  return ascent;
+}
+
+}  // namespace alphascope

@@ -2,6 +2,7 @@
 // Tests of the last move in the status bar: its time, its forms at each size, and its button.
 #include "app/viewer/frames/move_clock.hpp"
 #include "core/document/store/answer.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/complex/timings_text.hpp"
@@ -69,19 +70,34 @@ WholeState moved_state() {
 
 TEST(LastMove, SaysTimeEngineCgalAndBadge) {
   WholeState s = moved_state();
-  EXPECT_EQ(last_move(s).front().line(),
+  EXPECT_EQ(last_move(s, nullptr).front().line(),
             "34.2 ms to picture  ·  dual-edge engine on CPU, 2 threads  ·  CGAL 60.5 ms  ·  "
             "✓ identical");
-  EXPECT_EQ(last_move(s).back().line(), "34.2 ms  ·  CPU  ·  CGAL 60.5 ms  ·  ✓");
+  EXPECT_EQ(last_move(s, nullptr).back().line(), "34.2 ms  ·  CPU  ·  CGAL 60.5 ms  ·  ✓");
   s.badge = {BadgeInfo::State::not_compared, "not compared with CGAL"};
-  EXPECT_EQ(last_move(s).front().line(),
+  EXPECT_EQ(last_move(s, nullptr).front().line(),
             "34.2 ms to picture  ·  dual-edge engine on CPU, 2 threads  ·  not compared")
       << "CGAL's time is of another complex";
   s.badge.state = BadgeInfo::State::identical;
   s.cgal.cold->alpha_angstrom2 = 7;
-  EXPECT_EQ(last_move(s).front().cgal, "") << "another alpha";
+  EXPECT_EQ(last_move(s, nullptr).front().cgal, "") << "another alpha";
   s.move_milliseconds.reset();
-  EXPECT_EQ(last_move(s).front().time, "20.2 ms to compute");
+  EXPECT_EQ(last_move(s, nullptr).front().time, "20.2 ms to compute");
+}
+
+// A triangulation by the CPU beside a GPU is never quiet.
+TEST(LastMove, SaysThatTheGpuDidNotMakeTheTriangulation) {
+  const WholeState s = moved_state();
+  TriangulationReport report;
+  EXPECT_EQ(last_move(s, &report).front().line(), last_move(s, nullptr).front().line())
+      << "there is no GPU";
+  report.why_not = "the centres lie in a plane";
+  const LastMove move = last_move(s, &report).front();
+  EXPECT_EQ(move.engine, "dual-edge engine on CPU, 2 threads, triangulation by CGAL");
+  EXPECT_NE(move.help.find("The GPU did not make the triangulation of all balls: the centres lie "
+                           "in a plane.\n"),
+            std::string::npos)
+      << move.help;
 }
 
 struct Bar {

@@ -169,7 +169,7 @@ std::string LastMove::line() const {
   return text;
 }
 
-std::vector<LastMove> last_move(const ViewState& state) {
+std::vector<LastMove> last_move(const ViewState& state, const TriangulationReport* triangulation) {
   const Answer& answer = *state.result;
   const EngineInfo& engine = answer.complex.engine;
   const std::string engine_time = milliseconds_text(answer.complex.timings.wall_milliseconds);
@@ -181,12 +181,15 @@ std::vector<LastMove> last_move(const ViewState& state) {
   LastMove full{time + (moved ? " to picture" : " to compute"), engine.name, cgal_time,
                 badge_words(state.badge.state), ""};
   if (!engine.device.empty()) full.engine += " on " + engine.device;
+  const bool refused = triangulation != nullptr && !triangulation->why_not.empty();
+  if (refused) full.engine += ", triangulation by CGAL";
   if (moved) full.help = "Last move: " + time + " from the change to the finished picture.\n";
   full.help += full.engine + ": " + engine_time + " for the complex.\n";
   if (cgal.run) {
     full.help += "CGAL: " + wall_text(*cgal.run) + " for the same complex, " +
                  (cgal.cold ? "with its triangulation.\n" : "from its triangulation.\n");
   }
+  if (refused) full.help += triangulation_sentences(*triangulation).front() + "\n";
   full.help += badge_mark(state.badge.state) + state.badge.text + "\n\nClick to see each stage.";
 
   LastMove middle = full, least = full;

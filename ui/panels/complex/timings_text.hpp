@@ -46,7 +46,7 @@ struct LastMove {
   std::string help;  // all of it in sentences
 };
 // Of the complex on screen, which must exist. The forms have all that fits ever less room: the last
-// one is the shortest.
-std::vector<LastMove> last_move(const ViewState& state);
+// one is the shortest. `triangulation`: of all its balls; null if it is not there.
+std::vector<LastMove> last_move(const ViewState& state, const TriangulationReport* triangulation);
 
 }  // namespace alphascope

@@ -8,17 +8,14 @@
 
 #include "core/complex/engine_info.hpp"
 #include "core/complex/face_class.hpp"
-#include "core/complex/triangulation.hpp"
 #include "core/document/commands/commands.hpp"
-#include "core/document/store/derived.hpp"
-#include "core/document/store/inputs.hpp"
-#include "core/document/store/store.hpp"
 #include "core/engine/cold_and_warm.hpp"
 #include "core/engine/known_results.hpp"
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/triangulation_report.hpp"
 #include "ui/calls.hpp"
 #include "ui/number_text.hpp"
+#include "ui/panels/complex/shown_triangulation.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
@@ -58,13 +55,6 @@ void add_lines(std::vector<Line>& lines, const EngineInfo& engine, const Measure
     lines.push_back({stage.label, start, stage.milliseconds, stage.setup ? setup_bar : bar, false});
     start += stage.milliseconds;
   }
-}
-
-// The triangulation of all balls, on which cavities and large alphas rest. Null if it is not there.
-std::shared_ptr<const TriangulationReport> triangulation_report(PanelContext& ctx) {
-  if (!ctx.inputs.balls || ctx.inputs.balls != ctx.state.shown_balls()) return nullptr;
-  const auto triangulation = ctx.store.have(whole_triangulation(), ctx.inputs);
-  return triangulation ? triangulation->report : nullptr;
 }
 
 void add_lines(std::vector<Line>& lines, const TriangulationReport& report, const Colour& bar) {
@@ -181,7 +171,7 @@ void draw_waterfall(PanelContext& ctx, bool cold, float height) {
     range = std::max(range, run->times.wall_milliseconds);
     only_tetrahedra |= run->tetrahedra_only;
   }
-  const auto triangulation = cold ? triangulation_report(ctx) : nullptr;
+  const auto triangulation = cold ? shown_triangulation(ctx) : nullptr;
   if (triangulation) {
     add_lines(lines, *triangulation, triangulation->by_cgal ? p.bar_cgal : p.bar_ours);
     range = std::max(range, triangulation->timings.wall_milliseconds);

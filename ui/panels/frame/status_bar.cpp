@@ -10,6 +10,7 @@
 #include "core/document/commands/commands.hpp"
 #include "core/document/store/answer.hpp"
 #include "ui/number_text.hpp"
+#include "ui/panels/complex/shown_triangulation.hpp"
 #include "ui/panels/complex/timings_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
@@ -148,7 +149,7 @@ void move_button(PanelContext& ctx, LastMove move) {
 // Draws the last move and as many counts as fit beside it. Counts become shorter first; the move
 // does so only where there is no room for any.
 void result_line(PanelContext& ctx) {
-  const std::vector<LastMove> moves = last_move(ctx.state);
+  const std::vector<LastMove> moves = last_move(ctx.state, shown_triangulation(ctx).get());
   const std::vector<std::vector<Item>> forms = counts(ctx.state.result->complex);
   const float room = ImGui::GetWindowWidth() - ctx.px(12) - ImGui::GetCursorPosX();
   const auto fits = [&](const LastMove& move, const std::vector<Item>& items, float right) {

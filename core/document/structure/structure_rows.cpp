@@ -194,7 +194,9 @@ std::string residue_title(const Molecule& molecule, const ResidueRow& row) {
   std::string text(molecule.text(atom.residue_name));
   text += (text.empty() ? "" : " ") + std::to_string(atom.residue_number);
   if (atom.insertion_code != ' ') text += atom.insertion_code;
-  return text;
+  // Polymers stand below their chains.
+  if (atom.kind == ResidueKind::polymer || molecule.text(atom.chain).empty()) return text;
+  return text + ", chain " + std::string(molecule.text(atom.chain));
 }
 
 const Definition<StructureRows>& structure_rows() {

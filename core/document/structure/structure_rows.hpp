@@ -49,7 +49,7 @@ struct StructureRows {
 StructureRows make_structure_rows(const Molecule& molecule, const ModelRange& models,
                                   const SecondaryModel& secondary, const RunContext& context);
 
-// "HIS 87", "HEM 142".
+// "HIS 87" of a polymer, "HEM 142, chain A" of others.
 std::string residue_title(const Molecule& molecule, const ResidueRow& row);
 
 const Definition<StructureRows>& structure_rows();

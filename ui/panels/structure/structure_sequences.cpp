@@ -47,7 +47,7 @@ void sequence_line(StructurePage& page, const ResidueBranch& branch, std::size_t
     const std::size_t row = begin + letter;
     take_mouse(page, row, row + 1, clicked);
     if (ImGui::IsItemHovered()) {
-      ImGui::SetTooltip("%s, chain %s",
+      ImGui::SetTooltip("%s, %s",
                         residue_title(page.atoms.molecule(), page.rows.residues[row]).c_str(),
                         branch.title.c_str());
     }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/document/reference/reference.hpp"
 #include "core/molecule/molecule.hpp"
@@ -30,38 +31,52 @@ struct TreeLine {
   std::size_t branch = 0, row = 0;
 };
 
-// The nth visible line. Branches are few; the residues of open ones are not listed one by one.
-TreeLine line_at(const StructurePage& page, std::size_t n) {
-  if (n == 0) return {TreeLine::Kind::cavities, 0, 0};
-  if (n < lines_of_cavities(page)) return {TreeLine::Kind::cavity, 0, n - 1};
-  n -= lines_of_cavities(page);
-  if (n == 0) return {TreeLine::Kind::channels, 0, 0};
-  if (n < lines_of_channels(page)) return {TreeLine::Kind::channel, 0, n - 1};
-  n -= lines_of_channels(page);
-  for (std::size_t b = 0; b < page.rows.branches.size(); ++b) {
-    if (n == 0) return {TreeLine::Kind::branch, b, 0};
-    --n;
-    const ResidueBranch& branch = page.rows.branches[b];
-    if (!page.memory.open.contains(branch.title)) continue;
-    if (n < branch.size()) return {TreeLine::Kind::residue, b, branch.begin + n};
-    n -= branch.size();
-  }
-  return {TreeLine::Kind::cavities, 0, 0};
-}
-
-// The index of a row's line; empty if its branch is closed.
-std::optional<std::size_t> line_of(const StructurePage& page, std::size_t row) {
-  std::size_t n = lines_of_cavities(page) + lines_of_channels(page);
-  for (const ResidueBranch& branch : page.rows.branches) {
-    ++n;
-    const bool open = page.memory.open.contains(branch.title);
-    if (row >= branch.begin && row < branch.end) {
-      return open ? std::optional(n + row - branch.begin) : std::nullopt;
+// The lines of the tree in one frame. An assembly may have thousands of branches, so finding a line
+// does not pass through them; residues of open branches are not listed one by one.
+class TreeLines {
+ public:
+  explicit TreeLines(const StructurePage& page)
+      : branches_(page.rows.branches),
+        cavities_(lines_of_cavities(page)),
+        channels_(lines_of_channels(page)) {
+    std::size_t n = cavities_ + channels_;
+    for (const ResidueBranch& branch : branches_) {
+      starts_.push_back(n);
+      n += 1 + (page.memory.open.contains(branch.title) ? branch.size() : 0);
     }
-    if (open) n += branch.size();
+    starts_.push_back(n);
   }
-  return std::nullopt;
-}
+
+  std::size_t size() const { return starts_.back(); }
+
+  TreeLine at(std::size_t n) const {
+    if (n == 0) return {TreeLine::Kind::cavities, 0, 0};
+    if (n < cavities_) return {TreeLine::Kind::cavity, 0, n - 1};
+    n -= cavities_;
+    if (n == 0) return {TreeLine::Kind::channels, 0, 0};
+    if (n < channels_) return {TreeLine::Kind::channel, 0, n - 1};
+    n += cavities_;
+    const auto after = std::upper_bound(starts_.begin(), starts_.end(), n);
+    const auto b = static_cast<std::size_t>(after - starts_.begin()) - 1;
+    if (n == starts_[b]) return {TreeLine::Kind::branch, b, 0};
+    return {TreeLine::Kind::residue, b, branches_[b].begin + n - starts_[b] - 1};
+  }
+
+  // The line of a row; empty if its branch is closed.
+  std::optional<std::size_t> of(std::size_t row) const {
+    const auto after =
+        std::upper_bound(branches_.begin(), branches_.end(), row,
+                         [](std::size_t r, const ResidueBranch& x) { return r < x.begin; });
+    const auto b = static_cast<std::size_t>(after - branches_.begin()) - 1;
+    const std::size_t line = starts_[b] + 1 + row - branches_[b].begin;
+    return line < starts_[b + 1] ? std::optional(line) : std::nullopt;
+  }
+
+ private:
+  const std::vector<ResidueBranch>& branches_;
+  const std::size_t cavities_, channels_;
+  std::vector<std::size_t> starts_;  // of each branch, then the number of lines
+};
 
 void branch_line(StructurePage& page, std::size_t b) {
   const ResidueBranch& branch = page.rows.branches[b];
@@ -95,15 +110,11 @@ void residue_line(StructurePage& page, std::size_t row) {
 }  // namespace
 
 void draw_tree(StructurePage& page) {
-  std::size_t lines = page.rows.branches.size();
-  for (const ResidueBranch& branch : page.rows.branches) {
-    if (page.memory.open.contains(branch.title)) lines += branch.size();
-  }
-  lines += lines_of_cavities(page) + lines_of_channels(page);
+  const TreeLines lines(page);
   const float height = ImGui::GetTextLineHeightWithSpacing();
   // A residue under the mouse in the picture comes into sight.
   if (page.pointed && page.pointed != page.memory.hovered && page.pointed != page.memory.scrolled) {
-    if (const auto line = line_of(page, *page.pointed)) {
+    if (const auto line = lines.of(*page.pointed)) {
       const float at = static_cast<float>(*line) * height;
       const float top = ImGui::GetScrollY(), seen = ImGui::GetWindowHeight();
       if (at < top || at + height > top + seen) {
@@ -113,10 +124,10 @@ void draw_tree(StructurePage& page) {
   }
   page.memory.scrolled = page.pointed;
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(std::min<std::size_t>(lines, 1u << 30)), height);
+  clipper.Begin(static_cast<int>(std::min<std::size_t>(lines.size(), 1u << 30)), height);
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const TreeLine line = line_at(page, static_cast<std::size_t>(i));
+      const TreeLine line = lines.at(static_cast<std::size_t>(i));
       switch (line.kind) {
         case TreeLine::Kind::branch:
           branch_line(page, line.branch);

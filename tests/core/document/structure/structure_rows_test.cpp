@@ -54,6 +54,8 @@ TEST(StructureRows, LigandsAndWatersFollowTheChains) {
     begin = rows.branches[b].end;
   }
   EXPECT_EQ(begin, rows.residues.size());
+  EXPECT_EQ(residue_title(molecule, rows.residues[rows.branches[0].begin]), "VAL 1");
+  EXPECT_EQ(residue_title(molecule, rows.residues[rows.branches[4].begin]), "HEM 142, chain A");
 }
 
 TEST(StructureRows, EveryAtomHasItsRow) {

@@ -195,6 +195,15 @@ Viewpoint Scene::viewpoint() const {
   return v;
 }
 
+Viewpoint Scene::viewpoint_of_pictures() const {
+  Viewpoint v = viewpoint();
+  const Impl& scene = *impl_;
+  if (scene.balls && scene.aspect > 0 && v.least_aspect <= scene.aspect) {
+    v.least_aspect = least_aspect(*scene.balls, scene.sight(), scene.aspect);
+  }
+  return v;
+}
+
 void Scene::set_viewpoint(const Viewpoint& v) {
   Impl& scene = changed();
   vtkCamera* camera = scene.renderer->GetActiveCamera();

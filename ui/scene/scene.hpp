@@ -106,6 +106,9 @@ class Scene {
   // Carries out a pending reset_view() now, for a picture of this size (pixels).
   void apply_pending_reset(int width, int height);
   Viewpoint viewpoint() const;
+  // As viewpoint(). A narrower picture of it cuts off nothing that the last picture showed. Takes
+  // time in proportion to the balls.
+  Viewpoint viewpoint_of_pictures() const;
   void set_viewpoint(const Viewpoint& viewpoint);
 
   // Draws width x height pixels (at least 8 x 8) into the texture. Returns the milliseconds that

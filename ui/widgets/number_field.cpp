@@ -28,6 +28,9 @@ namespace {
 // Shows the reason over the widgets below, so that nothing moves.
 void reason(PanelContext& ctx, const char* name, const std::string& text) {
   const WidgetRect field = ctx.rects[name];
+  ctx.state.number.reason_frame = ImGui::GetFrameCount();
+  ctx.state.number.reason_x = field.x0;
+  ctx.state.number.reason_y = field.y0;
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoInputs |
                                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |

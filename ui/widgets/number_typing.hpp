@@ -20,6 +20,9 @@ struct NumberTyping {
   std::string text;
   bool focus = false;                            // the field is to get the keyboard focus
   std::map<std::string, RefusedNumber> refused;  // by name of the field
+  // The frame that last showed why a number was refused, and the field's left upper corner.
+  int reason_frame = 0;
+  float reason_x = 0, reason_y = 0;
 };
 
 }  // namespace alphascope

@@ -25,6 +25,7 @@
 #include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/number_typing.hpp"
 #include "ui/widgets/style.hpp"
 
 namespace alphascope {
@@ -269,6 +270,12 @@ void place_tooltip(const PanelContext& ctx, ImVec2 size) {
 void tooltip(PanelContext& ctx, const char* text) {
   if (ctx.state.mouse.still_seconds < kTooltipDelaySeconds) return;
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  // The reason why a number was refused stands where the tooltip would be.
+  const NumberTyping& number = ctx.state.number;
+  const ImVec2 corner = ImGui::GetItemRectMin();
+  const bool refused = number.reason_frame == ImGui::GetFrameCount() &&
+                       number.reason_x == corner.x && number.reason_y == corner.y;
+  if (refused) return;
   const float wrap = ImGui::GetFontSize() * 24;
   const ImVec2 room = ImGui::CalcTextSize(text, nullptr, false, wrap);
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;

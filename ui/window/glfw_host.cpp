@@ -108,8 +108,8 @@ class GlfwHost final : public Host {
     if (options.scale_is_known) options.scale_is_known(scale);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
+    // Not forward-compatible: such a context draws every line one pixel wide.
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, 0);
     // Desktops find the program's entry by this name: StartupWMClass in resources/desktop.
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "alphascope");

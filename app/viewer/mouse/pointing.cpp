@@ -105,6 +105,7 @@ void Pointing::open_context_menu() {
   ContextState& menu = state_.context;
   menu.opens = true;
   menu.what = found ? found->what : std::nullopt;
+  menu.atoms.clear();
   menu.title = menu.what ? name_of(state_.references->molecule(), *menu.what) : "";
 }
 

@@ -29,6 +29,11 @@ std::optional<CameraPlace> Cameras::place() const {
   return camera_place(view, *picture_.molecule->geometry);
 }
 
+std::optional<CameraPlace> Cameras::place_of_pictures() const {
+  if (!picture_.any()) return std::nullopt;
+  return camera_place(canvas_.scene().viewpoint_of_pictures(), *picture_.molecule->geometry);
+}
+
 void Cameras::glide(const std::function<void()>& move) {
   const bool seen = picture_.any() && canvas_.scene().view_is_set();
   const Viewpoint before = canvas_.scene().viewpoint();

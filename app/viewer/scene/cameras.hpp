@@ -29,6 +29,8 @@ class Cameras {
   void settle(const ViewportInfo& viewport);
   // The present view, or the end of a glide; nothing if no molecule is drawn.
   std::optional<CameraPlace> place() const;
+  // The view of saved pictures, as Scene::viewpoint_of_pictures().
+  std::optional<CameraPlace> place_of_pictures() const;
   void move(const CameraPlace& camera);
 
   // Looks at the same point from this side, at the same distance. `towards_viewer` is a unit

@@ -30,7 +30,7 @@ PictureToSave SceneController::picture(const ScreenshotRequest& request) const {
           layer_bytes(layer_points(frame.layers)) + shown_.objects().bytes());
   frame.style = shown_.canvas().style();
   frame.style.line_scale = line_scale_of(request.options.height);
-  frame.viewpoint = shown_.canvas().scene().viewpoint();
+  frame.viewpoint = shown_.canvas().scene().viewpoint_of_pictures();
   frame.options = request.options;
   frame.beside_body = shown_.beside_body().mesh;
   frame.objects = shown_.objects().pictured();
@@ -61,7 +61,7 @@ FrameSource SceneController::frames(const RecordRequest& request) const {
                                                      controls_.appearance,
                                                      controls_.objects,
                                                      {drawn().parts.clip, false, true, {}},
-                                                     cameras().place(),
+                                                     cameras().place_of_pictures(),
                                                      request.options,
                                                      {},
                                                      free_memory_},

@@ -307,7 +307,7 @@ class Sentences {
 
   void arithmetic() {
     if (!e_.nearest.empty()) {
-      add("Arithmetic", "How the margin of ball " + std::to_string(e_.nearest.front().ball) +
+      add("Arithmetic", "How the margin of " + ball(e_.nearest.front().ball) +
                             " was compared with 0. " + steps_text(e_.nearest.front().steps));
     }
     if (e_.at_alpha) {

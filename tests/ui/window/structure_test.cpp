@@ -5,6 +5,7 @@
 #include "core/document/structure/structure_rows.hpp"
 #include "core/secondary/secondary_once.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/frame/context_state.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -61,6 +62,62 @@ TEST_F(StructureTest, TheMouseIsFollowedBothWays) {
   EXPECT_EQ(marked(), 7u);
   run("move status.memory\nwait-idle\n");
   EXPECT_EQ(marked(), 0u);
+}
+
+// Rows of the molecule before must not be drawn with the atoms of the new one.
+TEST_F(StructureTest, AnotherMoleculeComesWhileABranchIsOpen) {
+  open_page(kHaemoglobin);
+  click("structure.branch.1 0.02 0.5");
+  ASSERT_TRUE(viewer_->widgets().contains("structure.residue.1"));
+  run("open " + crambin().string() + "\n");
+  while (viewer_->busy() || viewer_->state().molecule.name != "1crn.pdb") viewer_->step(nullptr);
+  run("frames 3\n");
+  EXPECT_TRUE(viewer_->widgets().contains("structure.branch.1"));
+  EXPECT_FALSE(viewer_->widgets().contains("structure.branch.2"));
+}
+
+TEST_F(StructureTest, TheMenuOfAResidueIsAboutAllItsAtoms) {
+  open_page(crambin());
+  const auto& hidden = viewer_->state().settings.appearance.hidden;
+  run("right-click structure.sequence.1 0.01 0.5\nframes 2\n");
+  EXPECT_EQ(viewer_->state().context.title, "THR 1");
+  run("click context.hide\nframes 2\nwait-idle\n");
+  EXPECT_EQ(hidden.size(), 7u);
+  EXPECT_EQ(selected(), 0u);
+  run("right-click structure.branch.1 0.5 0.5\nframes 2\n");
+  EXPECT_EQ(viewer_->state().context.title, "Chain A");
+  run("click context.select\nframes 2\nwait-idle\n");
+  EXPECT_EQ(selected(), 327u);
+}
+
+TEST_F(StructureTest, AChosenCavityStays) {
+  run("open " + kHaemoglobin.string() + "\nview.page cavities\nsolvent.set 1.4\nwait-idle\n" +
+      "cavities.choose 1\nwait-idle\nframes 3\nwait-idle\n");
+  const auto drawn = [&] {
+    for (const auto& layer : viewer_->state().layers) {
+      if (layer->id == "cavities.body.0") return true;
+    }
+    return false;
+  };
+  ASSERT_TRUE(drawn());
+  run("view.page structure\nwait-idle\nframes 3\n");
+  EXPECT_TRUE(drawn()) << "its branch is closed";
+  click("structure.sequence.1 0.01 0.5");
+  EXPECT_EQ(selected(), 7u);
+  EXPECT_TRUE(drawn());
+}
+
+// Escape closes a menu, and does nothing else then.
+TEST_F(StructureTest, EscapeClosesAMenuAlone) {
+  open_page(crambin());
+  click("structure.sequence.1 0.01 0.5");
+  run("right-click structure.sequence.1 0.3 0.5\nframes 2\n");
+  ASSERT_TRUE(viewer_->widgets().contains("context.title"));
+  run("key esc\nframes 2\n");
+  EXPECT_FALSE(viewer_->widgets().contains("context.title"));
+  EXPECT_EQ(selected(), 7u);
+  run("key esc\nframes 2\n");
+  EXPECT_EQ(selected(), 0u);
 }
 
 TEST_F(StructureTest, CavitiesAreChosen) {

@@ -265,6 +265,37 @@ TEST_F(ViewerTest, ASavedPictureIsWhatTheViewShows) {
   }
 }
 
+// A long molecule fills the wide view. A square picture of it is not cut off at its sides.
+TEST_F(ViewerTest, ANarrowerPictureShowsAllThatTheViewShows) {
+  constexpr int kBalls = 30;
+  std::ofstream file(folder_ / "long.xyzr");
+  for (int n = 0; n < kBalls; ++n) file << 2 * n << " 0 0 0.5\n";
+  file.close();
+  run("open " + (folder_ / "long.xyzr").string() +
+      "\nwait-idle\nview.from z\nview.reset\nwait-idle\n");
+  EXPECT_GT(drawn_pixels(picture()), 200);
+  const auto balls_in_picture = [&](int width) {
+    viewer_->calls().jobs.save_picture(ScreenshotRequest{
+        folder_ / "p.png",
+        {.width = width, .height = 600, .background = kNoBackground, .legend = false}});
+    run("wait-idle\n");
+    const Image image = testing::pixels_of(folder_ / "p.png");
+    int balls = 0;
+    bool inside = false;
+    for (int x = 0; x < image.width; ++x) {
+      bool drawn = false;
+      for (int y = 0; y < image.height; ++y) {
+        drawn |= image.rgba[4 * (std::size_t(y) * image.width + x) + 3] > 0;
+      }
+      balls += drawn && !inside;
+      inside = drawn;
+    }
+    return balls;
+  };
+  EXPECT_EQ(balls_in_picture(1200), kBalls);
+  EXPECT_EQ(balls_in_picture(600), kBalls);
+}
+
 // Values that nobody has changed reach the scene as well.
 TEST_F(ViewerTest, AWindowWithoutOptionsDrawsAsItsPanelSays) {
   viewer_.reset();

@@ -154,6 +154,7 @@ void draw_cavities(PanelContext& ctx) {
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, is_grey(page, current) ? 0.55f : 1.0f);
+  follow_cavity_order(page);
   totals_line(ctx, page.rows.table());
   castp_line(ctx, *page.rows.lines->atoms);
   giant_network_line(ctx, page);

@@ -94,12 +94,16 @@ void take_sorting(CavityFilter& filter) {
   specs->SpecsDirty = false;
 }
 
-void follow_order(CavityPage& page) {
+}  // namespace
+
+void follow_cavity_order(CavityPage& page) {
   const bool old = std::exchange(page.rows_are_old, false);
   if (!old && page.ordered_by == page.filter) return;
   page.ordered_by = page.filter;
   page.order = ordered_rows(page.rows, page.filter);
 }
+
+namespace {
 
 // Draws a mark in the colour of the cavity's surface before the word. Text in that colour would be
 // hard to read.
@@ -217,7 +221,7 @@ void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool cu
   draw_headers(ctx);
   follow_columns(page);
   take_sorting(page.filter);
-  follow_order(page);
+  follow_cavity_order(page);
   scroll_to_pointed(ctx, page);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(page.order.size()));

@@ -35,7 +35,7 @@ std::shared_ptr<const LayerObjects> objects_of(LayerObject object) {
 }  // namespace
 
 void add_layer_of_contents(CavityPage& page) {
-  if (!page.fades_rest) return;
+  if (!page.sticks.in_front) return;
   const BallReferences& references = *page.rows.lines->atoms;
   const Molecule& molecule = references.molecule();
   auto layer = std::make_shared<Layer>();
@@ -64,7 +64,7 @@ void add_layer_of_contents(CavityPage& page) {
 }
 
 void add_layer_of_lining(CavityPage& page) {
-  if (!page.fades_rest || !page.sticks.lining) return;
+  if (!page.sticks.lining) return;
   const BallReferences& references = *page.rows.lines->atoms;
   const Molecule& molecule = references.molecule();
   std::vector<bool> atoms(molecule.atoms.size(), false);

@@ -23,7 +23,9 @@ void make_layers(PanelContext& ctx, CavityPage& page) {
   old |= !(std::exchange(page.hidden, ctx.state.settings.appearance.hidden) ==
            ctx.state.settings.appearance.hidden);
   const DisplaySettings& d = ctx.state.settings.display;
-  const CavityPage::Sticks sticks{d.lining_sticks, d.lining_opacity, d.content_opacity};
+  const bool body = d.balls || d.tetrahedra || d.boundary || d.triangles || d.edges;
+  const CavityPage::Sticks sticks{d.lining_sticks, page.fades_rest || !body, d.lining_opacity,
+                                  d.content_opacity};
   old |= !(std::exchange(page.sticks, sticks) == sticks);
   old |= std::exchange(page.theme, ctx.state.theme()) != ctx.state.theme();
   const auto balls = page.drawn ? balls_of_layers(ctx, page) : nullptr;

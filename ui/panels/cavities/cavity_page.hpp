@@ -90,6 +90,7 @@ struct CavityPage {
   std::shared_ptr<const CavityLines> marked_in;
   struct Sticks {  // for which the layers were made
     bool lining = false;
+    bool in_front = true;  // contents, as balls and simplices are pale or not drawn
     float lining_opacity = 1, content_opacity = 1;
     friend bool operator==(const Sticks&, const Sticks&) = default;
   } sticks;

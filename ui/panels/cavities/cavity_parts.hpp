@@ -39,6 +39,8 @@ std::string merged_text(const CavityPage& page);
 
 // --- cavities_table.cpp
 
+// Finds the rows that the filter shows, in their order, if rows or filter have changed.
+void follow_cavity_order(CavityPage& page);
 // Draws a button that opens a list of the columns.
 void cavity_columns_button(PanelContext& ctx, CavityPage& page);
 // Draws the table. `current`: the rows belong to the picture; otherwise clicks do nothing.
@@ -99,9 +101,9 @@ void follow_hover_mark(PanelContext& ctx, CavityPage& page);
 // --- cavity_contents_layer.cpp
 
 // Adds the contents of the cavities once more, if they are drawn beside the body. Otherwise cavity
-// and molecule would hide them. If the rest does not fade, they stay where they are.
+// and molecule would hide them. If an opaque body is drawn, they stay where they are.
 void add_layer_of_contents(CavityPage& page);
-// Adds the residues that line the cavities, as sticks, under the same condition.
+// Adds the residues that line the cavities, as sticks.
 void add_layer_of_lining(CavityPage& page);
 
 // --- cavity_drawn_parts.cpp

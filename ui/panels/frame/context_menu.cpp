@@ -111,32 +111,47 @@ void of_residue(PanelContext& ctx, const Molecule& molecule, const AtomRef& ref,
               {"bychain (" + atoms + ")"}});
 }
 
-void of_something(PanelContext& ctx, const Ref& what, const std::string& title) {
-  const Molecule& molecule = ctx.state.references->molecule();
-  const std::string atoms = expression_of(molecule, what);
-  strong_text(ctx, fitted_text(title, ctx.px(kTitleWidth)));
-  record(ctx, "context.title");
-  ImGui::Separator();
+// Entries that select the atom or simplex under the mouse.
+void selecting(PanelContext& ctx, const Ref& what, const std::string& atoms) {
   const bool selected = ctx.state.settings.selection.items.contains(what);
   entry(ctx, {"context.select", "Select", "pointed.select"});
   entry(ctx,
         {"context.add", selected ? "Remove from selection" : "Add to selection", "pointed.toggle"});
-  if (const AtomRef* atom = std::get_if<AtomRef>(&what)) of_residue(ctx, molecule, *atom, atoms);
+  const AtomRef* const atom = std::get_if<AtomRef>(&what);
+  if (atom != nullptr) of_residue(ctx, ctx.state.references->molecule(), *atom, atoms);
+}
+
+// `of_many`: an expression for more atoms than `what`; empty: none.
+void of_something(PanelContext& ctx, const Ref& what, const std::string& title,
+                  const std::string& of_many) {
+  const bool many = !of_many.empty();
+  const std::string one = expression_of(ctx.state.references->molecule(), what);
+  const std::string& atoms = many ? of_many : one;
+  strong_text(ctx, fitted_text(title, ctx.px(kTitleWidth)));
+  record(ctx, "context.title");
+  ImGui::Separator();
+  if (many) {
+    entry(ctx, {"context.select", "Select", "select.atoms", {atoms}});
+    entry(ctx, {"context.add", "Add to selection", "select.add", {atoms}});
+  } else {
+    selecting(ctx, what, atoms);
+  }
   ImGui::Separator();
   entry(ctx, {"context.zoom", "Zoom to", "view.zoom_to", {atoms}});
   entry(ctx, {"context.centre", "Centre rotation here", "view.centre", {atoms}});
   ImGui::Separator();
   submenu(ctx, "context.label", "Label", [&] {
-    choices(ctx, {"context.label", "", "label.atoms", {atoms}});
+    choices(ctx, {"context.label", "", "label.atoms", {one}});
     ImGui::Separator();
     entry(ctx, {"context.no_label", "No label", "label.remove", {atoms}});
   });
-  entry(ctx, {"context.measure", measure_label(ctx, what), "pointed.measure"});
+  if (!many) entry(ctx, {"context.measure", measure_label(ctx, what), "pointed.measure"});
   ImGui::Separator();
   entry(ctx, {"context.hide", "Hide", "atoms.hide", {atoms}});
   entry(ctx, {"context.only", "Show only", "atoms.only", {atoms}});
   entry(ctx, {"context.show_all", "Show all", "atoms.show_all"});
   submenu(ctx, "context.colour", "Colour", [&] { colours(ctx, atoms); });
+  if (many) return;
   ImGui::Separator();
   entry(ctx, {"context.why", "Why is this here?", "pointed.why"});
   entry(ctx, {"context.copy_name", "Copy name", "pointed.copy_name"});
@@ -162,7 +177,7 @@ void draw_context_menu(PanelContext& ctx) {
   if (!menu.open) return;
   close_on_escape();
   if (menu.what && ctx.state.references) {
-    of_something(ctx, *menu.what, menu.title);
+    of_something(ctx, *menu.what, menu.title, menu.atoms);
   } else {
     of_nothing(ctx);
   }

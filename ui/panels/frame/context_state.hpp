@@ -14,6 +14,8 @@ struct ContextState {
   bool open = false;        // in the last frame
   std::optional<Ref> what;  // the thing it is about; none: no thing was under the mouse
   std::string title;        // name of that thing: "A:HIS 87:NE2"
+  // An expression, if the menu is about all its atoms; `what` is then one of them. Else empty.
+  std::string atoms;
 };
 
 }  // namespace alphascope

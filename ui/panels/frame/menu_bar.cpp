@@ -127,8 +127,9 @@ bool keys_before_others(PanelContext& ctx) {
 }
 
 void shortcuts(PanelContext& ctx) {
-  const bool taken =
-      ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  // At Escape ImGui closes a list before the frame is drawn. The key then belongs to that list.
+  const bool popup = ctx.state.keys.list_open || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  const bool taken = ImGui::GetIO().WantTextInput || popup;
   if (!taken && keys_before_others(ctx)) return;
   for (const CommandSpec& spec : ctx.commands.all()) {
     if (taken && !spec.works_everywhere) continue;

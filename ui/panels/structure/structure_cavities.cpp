@@ -30,7 +30,8 @@ const CavityLines* open_cavities(const StructurePage& page) {
 }  // namespace
 
 void follow_tree_of_cavities(PanelContext& ctx, const StructureState& memory) {
-  if (!memory.open.contains(kCavities)) return;
+  const bool chosen = !ctx.state.settings.selection.cavities.empty();
+  if (!chosen && !memory.open.contains(kCavities)) return;
   const bool current = follow_cavities(ctx).current;
   CavityPage& cavities = *ctx.state.cavities.page;
   if (cavities.rows.lines) draw_layers_of_cavities(ctx, cavities, current);

@@ -30,6 +30,7 @@ std::string count_text(std::size_t n);  // "1,224"
 
 // --- structure_selection.cpp
 
+// Whether any atom of the residue is selected.
 bool is_selected(const StructurePage& page, std::size_t row);
 // Takes clicks on the last item, which stands for the rows [begin, end).
 void take_mouse(StructurePage& page, std::size_t begin, std::size_t end, bool clicked);
@@ -38,7 +39,7 @@ void mark_hovered(StructurePage& page);
 
 // --- structure_cavities.cpp
 
-// Asks for the table of cavities while their branch is open, and draws the chosen ones.
+// Asks for the table of cavities while their branch is open or some are chosen, and draws these.
 void follow_tree_of_cavities(PanelContext& ctx, const StructureState& memory);
 // Lines of the branch of cavities, which comes first: at least its title.
 std::size_t lines_of_cavities(const StructurePage& page);

@@ -43,7 +43,7 @@ void draw_structure(PanelContext& ctx, StructureState& memory) {
     return record(ctx, "structure.waiting");
   }
   const Derived<StructureRows> rows = ctx.store.want(structure_rows(), ctx.inputs);
-  if (!rows.value || !ctx.inputs.atoms) {
+  if (!rows.ready() || !ctx.inputs.atoms) {  // else they may be rows of other atoms
     muted_wrapped(ctx, rows.why.empty() ? "The residues are being listed." : rows.why);
     return record(ctx, "structure.waiting");
   }

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,23 @@ void add_atoms(const StructurePage& page, std::size_t row, std::vector<Ref>& ref
   }
 }
 
+// An expression for the atoms of a branch. `first`: one for its first atom.
+std::string expression_of_branch(const ResidueBranch& branch, const std::string& first) {
+  switch (branch.kind) {
+    case ResidueKind::ligand:
+      return "ligand";
+    case ResidueKind::ion:
+      return "ion";
+    case ResidueKind::water:
+      return "water";
+    case ResidueKind::polymer:
+      return "polymer and bychain (" + first + ")";
+    case ResidueKind::dummy:
+      break;
+  }
+  return "byres (" + first + ")";
+}
+
 // Selects rows [begin, end). With Ctrl they are added; with Shift all from the last clicked one.
 void select(StructurePage& page, std::size_t begin, std::size_t end) {
   Selection& selection = page.ctx.state.settings.selection;
@@ -46,7 +64,6 @@ void select(StructurePage& page, std::size_t begin, std::size_t end) {
   }
   if (!io.KeyCtrl) {
     selection.items = RefSet(std::move(refs));
-    selection.cavities = {};
     return;
   }
   const bool off = end == begin + 1 && is_selected(page, begin);
@@ -67,7 +84,11 @@ void select(StructurePage& page, std::size_t begin, std::size_t end) {
 bool is_selected(const StructurePage& page, std::size_t row) {
   const RefSet& items = page.ctx.state.settings.selection.items;
   if (items.empty()) return false;
-  return items.contains(page.atoms.atom_of_molecule(page.rows.residues[row].first));
+  const ResidueRow& r = page.rows.residues[row];
+  for (std::uint32_t i = r.first; i < r.end; ++i) {
+    if (items.contains(page.atoms.atom_of_molecule(i))) return true;
+  }
+  return false;
 }
 
 void take_mouse(StructurePage& page, std::size_t begin, std::size_t end, bool clicked) {
@@ -83,7 +104,14 @@ void take_mouse(StructurePage& page, std::size_t begin, std::size_t end, bool cl
   ContextState& menu = page.ctx.state.context;
   menu.opens = true;
   menu.what = page.atoms.atom_of_molecule(page.rows.residues[begin].first);
+  const std::string first = expression_of(page.atoms.molecule(), *menu.what);
   menu.title = residue_title(page.atoms.molecule(), page.rows.residues[begin]);
+  menu.atoms = "byres (" + first + ")";
+  if (end == begin + 1) return;
+  const auto branch = std::find_if(page.rows.branches.begin(), page.rows.branches.end(),
+                                   [&](const ResidueBranch& b) { return b.begin == begin; });
+  menu.title = branch->title;
+  menu.atoms = expression_of_branch(*branch, first);
 }
 
 void mark_hovered(StructurePage& page) {

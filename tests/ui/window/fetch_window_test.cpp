@@ -204,6 +204,17 @@ TEST_F(FetchWindow, NothingButAnIdIsAsked) {
   EXPECT_EQ(kept_files(), 0);
 }
 
+TEST_F(FetchWindow, AWrongIdIsCorrectedAtOnceAfterEnter) {
+  run("key ctrl+shift+f\nframes 3\ntype 1go\nframes 3\nkey enter\nframes 3\n");
+  EXPECT_TRUE(state().fetch.show);
+  EXPECT_TRUE(has("fetch.fault"));
+  run("type d\nframes 3\n");
+  EXPECT_EQ(state().fetch.field.text, "1god");
+  run("key enter\nwait-idle\n");
+  EXPECT_FALSE(state().fetch.show);
+  EXPECT_EQ(state().molecule.name, "1GOD.cif.gz");
+}
+
 TEST_F(FetchWindow, TheLatestRequestWins) {
   begin("1slo");
   run("open " + crambin().string() + "\nwait-idle\n");

@@ -17,6 +17,7 @@
 #include "ui/panels/dialogs/table_state.hpp"
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/widgets/key_focus.hpp"
 #include "ui/widgets/keys.hpp"
 #include "ui/widgets/number_field.hpp"
 
@@ -145,6 +146,8 @@ DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
   const bool clicked = button(ctx, confirm.name, confirm.label, {each, 0}, ButtonKind::primary);
   ImGui::EndDisabled();
   const bool yes = clicked || (can_confirm && (entered || enter_pressed(ctx)));
+  // Enter ends typing. If it is refused, the field gets the keyboard again, to be corrected.
+  if (entered && !yes && !no) type_into(ctx, ctx.state.keys.at.back().name);
   return yes ? DialogAnswer::confirm : no ? DialogAnswer::cancel : DialogAnswer::none;
 }
 

@@ -39,6 +39,7 @@ void FileJob::end(const std::string& text, const Worker::Failure* failure) {
   news_.frees_memory = true;
   if (failure == nullptr || failure->too_late) {
     news_.notice = "Saved " + file + text;
+    news_.saved = task.file;
     if (task.when_saved) task.when_saved();
   } else if (failure->cancelled) {
     news_.notice = "Cancelled: " + file + " was not written.";

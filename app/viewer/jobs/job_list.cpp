@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/panels/dialogs/save_state.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {
@@ -22,6 +23,11 @@ bool JobList::poll() {
     const JobNews news = job->poll();
     if (!news.notice.empty()) state_.notice = news.notice;
     if (!news.error.empty()) state_.show_error(news.error_title, news.error);
+    if (!news.saved.empty()) {
+      std::error_code ignored;
+      const auto whole = std::filesystem::absolute(news.saved, ignored).lexically_normal();
+      state_.saving.folder = whole.parent_path();
+    }
     const bool any =
         news.changed || news.frees_memory || !news.notice.empty() || !news.error.empty();
     if (any) due_.ask();

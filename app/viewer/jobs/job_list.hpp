@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ namespace alphascope {
 struct JobNews {
   std::string notice;              // one line on a job that succeeded or was cancelled
   std::string error_title, error;  // why it failed, for a dialog; empty: it did not fail
+  std::filesystem::path saved;     // a file that was written; empty: none was
   bool changed = false;            // the window has something new to show
   bool frees_memory = false;       // the job has ended, and its memory is free
 };

@@ -159,6 +159,7 @@ void PictureSaver::begin() {
           studio_.reset();
           news_.frees_memory = true;
           news_.notice = done(*job);
+          news_.saved = job->path;
           if (!left_out.empty()) news_.notice += ". " + left_out;
           saving_.reset();
         };
@@ -167,7 +168,10 @@ void PictureSaver::begin() {
         studio_.reset();
         news_.frees_memory = true;
         if (failure.cancelled) {  // the user knows, unless cancel() came too late
-          if (failure.too_late) news_.notice = done(*job);
+          if (failure.too_late) {
+            news_.notice = done(*job);
+            news_.saved = job->path;
+          }
           return;
         }
         const std::filesystem::path& path = job->path;

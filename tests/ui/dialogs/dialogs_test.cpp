@@ -294,6 +294,23 @@ TEST_F(ErrorsTest, OnlyAFailedOpeningSpeaksOfThePreviousMolecule) {
   EXPECT_EQ(s.error.find("still open"), std::string::npos) << s.error;
 }
 
+TEST_F(ErrorsTest, OnlyAFolderInWhichAFileWasWrittenIsOfferedAgain) {
+  const std::filesystem::path& folder = viewer_->state().saving.folder;
+  const auto save = [&](const std::filesystem::path& path) {
+    viewer_->calls().jobs.save_picture(ScreenshotRequest{path, {.width = 64, .height = 64}});
+    run("wait-idle\nframes 3\n");
+  };
+  save("/proc/x.png");
+  EXPECT_NE(viewer_->state().error, "");
+  EXPECT_EQ(folder, "");
+  run("click error.ok\nframes 2\n");
+  save(folder_ / "x.png");
+  EXPECT_EQ(folder, folder_);
+  save("/proc/x.png");
+  EXPECT_NE(viewer_->state().error, "");
+  EXPECT_EQ(folder, folder_);
+}
+
 TEST_F(ErrorsTest, AFailedComparisonIsToldByTheBadge) {
   no_memory_ = true;
   run("click bottom.timings\nclick timings.compare\nwait-idle\nframes 3\n");

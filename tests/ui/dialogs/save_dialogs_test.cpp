@@ -86,12 +86,16 @@ TEST_F(SaveDialogs, OfferTheMoleculesFolderAndName) {
   EXPECT_EQ(offered["save_table"], path("4hhb-cavities.csv"));
 }
 
-TEST_F(SaveDialogs, OfferTheFolderOfTheFileThatWasSavedLastAndTheNameTypedLast) {
+TEST_F(SaveDialogs, OfferTheFolderOfTheFileThatWasWrittenLastAndTheNameTypedLast) {
   state().dialogs.show_save = true;
   state().dialogs.save_path = path("inside/mine.png");
   p.frame(4);
   p.click("save.ok");
   p.frame(3);
+  in_each([&](const std::string& dialog, const std::string& offered) {
+    EXPECT_EQ(fs::path(offered).parent_path(), folder_) << dialog << ": nothing was written yet";
+  });
+  state().saving.folder = folder_ / "inside";
   in_each([&](const std::string& dialog, const std::string& offered) {
     EXPECT_EQ(fs::path(offered).parent_path(), folder_ / "inside") << dialog;
     if (dialog == "save") {

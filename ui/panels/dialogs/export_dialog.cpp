@@ -96,7 +96,7 @@ void draw_export(PanelContext& ctx) {
   const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) ctx.calls.jobs.export_complex(ExportRequest{path, m.export_colours});
   if (confirmed || answer == DialogAnswer::cancel) {
-    note_file(ctx, "export", m.export_path, confirmed);
+    note_file(ctx, "export", m.export_path);
     m.show_export = false;
   }
   end_dialog(ctx);

@@ -226,7 +226,7 @@ void draw_record(PanelContext& ctx) {
     ctx.calls.jobs.record(request);
   }
   if (confirmed || answer == DialogAnswer::cancel) {
-    note_file(ctx, "record", m.path, confirmed);
+    note_file(ctx, "record", m.path);
     m.show = false;
     m.has_ffmpeg.reset();
   }

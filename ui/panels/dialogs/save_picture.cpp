@@ -46,7 +46,7 @@ void draw_save_picture(PanelContext& ctx) {
   const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) ctx.calls.jobs.save_picture({path, s.window.picture});
   if (confirmed || copied || answer == DialogAnswer::cancel) {
-    note_file(ctx, "save", m.save_path, confirmed);
+    note_file(ctx, "save", m.save_path);
     m.show_save = false;
   }
   end_dialog(ctx);

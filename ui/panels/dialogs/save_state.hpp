@@ -9,7 +9,7 @@
 namespace alphascope {
 
 struct SaveState {
-  std::filesystem::path folder;  // folder of the file saved last; empty: none yet
+  std::filesystem::path folder;  // folder of the file written last; empty: none yet
   // For each dialog the file name typed last for this molecule, without its folder.
   std::map<std::string, std::string> names;
   // The field for which the file dialog looks for a place to save to. Then the field for which

@@ -149,7 +149,7 @@ void draw_save_table(PanelContext& ctx) {
   const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) save(ctx);
   if (confirmed || answer == DialogAnswer::cancel) {
-    note_file(ctx, "", memory.path, confirmed);
+    note_file(ctx, "", memory.path);
     memory.table = nullptr;
   }
   end_dialog(ctx);

@@ -65,12 +65,11 @@ std::string name_of_file(const PanelContext& ctx, const std::string& ending) {
   return (stem.empty() ? "alphascope" : stem) + ending;
 }
 
-void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved) {
-  SaveState& memory = ctx.state.saving;
+void note_file(PanelContext& ctx, const std::string& dialog, std::string& path) {
   std::error_code ignored;
   const fs::path whole = fs::absolute(std::exchange(path, {}), ignored).lexically_normal();
-  if (whole.has_filename() && !dialog.empty()) memory.names[dialog] = whole.filename().string();
-  if (saved) memory.folder = whole.parent_path();
+  if (!whole.has_filename() || dialog.empty()) return;
+  ctx.state.saving.names[dialog] = whole.filename().string();
 }
 
 bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path) {

@@ -19,9 +19,9 @@ void propose_file(PanelContext& ctx, const char* title, const std::string& dialo
                   std::string& path, const std::string& name);
 // Returns the stem of the open file with this ending: "4hhb.png".
 std::string name_of_file(const PanelContext& ctx, const std::string& ending);
-// Notes the typed file name of a dialog that closes, and the folder if a file was saved there.
-// Clears `path`. If `dialog` is empty, no name is noted.
-void note_file(PanelContext& ctx, const std::string& dialog, std::string& path, bool saved);
+// Notes the typed file name of a dialog that closes, and clears `path`. If `dialog` is empty, no
+// name is noted. The folder is noted when the file was written.
+void note_file(PanelContext& ctx, const std::string& dialog, std::string& path);
 // Draws the field for the path and a button that browses. Returns whether Enter was pressed.
 bool file_row(PanelContext& ctx, const std::string& dialog, std::string& path);
 

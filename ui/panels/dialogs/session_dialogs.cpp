@@ -49,7 +49,7 @@ void draw_save_session(PanelContext& ctx) {
   const bool confirmed = answer == DialogAnswer::confirm;
   if (confirmed) ctx.calls.files.save_session(path);
   if (confirmed || answer == DialogAnswer::cancel) {
-    note_file(ctx, "save_session", m.session_path, confirmed);
+    note_file(ctx, "save_session", m.session_path);
     m.show_save_session = false;
   }
   end_dialog(ctx);

@@ -134,6 +134,32 @@ INSTANTIATE_TEST_SUITE_P(
         Bar{{450, 600, 2}, {}, {"status.tetrahedra", "status.hash"}},
         Bar{{300, 600, 1}, {}, {"status.tetrahedra"}}));
 
+// Counts make way for a notice as well, so that it is not cut.
+TEST(StatusBar, ANoticeHasTheRoomItNeeds) {
+  const auto width_of_notice = [](const char* notice, float window) {
+    Panels p({window, 720, 1});
+    p.state = moved_state();
+    p.state.selected_count_text = "3 atoms";
+    p.state.notice = notice;
+    p.frame(3);
+    EXPECT_TRUE(p.rects.contains("status.move")) << window;
+    EXPECT_TRUE(p.rects.contains("status.notice")) << window;
+    const WidgetRect shown = p.rects["status.notice"];
+    EXPECT_LE(shown.x1, p.rects["status.memory"].x0) << window;
+    p.state.notice.clear();
+    p.frame(3);
+    EXPECT_TRUE(p.rects.contains("status.hash")) << "it has its room again";
+    return shown.x1 - shown.x0;
+  };
+  for (const char* notice :
+       {"Undone: selection", "Saved /home/somebody/pictures/haemoglobin-with-water.png"}) {
+    const float whole = width_of_notice(notice, 3000);
+    EXPECT_GT(whole, 60);
+    EXPECT_EQ(width_of_notice(notice, 1280), whole) << notice;
+    EXPECT_EQ(width_of_notice(notice, 1100), whole) << notice;
+  }
+}
+
 TEST(MoveClock, ForgetsMovesOfAnotherFile) {
   MoveClock clock;
   const MoveClock::Clock::time_point start{};

@@ -28,7 +28,7 @@ namespace {
 
 // Room at the right for memory, messages and the thing under the mouse, pixels at scale 1.
 constexpr float kRightRoom = 190;
-constexpr float kGap = 16, kAfterLabel = 5;
+constexpr float kGap = 16, kAfterLabel = 5, kBeforeMemory = 24;
 
 // A count with its label. `help` explains it.
 struct Item {
@@ -146,12 +146,29 @@ void move_button(PanelContext& ctx, LastMove move) {
   ImGui::SameLine(0, ctx.px(kGap));
 }
 
+// The sentence that the bar shows now; empty: none.
+std::string notice_text(const ViewState& s) {
+  return s.notice.text();
+}
+
+// What the bar needs at the right to show a notice whole, with the shortest text on memory.
+float room_of_notice(const PanelContext& ctx, const std::string& notice) {
+  if (notice.empty()) return 0;
+  const ViewState& s = ctx.state;
+  const std::string& selected = s.selected_count_text;
+  return ImGui::CalcTextSize((notice + bytes_text(s.memory_bytes)).c_str()).x +
+         ctx.px(kBeforeMemory) +
+         (selected.empty() ? 0 : width_of(ctx, {{"", "selected", selected, ""}}));
+}
+
 // Draws the last move and as many counts as fit beside it. Counts become shorter first; the move
-// does so only where there is no room for any.
+// does so only where there is no room for any. Both make way for a notice.
 void result_line(PanelContext& ctx) {
   const std::vector<LastMove> moves = last_move(ctx.state, shown_triangulation(ctx).get());
   const std::vector<std::vector<Item>> forms = counts(ctx.state.result->complex);
   const float room = ImGui::GetWindowWidth() - ctx.px(12) - ImGui::GetCursorPosX();
+  const std::string notice = notice_text(ctx.state);
+  const float right_room = std::max(ctx.px(kRightRoom), room_of_notice(ctx, notice));
   const auto fits = [&](const LastMove& move, const std::vector<Item>& items, float right) {
     // The time has room for four digits, so that nothing jumps while alpha moves.
     const float most = ImGui::CalcTextSize("8888 ms").x;
@@ -167,12 +184,13 @@ void result_line(PanelContext& ctx) {
       for (const std::vector<Item>& form : forms) {
         // The middle form is for windows where the long one fits with no count at all.
         const bool no_count = form.empty() && &m != &moves.back();
-        if (no_count || !fits(m, form, ctx.px(kRightRoom))) continue;
+        if (no_count || !fits(m, form, right_room)) continue;
         move = &m;
         items = &form;
         return;
       }
     }
+    if (!notice.empty()) return;
     for (const LastMove& m : moves) {
       if (!fits(m, {}, 0)) continue;
       move = &m;
@@ -249,16 +267,19 @@ void draw_status_bar(PanelContext& ctx) {
   const std::string running = job_text(s);
   const std::string& work = running.empty() ? s.background.text : running;
   if (!work.empty()) right = work + "  ·  " + right;
+  const std::string notice = notice_text(s);
   const float end = ImGui::GetWindowWidth() - ctx.px(12);
   const float room = end - ImGui::GetCursorPosX();
+  const float wanted =
+      notice.empty() ? 0 : ImGui::CalcTextSize(notice.c_str()).x + ctx.px(kBeforeMemory);
   for (const std::string& shorter : {memory, bytes_text(s.memory_bytes)}) {
-    if (ImGui::CalcTextSize(right.c_str()).x > room) right = shorter;
+    if (wanted + ImGui::CalcTextSize(right.c_str()).x > room) right = shorter;
   }
   const float width = ImGui::CalcTextSize(right.c_str()).x;
-  if (!s.notice.empty() && room > width + ctx.px(80)) {
-    ImGui::TextUnformatted(fitted_text(s.notice.text(), room - width - ctx.px(24)).c_str());
+  if (!notice.empty() && room > width + ctx.px(80)) {
+    ImGui::TextUnformatted(fitted_text(notice, room - width - ctx.px(kBeforeMemory)).c_str());
     tasks_button(ctx, "status.notice");
-    tooltip(ctx, (s.notice.text() + "\nClick: tasks and messages.").c_str());
+    tooltip(ctx, (notice + "\nClick: tasks and messages.").c_str());
     ImGui::SameLine();
   }
   if (width <= room) {

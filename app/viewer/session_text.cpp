@@ -49,6 +49,12 @@ std::string pending_text(const Answer& answer) {
          " Å²: " + count(answer.complex.tetrahedra.size()) + " tetrahedra · drawing";
 }
 
+std::string cancelled_text(const Request& shown) {
+  return "Computing was cancelled. The picture is still of alpha " +
+         short_number_text(shown.alpha_angstrom2, 3) + " Å² and solvent radius " +
+         short_number_text(shown.solvent_radius_angstrom, 3) + " Å.";
+}
+
 BadgeInfo describe_agreement(const SessionState& state, const Answer* shown, bool comparing) {
   if (comparing) return {BadgeInfo::State::comparing, "comparing with CGAL…"};
   if (!state.agreement || state.agreement->ours.get() != shown) {

@@ -10,6 +10,8 @@ namespace alphascope {
 // The line for a complex that is computed and not yet on screen. For example "α 3.20 Å²: 1,600,404
 // tetrahedra · drawing".
 std::string pending_text(const Answer& answer);
+// Says that computing was cancelled, and names alpha and solvent radius of the complex on screen.
+std::string cancelled_text(const Request& shown);
 // The badge of the comparison with CGAL, for the complex on screen.
 BadgeInfo describe_agreement(const SessionState& state, const Answer* shown, bool comparing);
 

@@ -142,6 +142,7 @@ void Viewer::take_session() {
     memory_.read();
   }
   status_.update_badge();
+  status_.update_cancelled();
   sender_.moves().follow(scene_.drawn().answer, scene_.shown().pacing().finished());
   state_.move_milliseconds = sender_.moves().milliseconds();
 }

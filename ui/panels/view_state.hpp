@@ -149,6 +149,8 @@ struct ViewValues {
   // Titles and texts of the errors that come next.
   std::deque<std::pair<std::string, std::string>> more_errors;
   std::string compute_error;  // why the present alpha has no complex; one line over the view
+  // Why the picture is of other values than the controls have. Empty: computing was not cancelled.
+  std::string computing_cancelled;
   // Lines that name the opened one of several dropped files. They stay until they are dismissed or
   // another file is opened.
   std::string drop_note;

@@ -55,9 +55,10 @@ void MessageNotes::follow() {
   const Notice& notice = state_.notice;
   if (notice.times() != seen_notices_ && !notice.empty()) note(Kind::notice, notice.text());
   seen_notices_ = notice.times();
-  const std::array<std::pair<Kind, std::string>, 5> shown{{
+  const std::array<std::pair<Kind, std::string>, 6> shown{{
       {Kind::notice, state_.drop_note},
       {Kind::notice, state_.engine_note},
+      {Kind::notice, state_.computing_cancelled},
       {Kind::warning, state_.viewport.not_drawn},
       {Kind::error, state_.compute_error},
       {Kind::error, disagreement(state_.badge)},

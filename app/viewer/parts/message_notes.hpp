@@ -26,7 +26,7 @@ class MessageNotes {
 
   ViewState& state_;
   std::size_t seen_notices_ = 0;     // Notice::times() in the last frame
-  std::array<std::string, 5> seen_;  // other texts of the last frame
+  std::array<std::string, 6> seen_;  // other texts of the last frame
   std::vector<Titled> seen_errors_;  // in the dialog, and those that wait for it
 };
 

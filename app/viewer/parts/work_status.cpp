@@ -82,6 +82,10 @@ void WorkStatus::cancel() {
   state_.playback.alpha = state_.playback.models = false;
   session_.cancel_opening();
   files_.forget_waiting_session();
+  if (session_.activity().computing.busy) {
+    cancelled_ = session_.state().request;
+    state_.notice.clear();  // it may be about the change whose result will not come
+  }
   session_.cancel_computing();
   session_.cancel_comparison();
 }
@@ -104,6 +108,17 @@ void WorkStatus::update_badge() {
       compared_ != session_.state().ours) {
     state_.badge = {BadgeInfo::State::comparing, "waiting for the comparison with CGAL…"};
   }
+}
+
+void WorkStatus::update_cancelled() {
+  const SessionState& s = session_.state();
+  const SessionActivity a = session_.activity();
+  state_.computing_cancelled.clear();
+  if (!s.opened || s.up_to_date() || cancelled_ != s.request) cancelled_.reset();
+  if (!cancelled_ || a.computing.unfinished() || a.opening.unfinished()) return;
+  const Request* const shown = state_.shown_request();
+  state_.computing_cancelled =
+      shown == nullptr ? "Computing was cancelled." : cancelled_text(*shown);
 }
 
 void WorkStatus::update_background() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "app/session/session.hpp"
 #include "app/viewer/jobs/activity_job.hpp"
@@ -24,6 +25,7 @@ class WorkStatus {
   // of all. Call after JobList::describe().
   void update_background();
   void update_badge();
+  void update_cancelled();  // ViewState::computing_cancelled
   // Appends the picture's stages to the timings of the run that made its complex.
   void add_picture_stages();
   void compare();                           // compares the latest answer with CGAL
@@ -42,6 +44,7 @@ class WorkStatus {
   ActivityJob opening_, computing_, comparing_, timing_, reading_;
   TimeLeft time_left_;
   std::shared_ptr<const Answer> compared_;  // the last answer whose comparison was requested
+  std::optional<Request> cancelled_;        // the last request whose computation was cancelled
 };
 
 }  // namespace alphascope

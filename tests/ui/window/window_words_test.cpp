@@ -179,6 +179,31 @@ class SlowEngine : public ViewerTest {
   std::atomic<bool> held_ = false;
 };
 
+TEST_F(SlowEngine, ACancelledComputationIsToldUntilThePictureFollows) {
+  ViewState& s = viewer_->state();
+  s.notice = "Undone: solvent radius";
+  held_ = true;
+  s.settings.request.solvent_radius_angstrom = 1.4;  // needs another engine
+  wait(0.3);
+  EXPECT_EQ(s.computing_cancelled, "") << "it is still being computed";
+  run("key esc\nframes 2\n");
+  held_ = false;
+  run("wait-idle\nframes 3\n");
+  EXPECT_EQ(s.computing_cancelled,
+            "Computing was cancelled. The picture is still of alpha 0 Å² and solvent radius 0 Å.");
+  EXPECT_TRUE(viewer_->widgets().contains("status.notice"));
+  EXPECT_EQ(s.notice.text(), "") << "the change was not computed";
+  EXPECT_EQ(s.settings.request.solvent_radius_angstrom, 1.4) << "the control keeps its value";
+  EXPECT_EQ(s.result->request.solvent_radius_angstrom, 0);
+  EXPECT_EQ(s.tasks.messages.front().text, s.computing_cancelled);
+  s.settings.request.solvent_radius_angstrom = 0;
+  run("wait-idle\nframes 3\n");
+  EXPECT_EQ(s.computing_cancelled, "") << "picture and controls agree again";
+  run("solvent.set 1.4\nwait-idle\nframes 3\n");
+  EXPECT_EQ(s.computing_cancelled, "");
+  EXPECT_EQ(s.result->request.solvent_radius_angstrom, 1.4);
+}
+
 TEST_F(SlowEngine, BallsThatWaitForTheirFirstComplexAreNoPictureOfAnother) {
   ViewState& s = viewer_->state();
   held_ = true;

@@ -148,7 +148,9 @@ void move_button(PanelContext& ctx, LastMove move) {
 
 // The sentence that the bar shows now; empty: none.
 std::string notice_text(const ViewState& s) {
-  return s.notice.text();
+  const std::string& cancelled = s.computing_cancelled;
+  if (cancelled.empty() || s.notice.empty()) return cancelled + s.notice.text();
+  return cancelled + "  ·  " + s.notice.text();
 }
 
 // What the bar needs at the right to show a notice whole, with the shortest text on memory.

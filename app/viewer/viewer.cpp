@@ -41,7 +41,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       session_([&host] { host.wake(); }, std::move(services)),
       lessons_(
           {state_, commands_, session_, scene_, file_.opening(), preferences_, history_, sender_,
-           pace_.due()},
+           pace_.due(), [this] { close_file(); }},
           [&host] { host.wake(); }, WindowLessons::folders(options.preferences)),
       saving_(
           {host, state_, scene_, session_, store_, inputs_.now(), lessons_.player(), pace_.due()},

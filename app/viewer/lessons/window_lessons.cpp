@@ -127,6 +127,7 @@ class WindowLessons::Stage : public LessonStage {
     if (!kept.document || kept.file == file()) {
       p_.session.cancel_opening();
       p_.opening.forget_waiting_session();
+      if (!kept.document) p_.close_file();
       return take_over(kept);
     }
     kept.document->view.light_theme = p_.state.window.theme == Theme::light;

@@ -34,6 +34,7 @@ class WindowLessons {
     History& history;
     const SettingsSender& sender;
     DueFrames& due;
+    std::function<void()> close_file;  // shows the start page
   };
   // `wake` as in Worker. `folders` as in LessonFiles.
   WindowLessons(const Parts& parts, std::function<void()> wake,

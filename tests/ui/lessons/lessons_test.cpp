@@ -139,13 +139,22 @@ TEST_F(LessonsTest, CloseBringsBackMoleculeSettingsAndHistory) {
   EXPECT_EQ(state().settings.request.alpha_angstrom2, 2);
 }
 
-TEST_F(LessonsTest, WithoutAMoleculeBeforeTheLookComesBack) {
+TEST_F(LessonsTest, WithoutAMoleculeBeforeStartPageAndLookComeBack) {
   const DisplaySettings before = state().settings.display;
+  run("frames 3\n");
+  EXPECT_TRUE(has("start.learn"));
   open_lesson(write(kShort).string());
   EXPECT_NE(state().settings.display, before);
   run("lesson.next\nwait-idle\nlesson.close\nwait-idle\n");
+  EXPECT_FALSE(memory().open);
+  EXPECT_FALSE(state().molecule.loaded);
   EXPECT_EQ(state().settings.display, before);
   EXPECT_EQ(state().settings.request.alpha_angstrom2, 0);
+  run("frames 3\n");
+  EXPECT_TRUE(has("start.learn"));
+  open_crambin();
+  EXPECT_EQ(state().molecule.name, "1crn.pdb");
+  EXPECT_TRUE(state().result);
 }
 
 TEST_F(LessonsTest, AMoleculeThatIsBeingOpenedComesBack) {

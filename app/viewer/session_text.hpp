@@ -7,6 +7,10 @@
 
 namespace alphascope {
 
+// Titles of errors that say what is still open.
+inline constexpr const char* kNotOpened = "The file cannot be opened";
+inline constexpr const char* kNotChanged = "The selection cannot be changed";
+
 // The line for a complex that is computed and not yet on screen. For example "α 3.20 Å²: 1,600,404
 // tetrahedra · drawing".
 std::string pending_text(const Answer& answer);

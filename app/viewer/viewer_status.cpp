@@ -44,15 +44,14 @@ void Viewer::take_error(bool only_the_model_changed) {
   switch (s.error_source) {
     case Source::opening:
       file_.opening().forget_failed();
-      state_.show_error("The file cannot be opened",
-                        s.last_error + file_.opening().not_opened_either() +
-                            still(state_, "The previous molecule is still open."));
+      state_.show_error(kNotOpened, s.last_error + file_.opening().not_opened_either() +
+                                        still(state_, "The previous molecule is still open."));
       break;
     case Source::changing:
       if (only_the_model_changed) {
         state_.notice = s.last_error;
       } else {
-        state_.show_error("The selection cannot be changed",
+        state_.show_error(kNotChanged,
                           s.last_error + still(state_, "The previous selection is still in use."));
       }
       break;

@@ -130,6 +130,19 @@ void ViewState::show_error(const std::string& title, const std::string& text) {
   }
 }
 
+void ViewState::close_errors(std::string_view title) {
+  std::erase_if(more_errors, [&](const auto& later) { return later.first == title; });
+  if (error_title == title) close_error();
+}
+
+void ViewState::close_error() {
+  error_title.clear();
+  error.clear();
+  if (more_errors.empty()) return;
+  std::tie(error_title, error) = more_errors.front();
+  more_errors.pop_front();
+}
+
 bool has_gpu(const ViewState& state) {
   return state.gpu && state.gpu->usable;
 }

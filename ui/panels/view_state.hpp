@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -233,6 +234,9 @@ struct ViewState : ViewValues {
   // Shows an error in a dialog, after earlier ones that are not dismissed yet. To be used for
   // single requests of the user, since a slider must not open a dialog at each step.
   void show_error(const std::string& title, const std::string& text);
+  void close_error();  // the one in the dialog; the next one follows
+  // Closes errors with this title, for when they are true no more.
+  void close_errors(std::string_view title);
 };
 
 // Whether a GPU was found that engines can use.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/viewer/molecule_info.hpp"
+#include "app/viewer/session_text.hpp"
 #include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
@@ -39,6 +40,8 @@ void ShownFile::take_file() {
   state.drop_note = opening_.take_drop_note();
   p_.host.set_title(state.molecule.name + " – Alphascope");
   close_dialogs("another file was opened");
+  state.close_errors(kNotOpened);
+  state.close_errors(kNotChanged);
   p_.sender.moves().forget();
   reset_settings();
   state.settings.objects =

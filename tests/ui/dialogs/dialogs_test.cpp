@@ -294,6 +294,22 @@ TEST_F(ErrorsTest, OnlyAFailedOpeningSpeaksOfThePreviousMolecule) {
   EXPECT_EQ(s.error.find("still open"), std::string::npos) << s.error;
 }
 
+TEST_F(ErrorsTest, AFailedOpeningIsToldNoMoreWhenAnotherFileIsOpen) {
+  ViewState& s = viewer_->state();
+  run("open /no/such/file.pdb\nwait-idle\nframes 3\n");
+  EXPECT_EQ(s.error_title, "The file cannot be opened");
+  EXPECT_TRUE(viewer_->widgets().contains("error.ok"));
+  s.show_error("The picture cannot be saved", "The disk is full.");
+  const auto another = testing::fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz";
+  run("open " + another.string() + "\nwait-idle\nframes 3\n");
+  EXPECT_EQ(s.molecule.name, "4hhb.pdb.gz");
+  EXPECT_EQ(s.error_title, "The picture cannot be saved") << "this is still true";
+  EXPECT_TRUE(s.more_errors.empty());
+  run("click error.ok\nframes 3\n");
+  EXPECT_EQ(s.error, "");
+  EXPECT_TRUE(s.dialogs.open.empty());
+}
+
 TEST_F(ErrorsTest, OnlyAFolderInWhichAFileWasWrittenIsOfferedAgain) {
   const std::filesystem::path& folder = viewer_->state().saving.folder;
   const auto save = [&](const std::filesystem::path& path) {

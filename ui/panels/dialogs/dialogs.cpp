@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "core/document/commands/commands.hpp"
 #include "core/document/settings/open_options.hpp"
@@ -111,14 +110,7 @@ void draw_error(PanelContext& ctx) {
   if (button(ctx, "error.copy", "Copy text", {ctx.px(100), 0})) {
     ImGui::SetClipboardText(s.error.c_str());
   }
-  if (close_button(ctx, ctx.px(kWidth), {"error.ok", "OK"})) {
-    s.error_title.clear();
-    s.error.clear();
-    if (!s.more_errors.empty()) {
-      std::tie(s.error_title, s.error) = s.more_errors.front();
-      s.more_errors.pop_front();
-    }
-  }
+  if (close_button(ctx, ctx.px(kWidth), {"error.ok", "OK"})) s.close_error();
   end_dialog(ctx);
 }
 

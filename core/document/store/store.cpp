@@ -210,6 +210,11 @@ void Store::retry(std::string_view id) {
   }
 }
 
+void Store::retry_whole(const AnyDefinition& definition) {
+  retry(definition.id);
+  for (const AnyDefinition* source : definition.made_of) retry_whole(*source);
+}
+
 double Store::share(const Entry& e) const {
   return e.state == DerivedState::running ? work(e).worker.activity().share : 0;
 }

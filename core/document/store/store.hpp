@@ -75,6 +75,8 @@ class Store {
   void clear();
   // Undoes cancel(): the result begins again with the next request.
   void retry(std::string_view id);
+  // The same for a result and all results from which it is made.
+  void retry_whole(const AnyDefinition& definition);
 
   // While `held`, nothing begins in the background lane. For use while inputs change many times a
   // second, when results would be outdated before anybody sees them.

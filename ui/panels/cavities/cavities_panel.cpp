@@ -105,6 +105,21 @@ std::string waiting_text(const PanelContext& ctx, const Derived<CavityLines>& ta
   return "The triangulation is still being computed. Cavities appear here afterwards.";
 }
 
+// Says that no rows will come, and offers to find them again.
+void cancelled_line(PanelContext& ctx, const CavityPage& page, const Derived<CavityLines>& table) {
+  if (table.state != DerivedState::cancelled) return;
+  const std::string rows =
+      page.rows.lines ? " The rows are of another alpha or solvent radius." : "";
+  ImGui::AlignTextToFramePadding();
+  muted_text(ctx, "Finding the cavities was cancelled." + rows);
+  record(ctx, "cavities.cancelled");
+  constexpr const char* kAgain = "Find cavities";
+  same_line_where_it_fits(button_width(kAgain), ctx.px(8));
+  if (button(ctx, "cavities.again", kAgain)) {
+    ctx.store.retry_whole(cavity_lines(page.rows.lines ? page.rows.lines->numbers : nullptr));
+  }
+}
+
 // Draws the table, and the chosen cavities at its right.
 void body(PanelContext& ctx, CavityPage& page, bool current) {
   if (page.rows.size() == 0) {
@@ -148,7 +163,9 @@ void draw_cavities(PanelContext& ctx) {
   const bool current = followed.current;
   follow_column_results(ctx, page, current);
   if (current) select_wanted_row(ctx, page);
+  if (!current) cancelled_line(ctx, page, followed.wanted);
   if (!page.rows.lines) {
+    if (followed.wanted.state == DerivedState::cancelled) return;
     muted_wrapped(ctx, waiting_text(ctx, followed.wanted));
     record(ctx, "cavities.waiting");
     return;

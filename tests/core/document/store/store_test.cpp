@@ -193,6 +193,21 @@ TEST_F(StoreTest, CancelledIsNotBegunAgain) {
   EXPECT_EQ(*settle(n, inputs(2)).value, 2) << "of other inputs";
 }
 
+TEST_F(StoreTest, ACancelledSourceIsBegunAgainWithItsResult) {
+  hold = true;
+  const auto source = number("source");
+  auto whole = number("whole");
+  whole.made_of = {&source};
+  begin(whole, inputs(1));
+  store.cancel("source");
+  EXPECT_EQ(settle(whole, inputs(1)).state, DerivedState::cancelled);
+  hold = false;
+  store.retry("whole");
+  EXPECT_EQ(settle(whole, inputs(1)).state, DerivedState::cancelled) << "its source still is";
+  store.retry_whole(whole);
+  EXPECT_EQ(*settle(whole, inputs(1)).value, 1);
+}
+
 TEST_F(StoreTest, WhatIsLookedAtGoesFirst) {
   std::mutex mutex;
   std::vector<std::string> order;

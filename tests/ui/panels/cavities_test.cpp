@@ -85,31 +85,6 @@ TEST_F(CavitiesTest, ThePresetComparesWithCastpAndCanBeUndone) {
   EXPECT_EQ(page().rows.size(), before);
 }
 
-// Cancels the table, or a result from which it is made.
-TEST_F(CavitiesTest, ThePageSaysThatFindingWasCancelledAndFindsThemAgain) {
-  open_cavities();
-  EXPECT_FALSE(has("cavities.cancelled"));
-  double radius = 1;
-  for (const char* result : {"cavities.table", "cavities.ground"}) {
-    radius += 0.1;
-    const auto old = page().rows.lines;
-    run("solvent.set " + std::to_string(radius) + "\n");
-    // Panels ask for the new rows as soon as the picture has the new balls.
-    for (int k = 0; k < 2000 && !has("cavities.cancelled"); ++k) {
-      viewer_->calls().jobs.cancel_result(result);
-      run("frames 1\n");
-    }
-    ASSERT_TRUE(has("cavities.cancelled")) << result;
-    ASSERT_TRUE(has("cavities.totals")) << "the old rows stay";
-    settle();
-    EXPECT_TRUE(has("cavities.cancelled")) << "nothing begins by itself";
-    run("click cavities.again\n");
-    settle();
-    EXPECT_FALSE(has("cavities.cancelled"));
-    EXPECT_NE(page().rows.lines, old) << result;
-  }
-}
-
 TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   open_cavities();
   use_preset();

@@ -85,7 +85,10 @@ void follow_hover_mark(PanelContext& ctx, CavityPage& page) {
   mark->key = ++page.layers_key;
   mark->balls = balls;
   mark->colour = cavity_colour(page, *row);
-  mark->tetrahedra.push_back(table.sink(*row));
+  const auto& sink = table.sink(*row);
+  for (std::size_t i = 0; i < sink.size(); ++i) {
+    for (std::size_t j = i + 1; j < sink.size(); ++j) mark->edges.push_back({sink[i], sink[j]});
+  }
   mark->labels.push_back(
       {deepest_place_angstrom(*table.ground, table.cavity(*row)), std::to_string(*row + 1)});
   mark->in_pictures = false;

@@ -41,7 +41,7 @@ Viewer::Viewer(Host& host, const ViewerOptions& options, Session::Services servi
       session_([&host] { host.wake(); }, std::move(services)),
       lessons_(
           {state_, commands_, session_, scene_, file_.opening(), preferences_, history_, sender_,
-           pace_.due(), [this] { close_file(); }},
+           pace_.due(), [this] { leave_file(); }},
           [&host] { host.wake(); }, WindowLessons::folders(options.preferences)),
       saving_(
           {host, state_, scene_, session_, store_, inputs_.now(), lessons_.player(), pace_.due()},
@@ -151,8 +151,13 @@ void Viewer::take_session() {
 // make them again.
 void Viewer::close_file() {
   if (!file_.any()) return;
-  for (const JobId job : {JobId::fetching, JobId::opening, JobId::computing, JobId::comparing,
-                          JobId::picture, JobId::table, JobId::complex}) {
+  for (const JobId job : {JobId::picture, JobId::table, JobId::complex}) jobs_.list().cancel(job);
+  leave_file();
+}
+
+void Viewer::leave_file() {
+  if (!file_.any()) return;
+  for (const JobId job : {JobId::fetching, JobId::opening, JobId::computing, JobId::comparing}) {
     jobs_.list().cancel(job);
   }
   file_.close();

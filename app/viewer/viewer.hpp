@@ -102,6 +102,7 @@ class Viewer {
   void take_session();  // moves results and failures of the session into the state
   void take_error(bool only_the_model_changed);
   void close_file();     // closes the molecule
+  void leave_file();     // the same, and what is being saved goes on
   void run_calls();      // makes the calls of the panels
   void send_controls();  // hands changed controls to session and scene
   void draw(ScriptedInput* input, const std::function<void(unsigned)>& before_swap = {});

@@ -15,8 +15,11 @@ constexpr const char* kNoTable = "The table cannot be saved";
 constexpr const char* kNoExport = "The complex cannot be exported";
 
 // Moves the camera back until the picture shows as much of the width as the window. A lesson's
-// picture beside its text is narrower than the window, in which the view was chosen.
-Picture with_sides(Picture picture, const ViewportInfo& window, const PictureOptions& size) {
+// picture beside its text is narrower than the window, in which the view was chosen. A wider angle
+// would distort what the view shows. `least_aspect`: the window's, as in Viewpoint.
+Picture with_sides(Picture picture, const ViewportInfo& window, const PictureOptions& size,
+                   double least_aspect) {
+  if (picture.viewpoint) picture.viewpoint->least_aspect = least_aspect;
   if (!picture.viewpoint || window.height <= 0 || size.width <= 0) return picture;
   const double back = static_cast<double>(window.width) / window.height * size.height / size.width;
   if (!(back > 1)) return picture;
@@ -53,7 +56,8 @@ SaveJobs::SaveJobs(const Parts& parts, JobList& jobs)
       tables_([&host = parts.host] { host.wake(); }, parts.store, parts.inputs),
       lesson_(parts.lessons, parts.state.lessons, pictures_,
               [this](const ScreenshotRequest& r) {
-                return with_sides(p_.scene.picture(r), p_.state.viewport, r.options);
+                const double least = p_.scene.shown().canvas().scene().viewpoint().least_aspect;
+                return with_sides(p_.scene.picture(r), p_.state.viewport, r.options, least);
               }),
       sweep_(pictures_, swept_window()) {
   jobs.add(pictures_);

@@ -34,7 +34,10 @@ void make_layers(PanelContext& ctx, CavityPage& page) {
   ++page.layers_key;
   page.layers.clear();
   if (!page.drawn) return;
-  for (const SelectedCavity& cavity : page.drawn->of) add_layers_of_cavity(ctx, page, cavity);
+  for (const SelectedCavity& cavity : page.drawn->of) {
+    // While a newer table waits for its shapes, it may have fewer rows.
+    if (cavity.row < page.rows.size()) add_layers_of_cavity(ctx, page, cavity);
+  }
   add_layer_of_lining(page);
   add_layer_of_contents(page);
 }

@@ -41,9 +41,11 @@ void add_layers_of_cavity(PanelContext& ctx, CavityPage& page, const SelectedCav
   if (!cavity.surface.empty() || !cavity.tetrahedra.empty() || !cavity.spheres.empty()) {
     Layer& body = add("body", colour);
     body.body = body.translucent = true;
-    body.name = cavity_title(page, cavity.row);
-    body.page = "cavities";
-    body.cavity = cavity.row;
+    if (page.drawn->table == page.rows.all) {  // else the row may be another cavity by now
+      body.name = cavity_title(page, cavity.row);
+      body.page = "cavities";
+      body.cavity = cavity.row;
+    }
     body.fades_rest = page.fades_rest;
     body.triangles = cavity.surface;
     body.tetrahedra = cavity.tetrahedra;

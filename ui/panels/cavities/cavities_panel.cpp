@@ -8,6 +8,7 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/commands/number_input.hpp"
+#include "core/document/store/store.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/text/grouped_number.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"

@@ -8,6 +8,7 @@
 #include "core/document/store/store.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
 

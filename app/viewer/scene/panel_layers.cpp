@@ -71,6 +71,7 @@ void PanelLayers::show(Drawn drawn, std::shared_ptr<LayerData> data) {
   }
   scene.set_objects(ObjectGroup::layers, std::move(objects));
   drawn_ = std::move(drawn);
+  picked_first_ = find_picked_first();
 }
 
 void PanelLayers::add_objects(Drawn& drawn, const DrawnMolecule& molecule,
@@ -100,6 +101,7 @@ void PanelLayers::forget() {
   worker_.cancel();
   wanted_.clear();
   drawn_ = {};
+  picked_first_.reset();
 }
 
 Layers PanelLayers::for_saved_pictures() const {
@@ -110,7 +112,7 @@ Layers PanelLayers::for_saved_pictures() const {
   return layers;
 }
 
-std::optional<PickLayer> PanelLayers::picked_first() const {
+std::optional<PickLayer> PanelLayers::find_picked_first() const {
   const PickLayers among_pale = fades_rest() ? drawn_.picks : PickLayers{};
   if (!drawn_.atoms && among_pale.empty()) return std::nullopt;
   return PickLayer{kAtomInFront,

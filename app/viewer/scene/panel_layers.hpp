@@ -50,7 +50,7 @@ class PanelLayers {
   const PickLayers& picks() const { return drawn_.picks; }
   // What is picked before all else: atoms in front, then among pale balls named bodies and tubes,
   // and objects.
-  std::optional<PickLayer> picked_first() const;
+  const std::optional<PickLayer>& picked_first() const { return picked_first_; }
   // The layer of a hit on kBodies or kTubes.
   const Layer& layer_of(const Hit& hit) const { return *drawn_.layers.at(hit.index); }
   bool fades_rest() const { return drawn_.mesh && drawn_.mesh->fades_rest; }
@@ -77,6 +77,7 @@ class PanelLayers {
   void add_objects(Drawn& drawn, const DrawnMolecule& molecule, const RunContext& context) const;
   void submit(const Layers& layers);
   void show(Drawn drawn, std::shared_ptr<LayerData> data);
+  std::optional<PickLayer> find_picked_first() const;
 
   const FreeMemory free_memory_;
   Canvas& canvas_;
@@ -84,7 +85,8 @@ class PanelLayers {
   FactsOnce& facts_;
   std::vector<std::pair<std::string, std::uint64_t>> wanted_;  // ids and keys
   Drawn drawn_;
-  Worker worker_;  // last member, so that its thread is joined first
+  std::optional<PickLayer> picked_first_;  // of drawn_
+  Worker worker_;                          // last member, so that its thread is joined first
 };
 
 }  // namespace alphascope

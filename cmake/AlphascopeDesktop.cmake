@@ -15,6 +15,22 @@ set(releases "")
 if(ALPHASCOPE_DATE)
   set(releases "  <releases>\n    <release version=\"${PROJECT_VERSION}\" type=\"${ALPHASCOPE_RELEASE}\" date=\"${ALPHASCOPE_DATE}\"/>\n  </releases>")
 endif()
+# Software centres load pictures from the web. docs/images has them, and scripts/docs_site's site.
+set(ALPHASCOPE_HOME_PAGE "" CACHE STRING "Address of the published site, for the metadata; without it they have no pictures")
+set(pictures "")
+if(ALPHASCOPE_HOME_PAGE)
+  string(REGEX REPLACE "/+$" "" home_page "${ALPHASCOPE_HOME_PAGE}")
+  set(kind " type=\"default\"")
+  foreach(picture "cavity|A cavity with its ligand" "channel|A channel with its profile"
+      "timings|Timings beside those of CGAL" "lesson|A lesson")
+    string(REPLACE "|" ";" picture ${picture})
+    list(POP_FRONT picture name caption)
+    string(APPEND pictures "    <screenshot${kind}>\n      <caption>${caption}</caption>\n"
+      "      <image>${home_page}/docs/images/${name}.png</image>\n    </screenshot>\n")
+    set(kind "")
+  endforeach()
+  set(pictures "  <url type=\"homepage\">${home_page}/</url>\n  <screenshots>\n${pictures}  </screenshots>")
+endif()
 set(thumbnail_folder ${CMAKE_INSTALL_FULL_LIBEXECDIR}/alphascope)
 file(RELATIVE_PATH to_bin /prefix/${CMAKE_INSTALL_LIBEXECDIR}/alphascope /prefix/${CMAKE_INSTALL_BINDIR})
 

@@ -47,13 +47,12 @@ std::array<BallIndex, 3> face_opposite(const std::array<BallIndex, 4>& tetrahedr
   return face;
 }
 
-// The face opposite a corner, oriented so that the tetrahedron is behind it.
-HullFacet hull_facet(const BallSet& balls, std::uint32_t t,
-                     const std::array<BallIndex, 4>& tetrahedron, int corner) {
-  HullFacet facet{face_opposite(tetrahedron, corner), t};
+// The face, oriented so that the tetrahedron is behind it.
+HullFacet hull_facet(const BallSet& balls, const OutsideFace& outside) {
+  HullFacet facet{face_opposite(outside.balls, outside.corner), outside.tetrahedron};
   const auto seen_from_first = [&](BallIndex k) { return lifted_vector(balls, facet.balls[0], k); };
   if (determinant(seen_from_first(facet.balls[1]), seen_from_first(facet.balls[2]),
-                  seen_from_first(tetrahedron[corner])) > 0) {
+                  seen_from_first(outside.balls[outside.corner])) > 0) {
     std::swap(facet.balls[1], facet.balls[2]);
   }
   return facet;
@@ -61,21 +60,23 @@ HullFacet hull_facet(const BallSet& balls, std::uint32_t t,
 
 }  // namespace
 
-void set_hull(const BallSet& balls, const std::vector<OutsideFace>& outside,
-              Triangulation& result) {
-  std::vector<std::pair<HullFacet, int>> facets;
+std::vector<HullFacet> hull_facets(const BallSet& balls, std::vector<OutsideFace>& outside) {
+  std::sort(outside.begin(), outside.end(), [](const OutsideFace& a, const OutsideFace& b) {
+    return face_opposite(a.balls, a.corner) < face_opposite(b.balls, b.corner);
+  });
+  std::vector<HullFacet> facets;
   facets.reserve(outside.size());
-  for (const auto& [t, corner] : outside) {
-    facets.emplace_back(hull_facet(balls, t, result.tetrahedra[t], corner), corner);
+  for (const OutsideFace& face : outside) facets.push_back(hull_facet(balls, face));
+  return facets;
+}
+
+void set_hull(std::vector<HullFacet> facets, const std::vector<OutsideFace>& outside,
+              Triangulation& result) {
+  for (std::uint32_t index = 0; index < outside.size(); ++index) {
+    const auto& [t, corner, balls] = outside[index];
+    result.neighbours[t][corner] = Neighbour::hull_facet(index);
   }
-  std::sort(facets.begin(), facets.end(),
-            [](const auto& a, const auto& b) { return a.first.ascending() < b.first.ascending(); });
-  result.hull.reserve(facets.size());
-  for (const auto& [facet, corner] : facets) {
-    const auto index = static_cast<std::uint32_t>(result.hull.size());
-    result.neighbours[facet.tetrahedron][corner] = Neighbour::hull_facet(index);
-    result.hull.push_back(facet);
-  }
+  result.hull = std::move(facets);
 }
 
 void set_tetrahedra(const BallSet& balls, const UnorderedTetrahedra& unordered,
@@ -100,14 +101,14 @@ void set_tetrahedra(const BallSet& balls, const UnorderedTetrahedra& unordered,
     const auto& across = unordered.neighbours[records[t].before];
     for (int corner = 0; corner < 4; ++corner) {
       if (across[corner] == UnorderedTetrahedra::kOutside) {
-        outside.push_back({t, corner});
+        outside.push_back({t, corner, result.tetrahedra[t]});
       } else {
         result.neighbours[t][corner] = Neighbour::tetrahedron(after[across[corner]]);
       }
     }
   }
   cancel.throw_if_cancelled();
-  set_hull(balls, outside, result);
+  set_hull(hull_facets(balls, outside), outside, result);
 }
 
 }  // namespace alphascope

@@ -28,10 +28,15 @@ void set_tetrahedra(const BallSet& balls, const UnorderedTetrahedra& unordered,
 struct OutsideFace {
   std::uint32_t tetrahedron;
   int corner;
+  std::array<BallIndex, 4> balls;  // of the tetrahedron
 };
 
-// Makes the facets of the hull, and sets them as the neighbours that are still missing. The
-// tetrahedra are in order.
-void set_hull(const BallSet& balls, const std::vector<OutsideFace>& outside, Triangulation& result);
+// Makes the facets of the hull, in their order, into which it puts `outside`, too. The tetrahedra
+// are in order.
+std::vector<HullFacet> hull_facets(const BallSet& balls, std::vector<OutsideFace>& outside);
+
+// Sets those facets as the neighbours that are still missing.
+void set_hull(std::vector<HullFacet> facets, const std::vector<OutsideFace>& outside,
+              Triangulation& result);
 
 }  // namespace alphascope

@@ -41,9 +41,10 @@ class Surface {
  public:
   // Coordinates are multiplied by 12, so that the middles of a facet and of a tetrahedron are whole
   // numbers. They are below 2^33 then.
-  Surface(const BallSet& balls, const Triangulation& triangulation)
-      : balls_(balls), hull_(triangulation.hull) {
-    for (const BallIndex i : triangulation.tetrahedra[0]) {
+  Surface(const BallSet& balls, const std::vector<HullFacet>& hull,
+          const std::array<BallIndex, 4>& inside)
+      : balls_(balls), hull_(hull) {
+    for (const BallIndex i : inside) {
       const Vector p = position(i);
       inside_ = sum(inside_, {p[0] / 4, p[1] / 4, p[2] / 4});
     }
@@ -113,9 +114,10 @@ class Surface {
 
 }  // namespace
 
-bool encloses_once(const BallSet& balls, const Triangulation& triangulation) {
-  if (triangulation.tetrahedra.empty() || triangulation.hull.empty()) return false;
-  const Surface surface(balls, triangulation);
+bool encloses_once(const BallSet& balls, const std::vector<HullFacet>& hull,
+                   const std::array<BallIndex, 4>& inside) {
+  if (hull.empty()) return false;
+  const Surface surface(balls, hull, inside);
   return surface.closed_and_convex() && surface.met_once();
 }
 

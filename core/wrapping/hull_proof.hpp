@@ -21,7 +21,12 @@ namespace alphascope {
 
 struct BallSet;
 
-// Checks step 2. All in integers.
-bool encloses_once(const BallSet& balls, const Triangulation& triangulation);
+// Checks step 2, in integers. `inside`: the balls of the first tetrahedron.
+bool encloses_once(const BallSet& balls, const std::vector<HullFacet>& hull,
+                   const std::array<BallIndex, 4>& inside);
+inline bool encloses_once(const BallSet& balls, const Triangulation& triangulation) {
+  return !triangulation.tetrahedra.empty() &&
+         encloses_once(balls, triangulation.hull, triangulation.tetrahedra[0]);
+}
 
 }  // namespace alphascope

@@ -64,8 +64,10 @@ struct Arranged {
   std::uint32_t* hull;  // four times the tetrahedron plus the corner, in any order
   std::uint32_t hull_room;
   std::uint32_t* hull_count;
+  uint4* hull_balls;  // the tetrahedron of each of these faces, and after them the first one of all
 };
 
+// The result is not certified yet, so neighbours may be any numbers.
 __global__ void arrange_quads(Faces faces, std::uint32_t count, const std::uint32_t* ball_of_slot,
                               const std::uint32_t* order, const std::uint32_t* after,
                               Arranged out) {
@@ -79,12 +81,21 @@ __global__ void arrange_quads(Faces faces, std::uint32_t count, const std::uint3
     for (int k = 0; k < 4; ++k) {
       const FaceRef other =
           faces.neighbours[std::size_t{4} * from + static_cast<unsigned>(b.corner[k])];
-      across[k] = other == kOpen ? kOpen : after[other >> 2];
+      across[k] = other >> 2 < count ? after[other >> 2] : kOpen;
     }
     out.neighbours[n] = make_uint4(across[0], across[1], across[2], across[3]);
   }
   for (std::uint32_t k = 0; k < 4; ++k)
     append(has && across[k] == kOpen, 4 * n + k, out.hull, out.hull_room, out.hull_count);
+}
+
+// One thread for each face on the hull, and one more.
+__global__ void gather_hull(Arranged out) {
+  const std::uint32_t n = grid_thread();
+  if (n > out.hull_room) return;
+  const bool listed = n < min(*out.hull_count, out.hull_room);
+  out.hull_balls[n] = out.tetrahedra[listed ? out.hull[n] / 4 : 0];
+  if (!listed && n < out.hull_room) out.hull[n] = 0;
 }
 
 // Marks each vertex by its index.

@@ -39,23 +39,25 @@ constexpr double kTetrahedraPerBall = 6.9;
 // A face has a 32-bit reference.
 constexpr std::size_t kMostQuads = std::size_t{1} << 30;
 
-// Times of named stages by the device's clock.
+// Times of named stages by the device's clock. A stage may have several parts.
 class StageClock {
  public:
   explicit StageClock(cudaStream_t stream) : stream_(stream) {}
   void begin(std::string_view label) {
     end();
     timers_.emplace_back(label, std::make_unique<DeviceTimer>(stream_));
+    stopped_ = false;
   }
   void end() {
     if (!timers_.empty() && !stopped_) timers_.back().second->stop();
+    stopped_ = true;
   }
   // Waits for the end of all work.
-  void report(StageTimes& to) {
+  double milliseconds(std::string_view of) {
     end();
-    stopped_ = true;
-    for (auto& [label, timer] : timers_)
-      to.stages.push_back({std::string(label), timer->milliseconds(), false});
+    double sum = 0;
+    for (auto& [label, timer] : timers_) sum += label == of ? timer->milliseconds() : 0;
+    return sum;
   }
 
  private:
@@ -66,8 +68,11 @@ class StageClock {
 
 // Waits for the device before the memory that it uses is given away.
 struct WaitAtEnd {
-  const WorkStream& stream;
-  ~WaitAtEnd() { cudaStreamSynchronize(stream); }
+  const WorkStream &stream, &copier;
+  ~WaitAtEnd() {
+    cudaStreamSynchronize(stream);
+    cudaStreamSynchronize(copier);
+  }
 };
 
 // Numbers that the device counts in the last steps.
@@ -77,14 +82,18 @@ struct LastCounts {
   std::uint32_t vertices;
 };
 
-// Arrays of a result in one piece of memory.
+// Arrays that are copied to the host. The first `kept` bytes are the result's, and stay there. The
+// others come first.
 struct TriangulationLayout {
-  std::size_t neighbours, hull, listed, bytes;
+  std::size_t neighbours, kept, hull, listed, bytes;
   TriangulationLayout(std::size_t quads, std::size_t balls, std::size_t hull_room)
       : neighbours(quads * sizeof(uint4)),
-        hull(2 * neighbours),
-        listed(hull + hull_room * 4),
-        bytes(listed + balls * 4) {}
+        kept(2 * neighbours),
+        hull(kept + (hull_room + 1) * sizeof(uint4)),
+        listed(hull + hull_room * sizeof(std::uint32_t)),
+        bytes(listed + balls * sizeof(std::uint32_t)) {}
+  std::size_t hull_balls() const { return kept; }
+  std::size_t first_bytes() const { return bytes - kept; }
 };
 
 // The median weight of evenly spread samples, square lattice units.
@@ -173,9 +182,7 @@ class GpuTriangulator : public DeviceTriangulator {
     context.report(stage::kTriangulation, 0.7);
     Wrapped all = m.wrapping.on_device();
     spoil(all);
-    StageClock clock(*all.stream);
-    finish(balls, all, clock, context.cancel, made);
-    clock.report(made.report.timings);
+    finish(balls, all, context.cancel, made);
   }
 
   // Tetrahedra with which wrapping begins: those of a K_alpha, or any one. Empty if the centres lie
@@ -229,60 +236,97 @@ class GpuTriangulator : public DeviceTriangulator {
     return false;
   }
 
-  // The certificate, the order and the copy to the host.
-  void finish(const BallSet& balls, const Wrapped& all, StageClock& clock,
-              const CancelToken& cancel, DeviceTriangulation& made) {
+  // The order, the certificate and the copy to the host. While the result is on its way, the device
+  // checks the tetrahedra, and the host the hull.
+  void finish(const BallSet& balls, const Wrapped& all, const CancelToken& cancel,
+              DeviceTriangulation& made) {
     Memory& m = *memory_;
     const WorkStream& stream = *all.stream;
     const std::size_t count = all.count, n = all.slots;
-    m.counts.reserve(1);
-    m.host_counts.reserve(1);
+    // A wrong result may have more faces there, and is refused then.
+    const std::size_t hull_room = std::size_t{2} * all.hull + 64;
+    const TriangulationLayout layout(count, n, hull_room);
+    m.prepare(layout);
+    const std::shared_ptr<unsigned char> memory = results_->take(layout.kept).memory;
+    const WaitAtEnd waits{stream, m.copier};
+    const auto array = [&](std::size_t at) { return m.result.get() + at; };
     stream.fill(m.counts, 0, 1);
+    StageClock clock(stream);
     clock.begin(stage::kCertificate);
     m.wrapping.mark_balls(all.count);
+    clock.begin(stage::kOrder);
+    const Arranged arranged{reinterpret_cast<uint4*>(array(0)),
+                            reinterpret_cast<uint4*>(array(layout.neighbours)),
+                            reinterpret_cast<std::uint32_t*>(array(layout.hull)),
+                            static_cast<std::uint32_t>(hull_room),
+                            &m.counts.get()->hull,
+                            reinterpret_cast<uint4*>(array(layout.hull_balls()))};
+    arrange(all, arranged, reinterpret_cast<std::uint32_t*>(array(layout.listed)));
+    m.arranged.record(stream);
+    clock.begin(stage::kCertificate);
+    certify(all);
+    clock.end();
+    m.certified.record(stream);
+
+    const WorkStream& copier = m.copier;
+    m.arranged.make_wait(copier);
+    copier.fetch(m.first.get(), array(layout.kept), layout.first_bytes());
+    copier.fetch(&m.host_counts.get()->hull, &m.counts.get()->hull, 1);
+    copier.fetch(&m.host_counts.get()->vertices, m.place.get() + n, 1);
+    m.first_here.record(copier);
+    copier.fetch(memory.get(), m.result.get(), layout.kept);
+    m.certified.make_wait(copier);
+    copier.fetch(&m.host_counts.get()->certificate, &m.counts.get()->certificate, 1);
+
+    check(cudaEventSynchronize(m.first_here), "putting a triangulation in order");
+    StageTimer host(made.report.timings);
+    Triangulation result = in_result_memory(memory, layout, count);
+    const LastCounts& counts = *m.host_counts.get();
+    const auto* const listed =
+        reinterpret_cast<const BallIndex*>(m.first_bytes(layout.listed, layout));
+    result.vertices.assign(listed, listed + counts.vertices);
+    result.hidden.assign(listed + counts.vertices, listed + n);
+    std::vector<OutsideFace> outside =
+        outside_faces(layout, std::min<std::size_t>(counts.hull, hull_room));
+    std::vector<HullFacet> facets = hull_facets(balls, outside);
+    const auto* const hull_balls = reinterpret_cast<const std::array<BallIndex, 4>*>(
+        m.first_bytes(layout.hull_balls(), layout));
+    const bool encloses = encloses_once(balls, facets, hull_balls[hull_room]);
+    host.lap("hull", false);
+    copier.wait("copying a triangulation");
+    cancel.throw_if_cancelled();
+    const CertificateCounts& checked = counts.certificate;
+    if (checked.cells + checked.pairs + checked.irregular + checked.unproven > 0)
+      throw ExecutorFailed(failure(checked));
+    if (!encloses || checked.hull != facets.size())
+      throw ExecutorFailed("the certificate of the triangulation failed: its hull is not convex");
+    set_hull(std::move(facets), outside, result);
+    made.triangulation = std::move(result);
+
+    host.lap(stage::kDeviceToHost, false);
+    // Of the copy counts what took longer than the checks beside it.
+    std::vector<StageTime>& stages = made.report.timings.stages;
+    const double certificate = clock.milliseconds(stage::kCertificate);
+    stages.back().milliseconds = std::max(0.0, stages.back().milliseconds - certificate);
+    stages.push_back({std::string(stage::kOrder), clock.milliseconds(stage::kOrder), false});
+    stages.push_back({std::string(stage::kCertificate), certificate, false});
+  }
+
+  // Queues all checks of the device, after those of hidden balls.
+  void certify(const Wrapped& all) {
+    const WorkStream& stream = *all.stream;
     const Certificate certificate{all.faces,
                                   all.count,
                                   all.balls,
                                   all.slots,
                                   all.scale,
                                   all.spare,
-                                  &m.counts.get()->certificate};
+                                  &memory_->counts.get()->certificate};
+    const std::size_t count = all.count;
     stream.each(check_cells, count, certificate);
     stream.each(check_faces, 4 * count, certificate);
     stream.each(check_doubtful_faces, std::min<std::size_t>(2 * count, 1u << 18), certificate);
-    stream.each(count_unproven, n, all.found, all.slots, certificate.counts);
-    fetch_counts(stream);
-    const CertificateCounts& checked = m.host_counts.get()->certificate;
-    if (checked.cells + checked.pairs + checked.irregular + checked.unproven > 0)
-      throw ExecutorFailed(failure(checked));
-    cancel.throw_if_cancelled();
-
-    clock.begin(stage::kOrder);
-    const std::size_t hull_room = checked.hull;
-    const TriangulationLayout layout(count, n, hull_room);
-    m.result.reserve(layout.bytes);
-    const auto array = [&](std::size_t at) { return m.result.get() + at; };
-    const Arranged arranged{reinterpret_cast<uint4*>(array(0)),
-                            reinterpret_cast<uint4*>(array(layout.neighbours)),
-                            reinterpret_cast<std::uint32_t*>(array(layout.hull)),
-                            static_cast<std::uint32_t>(hull_room), &m.counts.get()->hull};
-    arrange(all, arranged, reinterpret_cast<std::uint32_t*>(array(layout.listed)));
-    stream.fetch(&m.host_counts.get()->vertices, m.place.get() + n, 1);
-    clock.begin(stage::kDeviceToHost);
-    const std::shared_ptr<unsigned char> memory = results_->take(layout.bytes).memory;
-    const WaitAtEnd waits{stream};
-    stream.fetch(memory.get(), m.result.get(), layout.bytes);
-    clock.end();
-    stream.wait("copying a triangulation");
-    cancel.throw_if_cancelled();
-
-    StageTimer host(made.report.timings);
-    made.triangulation = on_host(balls, memory, layout, count, m.host_counts.get()->vertices);
-    if (!encloses_once(balls, *made.triangulation)) {
-      made.triangulation.reset();
-      throw ExecutorFailed("the certificate of the triangulation failed: its hull is not convex");
-    }
-    host.lap("hull", false);
+    stream.each(count_unproven, all.slots, all.found, all.slots, certificate.counts);
   }
 
   void arrange(const Wrapped& all, const Arranged& out, std::uint32_t* listed) {
@@ -305,6 +349,7 @@ class GpuTriangulator : public DeviceTriangulator {
     stream.each(invert_order, count, m.index.get(), all.count, m.order.get());
     stream.each(arrange_quads, count, all.faces, all.count, all.ball_of_slot, m.index.get(),
                 m.order.get(), out);
+    stream.each(gather_hull, out.hull_room + 1, out);
     m.is_vertex.reserve(n + 1);
     m.place.reserve(n + 1);
     stream.fill(m.is_vertex, 0, n + 1);
@@ -326,9 +371,9 @@ class GpuTriangulator : public DeviceTriangulator {
     run(m.scratch.get());
   }
 
-  Triangulation on_host(const BallSet& balls, const std::shared_ptr<unsigned char>& memory,
-                        const TriangulationLayout& layout, std::size_t count,
-                        std::size_t vertices) const {
+  // The tetrahedra and neighbours, which are still on their way.
+  static Triangulation in_result_memory(const std::shared_ptr<unsigned char>& memory,
+                                        const TriangulationLayout& layout, std::size_t count) {
     static_assert(sizeof(Neighbour) == 4 &&
                   std::bit_cast<std::uint32_t>(Neighbour::tetrahedron(7)) == 7);
     Triangulation result;
@@ -340,21 +385,22 @@ class GpuTriangulator : public DeviceTriangulator {
     result.neighbours = in_place(
         memory,
         std::span<Neighbours>{reinterpret_cast<Neighbours*>(at + layout.neighbours), count});
-    const auto* hull = reinterpret_cast<const std::uint32_t*>(at + layout.hull);
-    std::vector<OutsideFace> outside;
-    for (std::size_t h = 0; h < memory_->host_counts.get()->certificate.hull; ++h)
-      outside.push_back({hull[h] / 4, static_cast<int>(hull[h] % 4)});
-    set_hull(balls, outside, result);
-    const auto* listed = reinterpret_cast<const BallIndex*>(at + layout.listed);
-    result.vertices.assign(listed, listed + vertices);
-    result.hidden.assign(listed + vertices, listed + balls.size());
     return result;
   }
-
-  void fetch_counts(const WorkStream& stream) {
-    stream.fetch(memory_->host_counts.get(), memory_->counts.get(), 1);
-    stream.wait("certifying a triangulation");
+  std::vector<OutsideFace> outside_faces(const TriangulationLayout& layout,
+                                         std::size_t count) const {
+    const Memory& m = *memory_;
+    const auto* const hull =
+        reinterpret_cast<const std::uint32_t*>(m.first_bytes(layout.hull, layout));
+    const auto* const balls = reinterpret_cast<const std::array<BallIndex, 4>*>(
+        m.first_bytes(layout.hull_balls(), layout));
+    std::vector<OutsideFace> outside;
+    outside.reserve(count);
+    for (std::size_t h = 0; h < count; ++h)
+      outside.push_back({hull[h] / 4, static_cast<int>(hull[h] % 4), balls[h]});
+    return outside;
   }
+
   static std::string failure(const CertificateCounts& counts) {
     std::string text = "the certificate of the triangulation failed;";
     const char* separator = " ";
@@ -384,6 +430,24 @@ class GpuTriangulator : public DeviceTriangulator {
     DeviceBuffer<std::uint64_t> lower, higher, gathered, sorted_keys;
     DeviceBuffer<std::uint32_t> index, order, is_vertex, place;
     DeviceBuffer<unsigned char> scratch, result;
+    PinnedBuffer<unsigned char> first;  // what the host needs before the result
+    WorkStream copier;
+    Event arranged, first_here, certified;
+
+    Memory() {
+      copier.create();
+      for (Event* const event : {&arranged, &first_here, &certified})
+        event->create(cudaEventDisableTiming);
+    }
+    void prepare(const TriangulationLayout& layout) {
+      counts.reserve(1);
+      host_counts.reserve(1);
+      result.reserve(layout.bytes);
+      first.reserve(layout.first_bytes());
+    }
+    const unsigned char* first_bytes(std::size_t at, const TriangulationLayout& layout) const {
+      return first.get() + (at - layout.kept);
+    }
   };
   std::unique_ptr<Memory> memory_;
   std::size_t most_balls_ = 0;  // for which it is kept

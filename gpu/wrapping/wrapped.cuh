@@ -12,6 +12,7 @@ struct Wrapped {
   const WorkStream* stream = nullptr;
   Faces faces{};
   std::uint32_t count = 0;  // tetrahedra
+  std::uint32_t hull = 0;   // faces before which no ball was found
   const int4* balls = nullptr;
   std::uint32_t slots = 0;  // of balls
   const std::uint32_t* ball_of_slot = nullptr;

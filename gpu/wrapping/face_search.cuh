@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <type_traits>
 
 #include "core/wrapping/crossing.hpp"
 #include "gpu/wrapping/front.cuh"
@@ -10,6 +11,7 @@
 namespace alphascope::gpu {
 
 inline constexpr int kSearchThreads = 128;
+inline constexpr unsigned kSearchBlocks = 8;  // for each multiprocessor
 
 // Does Real hold the coordinates exactly?
 template <class Real>
@@ -21,6 +23,19 @@ template <class Real>
 __device__ inline LiftedVector<Real> scaled_lifted(const LiftedInt& v, Real scale) {
   return {static_cast<Real>(v.x) * scale, static_cast<Real>(v.y) * scale,
           static_cast<Real>(v.z) * scale, static_cast<Real>(v.c) * scale * scale};
+}
+
+// An integer as a Real. With `kSmall`, for |value| <= kMostSmall only, and faster: a conversion
+// takes eight times as long as a sum.
+inline constexpr int kMostSmall = (1 << 22) - 1;
+template <class Real, bool kSmall>
+__device__ inline Real real_of(int value) {
+  if constexpr (kSmall && std::is_same_v<Real, float>) {
+    constexpr float base = 3 << 22;  // 0x4b400000, of which the last bit counts 1
+    return __uint_as_float(0x4b400000u + static_cast<unsigned>(value)) - base;
+  } else {
+    return static_cast<Real>(value);
+  }
 }
 
 // The part of space in which a ball may touch first: before the plane of the face, and where its
@@ -126,12 +141,25 @@ struct FaceSearch {
     return true;
   }
 
+  template <bool kSmall>
+  __device__ RoughLifted<Real> lifted(const int4& b, Real scale) const {
+    const auto real = [](int value) { return real_of<Real, kSmall>(value); };
+    const Real weights = real(ball.w - b.w) * scale * (real(ball.w + b.w) * scale);
+    return rough_lifted(real(b.x - ball.x) * scale, real(b.y - ball.y) * scale,
+                        real(b.z - ball.z) * scale, weights);
+  }
+  template <bool kSmall = false>
   __device__ Crossing<Real> crossing_of(const int4& b, Real scale) const {
-    const Real weights =
-        static_cast<Real>(ball.w - b.w) * scale * (static_cast<Real>(ball.w + b.w) * scale);
-    return face.crossing(rough_lifted(static_cast<Real>(b.x - ball.x) * scale,
-                                      static_cast<Real>(b.y - ball.y) * scale,
-                                      static_cast<Real>(b.z - ball.z) * scale, weights));
+    return face.crossing(lifted<kSmall>(b, scale));
+  }
+  // Roughly the radius of the sphere that touches ball b, too, or 0 if its centre is behind the
+  // face. `at_foot`: the power of the foot from ball i.
+  template <bool kSmall>
+  __device__ Real radius_with(const int4& b, Real scale, Real at_foot) const {
+    const auto cut = face.line().line_cut(lifted<kSmall>(b, scale).v);
+    const Real s = cut.offset * rough_reciprocal(cut.slope);
+    if (!(face.side() > 0 ? s > 0 : s < 0)) return 0;
+    return sqrtf(fmaxf(at_foot + s * s * face.line().direction_square(), Real(0)));
   }
 
   // Limits the region to the sphere at `t`. `weight`: the largest of all balls.
@@ -201,9 +229,11 @@ struct SearchList {
   }
 };
 
-// Faces to search, and the number of those taken.
+// Faces to search, and the number of those taken. `bounds`: some ball touches at this t or before,
+// or null.
 struct SearchTask {
   const FaceRef* faces;
+  const float* bounds;
   const std::uint32_t* count;
   std::uint32_t* next;
 };
@@ -267,8 +297,8 @@ __device__ inline void claim_others(const Front& front, const FaceBalls& balls,
   if (!is_ball(apex) || sub > 3) return;
   const QuadAtFace made = quad_of(balls, apex);
   if (sub == made.corner) return;
-  const FaceRef other = find_face(front.table, front.faces, face_of(made.quad, sub));
-  if (other != kEmptyEntry) atomicCAS(&front.apex[other], kUnsearched, kClaimed);
+  const FaceRef other = place_of(front.table, front.faces, face_of(made.quad, sub)).entry;
+  if (other < kNoRoom) atomicCAS(&front.apex[other], kUnsearched, kClaimed);
 }
 
 }  // namespace alphascope::gpu

@@ -15,7 +15,7 @@ namespace alphascope::gpu {
 // A face of a tetrahedron: four times the tetrahedron's number plus the corner opposite the face.
 using FaceRef = std::uint32_t;
 inline constexpr FaceRef kOpen = ~0u;        // as a neighbour: none is known
-inline constexpr FaceRef kEmptyEntry = ~0u;  // in a table
+inline constexpr FaceRef kEmptyEntry = ~0u;  // in a table: none
 
 // The ball before a face, or one of these.
 inline constexpr std::uint32_t kUnsearched = ~0u;
@@ -62,50 +62,94 @@ struct Faces {
   FaceRef* neighbours;  // four for each tetrahedron
 };
 
-// A table of faces with open addressing. Entries are never removed.
+// A table of faces with open addressing. Entries are never removed. Four of them make a bucket,
+// which is read at once, and its first entries are used first. An entry has a face below bits of
+// its hash, so that other faces are rarely looked at.
+using FaceEntry = unsigned long long;
+inline constexpr FaceEntry kNoEntry = ~FaceEntry{0};
+inline constexpr int kBucket = 4;
 struct FaceTable {
-  FaceRef* entries;
-  std::uint32_t size;
+  FaceEntry* entries;
+  std::uint32_t buckets;
 };
+// Too many full buckets follow each other. The table is far too small then.
+inline constexpr FaceRef kNoRoom = ~0u - 1;
+inline constexpr int kMostProbes = 1024;
 
-__device__ inline std::uint32_t hash_face(const FaceBalls& f) {
-  std::uint32_t h = f.i * 0x9e3779b1u ^ f.j * 0x85ebca77u ^ f.k * 0xc2b2ae3du;
-  h ^= h >> 15;
-  h *= 0x2c1b3c6du;
-  h ^= h >> 13;
-  return h * 0x9e3779b1u;
-}
-// The entry at which the search for a face begins, and the one after another.
-__device__ inline std::uint32_t first_entry(const FaceTable& table, const FaceBalls& f) {
-  return static_cast<std::uint32_t>((std::uint64_t{hash_face(f)} * table.size) >> 32);
-}
-__device__ inline std::uint32_t next_entry(const FaceTable& table, std::uint32_t at) {
-  return at + 1 < table.size ? at + 1 : 0;
-}
+// Where the search for a face begins, and the bits that its entry has.
+struct FaceKey {
+  std::uint32_t bucket, bits;
+
+  __device__ FaceKey(const FaceTable& table, const FaceBalls& f) {
+    std::uint64_t h =
+        f.i * 0x9e3779b97f4a7c15ull + f.j * 0xc2b2ae3d27d4eb4full + f.k * 0x165667b19e3779f9ull;
+    h ^= h >> 32;
+    h *= 0xd6e8feb86659fd93ull;
+    h ^= h >> 32;
+    bits = static_cast<std::uint32_t>(h);
+    bucket = static_cast<std::uint32_t>(((h >> 32) * table.buckets) >> 32);
+  }
+  __device__ void next(const FaceTable& table) {
+    bucket = bucket + 1 < table.buckets ? bucket + 1 : 0;
+  }
+  __device__ bool matches(FaceEntry entry) const { return entry >> 32 == bits; }
+};
+struct FaceBucket {
+  FaceEntry entry[kBucket];
+
+  __device__ FaceBucket(const FaceTable& table, const FaceKey& key) {
+    const auto* from =
+        reinterpret_cast<const uint4*>(table.entries + std::size_t{kBucket} * key.bucket);
+    for (int half = 0; half < 2; ++half) {
+      const uint4 two = __ldcg(&from[half]);
+      entry[2 * half] = FaceEntry{two.y} << 32 | two.x;
+      entry[2 * half + 1] = FaceEntry{two.w} << 32 | two.z;
+    }
+  }
+};
 __device__ inline bool is_face(const Faces& faces, FaceRef ref, const FaceBalls& f) {
   const FaceBalls g = face_of(__ldcg(&faces.quads[ref >> 2]), static_cast<int>(ref & 3));
   return g.i == f.i && g.j == f.j && g.k == f.k;
 }
-// Returns the face's entry, or kEmptyEntry.
-__device__ inline FaceRef find_face(const FaceTable& table, const Faces& faces,
-                                    const FaceBalls& f) {
-  for (std::uint32_t at = first_entry(table, f);; at = next_entry(table, at)) {
-    const FaceRef entry = __ldcg(&table.entries[at]);
-    if (entry == kEmptyEntry || is_face(faces, entry, f)) return entry;
-  }
-}
-// Enters the face as `own` if it is new, and returns kEmptyEntry. Else returns its entry. The quad
-// of `own` must be visible to all threads before.
-__device__ inline FaceRef enter_face(const FaceTable& table, const Faces& faces, const FaceBalls& f,
-                                     FaceRef own) {
-  for (std::uint32_t at = first_entry(table, f);; at = next_entry(table, at)) {
-    FaceRef entry = __ldcg(&table.entries[at]);
-    if (entry == kEmptyEntry) {
-      entry = atomicCAS(&table.entries[at], kEmptyEntry, own);
-      if (entry == kEmptyEntry) return kEmptyEntry;
+// Where a face is in the table: its entry, or kEmptyEntry and the place at which it may be entered,
+// or kNoRoom.
+struct FacePlace {
+  FaceRef entry;
+  std::uint32_t empty;
+};
+// Goes on from the bucket of `key`, which is loaded.
+__device__ inline FacePlace place_of(const FaceTable& table, const Faces& faces, const FaceBalls& f,
+                                     FaceKey key, FaceBucket bucket) {
+  for (int probe = 0; probe < kMostProbes; ++probe) {
+    for (int n = 0; n < kBucket; ++n) {
+      const FaceEntry entry = bucket.entry[n];
+      if (entry == kNoEntry) return {kEmptyEntry, kBucket * key.bucket + n};
+      const auto ref = static_cast<FaceRef>(entry);
+      if (key.matches(entry) && is_face(faces, ref, f)) return {ref, 0};
     }
-    if (is_face(faces, entry, f)) return entry;
+    key.next(table);
+    bucket = FaceBucket(table, key);
   }
+  return {kNoRoom, 0};
+}
+__device__ inline FacePlace place_of(const FaceTable& table, const Faces& faces,
+                                     const FaceBalls& f) {
+  const FaceKey key(table, f);
+  return place_of(table, faces, f, key, FaceBucket(table, key));
+}
+// Enters the face as `own` if it is new, and returns kEmptyEntry. Else returns its entry, or
+// kNoRoom. The quad of `own` must be visible to all threads before. `at`: where the face was a
+// moment ago.
+__device__ inline FaceRef enter_face(const FaceTable& table, const Faces& faces, const FaceBalls& f,
+                                     FaceRef own, FacePlace at) {
+  const FaceKey key(table, f);
+  while (at.entry == kEmptyEntry) {
+    const FaceEntry entry =
+        atomicCAS(&table.entries[at.empty], kNoEntry, FaceEntry{key.bits} << 32 | own);
+    if (entry == kNoEntry) return kEmptyEntry;
+    at = place_of(table, faces, f);
+  }
+  return at.entry;
 }
 
 // The searches of a face, each for those that the ones before leave over: in a grid; in the

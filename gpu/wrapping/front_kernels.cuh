@@ -38,8 +38,8 @@ __global__ void join_faces(Faces faces, FaceTable table, std::uint32_t count) {
   const std::uint32_t n = grid_thread();
   if (n >= 4 * count) return;
   const FaceBalls f = face_of(faces.quads[n >> 2], static_cast<int>(n & 3));
-  const FaceRef other = enter_face(table, faces, f, n);
-  if (other == kEmptyEntry) return;
+  const FaceRef other = enter_face(table, faces, f, n, place_of(table, faces, f));
+  if (other == kEmptyEntry || other == kNoRoom) return;
   faces.neighbours[n] = other;
   faces.neighbours[other] = n;
 }
@@ -53,7 +53,9 @@ __global__ void queue_open_faces(Front front, std::uint32_t count, std::uint32_t
   const std::uint32_t at = atomicAdd(&front.counts->tail, 1u);
   if (at < front.queue_room) {
     front.queue[at] = n;
-    enter_face(front.table, front.faces, f, n);
+    if (enter_face(front.table, front.faces, f, n, place_of(front.table, front.faces, f)) ==
+        kNoRoom)
+      front.counts->full = 1;
   } else {
     front.counts->full = 1;
   }
@@ -98,6 +100,21 @@ __global__ void begin_round(FrontCounts* counts) {
   if (c.begin < c.end) ++c.rounds;
 }
 
+// The corners of a tetrahedron other than that of the ball before its face, k = 0, 1, 2.
+__device__ inline int other_corner(const QuadAtFace& made, int k) {
+  return k + (k >= made.corner ? 1 : 0);
+}
+// Looks for the other faces of a tetrahedron. Their buckets are on their way together.
+__device__ inline void find_others(const Front& front, const QuadAtFace& made, FaceBalls face[3],
+                                   FacePlace place[3]) {
+  for (int k = 0; k < 3; ++k) face[k] = face_of(made.quad, other_corner(made, k));
+  const FaceKey key[3] = {{front.table, face[0]}, {front.table, face[1]}, {front.table, face[2]}};
+  const FaceBucket bucket[3] = {
+      {front.table, key[0]}, {front.table, key[1]}, {front.table, key[2]}};
+  for (int k = 0; k < 3; ++k)
+    place[k] = place_of(front.table, front.faces, face[k], key[k], bucket[k]);
+}
+
 // Adds the tetrahedra that this round found. Faces of one tetrahedron that were searched in this
 // round all found it, unless one claimed it first. The one with the least reference adds it.
 __global__ void extend_front(Front front) {
@@ -115,16 +132,15 @@ __global__ void extend_front(Front front) {
       atomicAdd(&front.counts->hull, static_cast<std::uint32_t>(__popc(hulls)));
     bool adds = is_ball(apex);
     QuadAtFace made{};
-    FaceRef other[4] = {kEmptyEntry, kEmptyEntry, kEmptyEntry, kEmptyEntry};
+    FaceBalls face[3];
+    FacePlace place[3];
     if (adds) {
       made = quad_of(face_of(front.faces.quads[own >> 2], static_cast<int>(own & 3)), apex);
-      for (int corner = 0; corner < 4; ++corner) {
-        if (corner == made.corner || !adds) continue;
-        const FaceRef entry = find_face(front.table, front.faces, face_of(made.quad, corner));
-        if (entry == kEmptyEntry || entry >> 2 >= before) continue;
-        other[corner] = entry;
-        adds = own < entry || !is_ball(front.apex[entry]);
-      }
+      find_others(front, made, face, place);
+      std::uint32_t apexes[3];
+      for (int k = 0; k < 3; ++k)
+        apexes[k] = place[k].entry >> 2 < before ? front.apex[place[k].entry] : kUnsearched;
+      for (int k = 0; k < 3; ++k) adds = adds && (own < place[k].entry || !is_ball(apexes[k]));
     }
     const unsigned votes = __ballot_sync(~0u, adds);
     std::uint32_t t = 0;
@@ -135,26 +151,43 @@ __global__ void extend_front(Front front) {
       front.counts->full = 1;
       adds = false;
     }
+    const auto join = [&](FaceRef ref, FaceRef other) {
+      front.faces.neighbours[ref] = other;
+      front.faces.neighbours[other] = ref;
+    };
     if (adds) {
       front.faces.quads[t] = made.quad;
       __threadfence();
+      join(4 * t + static_cast<FaceRef>(made.corner), own);
     }
-    for (int corner = 0; corner < 4; ++corner) {
-      const FaceRef ref = 4 * t + static_cast<FaceRef>(corner);
-      bool opens = false;
+    unsigned opens[3];  // lanes whose k-th other face is open
+    std::uint32_t opened = 0;
+    for (int k = 0; k < 3; ++k) {
+      bool is_open = false;
       if (adds) {
-        FaceRef entry = corner == made.corner ? own : other[corner];
-        if (entry == kEmptyEntry)
-          entry = enter_face(front.table, front.faces, face_of(made.quad, corner), ref);
-        opens = entry == kEmptyEntry;
-        if (!opens) {
-          front.faces.neighbours[ref] = entry;
-          front.faces.neighbours[entry] = ref;
+        const FaceRef ref = 4 * t + static_cast<FaceRef>(other_corner(made, k));
+        const FaceRef entry = enter_face(front.table, front.faces, face[k], ref, place[k]);
+        is_open = entry == kEmptyEntry;
+        if (entry == kNoRoom) {
+          front.counts->full = 1;
+        } else if (!is_open) {
+          join(ref, entry);
         }
       }
-      append(opens, ref, front.queue, front.queue_room, &front.counts->tail);
+      opens[k] = __ballot_sync(~0u, is_open);
+      opened += static_cast<std::uint32_t>(__popc(opens[k]));
     }
-    if (front.counts->tail > front.queue_room) front.counts->full = 1;
+    std::uint32_t at = 0;
+    if (lane == 0 && opened != 0) at = atomicAdd(&front.counts->tail, opened);
+    at = __shfl_sync(~0u, at, 0);
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t own_at =
+          at + static_cast<std::uint32_t>(__popc(opens[k] & ((1u << lane) - 1)));
+      if ((opens[k] >> lane & 1) != 0 && own_at < front.queue_room)
+        front.queue[own_at] = 4 * t + static_cast<FaceRef>(other_corner(made, k));
+      at += static_cast<std::uint32_t>(__popc(opens[k]));
+    }
+    if (lane == 0 && at > front.queue_room) front.counts->full = 1;
   }
 }
 

@@ -9,16 +9,23 @@
 
 namespace alphascope::gpu {
 
-// A search in single precision that takes more steps leaves its face to search_widely().
-inline constexpr int kMostSteps = 384;
+// A search in single precision that takes more steps leaves its face to search_widely(). Few faces
+// do not keep the device busy, and blocks are sooner done with them. In a tall tree they would
+// begin with too large a sphere.
+inline constexpr int kMostSteps = 384, kTall = 6;
+inline constexpr unsigned kFewFaces = 4;  // for each block
+__device__ inline int most_steps(const BallTree& tree, std::uint32_t faces) {
+  return tree.top < kTall && faces <= kFewFaces * gridDim.x ? tree.top * tree.top : kMostSteps;
+}
 
 // kByIntegers: decides every face. Else single precision does what it can.
-template <bool kByIntegers>
-__global__ void __launch_bounds__(kSearchThreads)
+template <bool kByIntegers, bool kSmall = false>
+__global__ void __launch_bounds__(kSearchThreads, kByIntegers ? 1 : 7)
     search_tree(Front front, SearchSpace space, SearchTask task) {
   using Real = std::conditional_t<kByIntegers, double, float>;
   const BallTree& tree = space.tree;
   const std::uint32_t end = *task.count;
+  const int most = most_steps(tree, end);
   const int lane = static_cast<int>(threadIdx.x & 31), sub = lane % kFan, group = lane - sub;
   const auto of_group = [&](unsigned bits) { return bits >> group & 0xffu; };
 
@@ -40,15 +47,22 @@ __global__ void __launch_bounds__(kSearchThreads)
     // Idle lanes take the next face.
     while (__any_sync(~0u, !active && !finished)) {
       std::uint32_t taken = 0;
-      if (!active && !finished && sub == 0) taken = atomicAdd(task.next, 1u);
+      bool claimed = false;
+      if (!active && !finished && sub == 0) {
+        taken = atomicAdd(task.next, 1u);
+        // One lane reads what others may change, since its eight lanes must agree.
+        if (!kByIntegers && taken < end)
+          claimed = __ldcg(&front.apex[task.faces[taken]]) == kClaimed;
+      }
       taken = __shfl_sync(~0u, taken, group);
+      claimed = __shfl_sync(~0u, claimed, group);
       if (active || finished) continue;
       if (taken >= end) {
         finished = true;
         continue;
       }
+      if (claimed) continue;
       ref = task.faces[taken];
-      if (!kByIntegers && front.apex[ref] == kClaimed) continue;
       const FaceBalls face = face_of(front.faces.quads[ref >> 2], static_cast<int>(ref & 3));
       if (!search.set(face, space.balls, tree)) {
         if (sub == 0) space.exact.add(ref);
@@ -67,6 +81,14 @@ __global__ void __launch_bounds__(kSearchThreads)
       seed[1] = space.place[face.j] / kFan;
       seed[2] = space.place[face.k] / kFan;
       pending = 0;
+      if (task.bounds != nullptr && task.bounds[taken] < Crossing<float>::kNever) {
+        search.limit_to(static_cast<Real>(task.bounds[taken]), tree, space.weight);
+        seeds = 0;
+        seed[0] = seed[1] = seed[2] = ~0u;
+        level = tree.top;
+        node = 0;
+        mask = 0xff;
+      }
     }
     if (!__any_sync(~0u, active)) return;
 
@@ -87,7 +109,8 @@ __global__ void __launch_bounds__(kSearchThreads)
         const int4 b = tree.ball[m];
         const std::uint32_t slot = tree.slot[m];
         if (slot != search.balls.i && slot != search.balls.j && slot != search.balls.k) {
-          const Crossing<Real> c = search.crossing_of(b, static_cast<Real>(tree.scale));
+          const Crossing<Real> c =
+              search.template crossing_of<kSmall>(b, static_cast<Real>(tree.scale));
           if (!c.none() && c.low <= search.bound) {
             if constexpr (kByIntegers) {
               const int4& i = search.ball;
@@ -169,7 +192,9 @@ __global__ void __launch_bounds__(kSearchThreads)
     }
 
     if constexpr (!kByIntegers) {
-      const bool too_long = active && !done && ++steps > kMostSteps;
+      // A block needs a bound.
+      const bool too_long =
+          active && !done && ++steps > (search.bound < Crossing<Real>::kNever ? most : kMostSteps);
       if (too_long) {
         if (sub == 0) space.bounds[space.wide.add(ref)] = search.bound;
         active = false;

@@ -12,7 +12,7 @@ inline constexpr int kWideThreads = 1024;
 inline constexpr std::uint32_t kWideNodes = 1u << 14;  // of one level
 
 inline constexpr std::uint32_t kWideCandidates = 1024;
-inline constexpr int kWideAttempts = 6;
+inline constexpr int kWideAttempts = 16;
 
 // As ordered_bits() does for a float.
 __device__ inline unsigned long long ordered_double(double value) {
@@ -41,8 +41,8 @@ __global__ void __launch_bounds__(kWideThreads)
     FaceSearch<float> search;
     // It was set before, so it can be.
     search.set(face_of(front.faces.quads[ref >> 2], static_cast<int>(ref & 3)), space.balls, tree);
-    search.limit_to(space.bounds[taken], tree, space.weight);
-    if (threadIdx.x == 0) least = ordered_bits(space.bounds[taken]);
+    search.limit_to(task.bounds[taken], tree, space.weight);
+    if (threadIdx.x == 0) least = ordered_bits(task.bounds[taken]);
     bool fits = false;
     int from = 0;
     std::uint32_t leaves = 0;

@@ -30,7 +30,6 @@ namespace alphascope::gpu {
 namespace {
 
 constexpr int kRoundsAtOnce = 8;
-constexpr unsigned kSearchBlocks = 8;   // for each multiprocessor
 constexpr double kCellsPerGuess = 1.3;  // width of a cell in guessed radii
 // How far a ball that is not in a known tetrahedron looks for one to begin a walk, in slots, and
 // the length of the walk.
@@ -43,16 +42,17 @@ static_assert(Wrapping::kMost == kMaxTreeBalls);
 
 // Numbers of elements for which there is room.
 struct Rooms {
-  std::size_t known, quads, faces, known_faces;  // faces: in the table of the front
+  std::size_t known, quads, queue;
+  std::size_t buckets, known_buckets;  // of the tables of faces, for the front and for the known
 
   // Faces stay in the table. A new tetrahedron opens 1.7 faces on average, and a known one of a
   // molecule half a face.
   Rooms(std::size_t known_quads, std::size_t new_quads)
       : known(known_quads),
         quads(known_quads + new_quads),
-        faces(new_quads * 5 / 2 + known_quads * 3 / 4 + 1024),
-        known_faces(5 * known_quads + 16) {}
-  std::size_t queue() const { return faces / 8 * 7; }
+        queue((new_quads * 5 / 2 + known_quads * 3 / 4 + 1024) / 8 * 7),
+        buckets((new_quads * 3 + known_quads + 1024) / kBucket),
+        known_buckets((5 * known_quads + 16) / kBucket) {}
 };
 
 struct Wrapping::State {
@@ -68,14 +68,15 @@ struct Wrapping::State {
   DeviceBuffer<unsigned char> scratch;
   DeviceBuffer<std::uint32_t> vertices;
   DeviceBuffer<Quad> quads;
-  DeviceBuffer<FaceRef> neighbours, known_table, table, queue;
+  DeviceBuffer<FaceRef> neighbours, queue;
+  DeviceBuffer<FaceEntry> known_table, table;
   DeviceBuffer<std::uint32_t> apex, lists[kSearches];  // see FrontCounts::listed
   struct GridMemory {
     DeviceBuffer<int4> ball;
     DeviceBuffer<std::uint32_t> slot, start, cell, rank;
   } grid_memory;
   DeviceBuffer<Candidates> candidates;
-  DeviceBuffer<float> bounds, gaps;
+  DeviceBuffer<float> far_bounds, bounds, gaps;
   DeviceBuffer<std::uint32_t> wide_nodes;
   DeviceBuffer<FrontCounts> counts;
   PinnedBuffer<FrontCounts> host_counts;
@@ -91,6 +92,7 @@ struct Wrapping::State {
   int4 origin{};
   std::int32_t extent[3] = {0, 0, 0};
   float scale = 1, weight = 0;
+  bool small = false;
   double order_ms = 0;
   Wrapped wrapped;
 
@@ -101,7 +103,8 @@ struct Wrapping::State {
   NearGrid make_grid(const BallTree& tree, double width);
   SearchList list(Search of) { return {lists[of].get(), &counts.get()->listed[of]}; }
   SearchTask task(Search of) {
-    return {lists[of].get(), &counts.get()->listed[of], &counts.get()->next[of]};
+    const float* const known = of == kFar ? far_bounds.get() : of == kWide ? bounds.get() : nullptr;
+    return {lists[of].get(), known, &counts.get()->listed[of], &counts.get()->next[of]};
   }
   void search_round(const Front& front, const SearchSpace& space, const NearGrid& grid, float guess,
                     WrappingResult::Round* times);
@@ -145,6 +148,7 @@ void Wrapping::State::load(const BallSet& set) {
   scale = std::ldexp(1.0f, 12 - bits);
   weight = static_cast<float>(max_radius) * scale;
   weight *= weight * 1.00001f;
+  small = std::max({extent[0], extent[1], extent[2]}) <= kMostSmall && max_radius <= kMostSmall / 2;
 
   arrived.reserve(n);
   balls.reserve(n);
@@ -290,12 +294,13 @@ void Wrapping::State::reserve(const Rooms& rooms) {
   quads.reserve(rooms.quads);
   neighbours.reserve(4 * rooms.quads);
   apex.reserve(4 * rooms.quads);
-  known_table.reserve(rooms.known_faces);
-  table.reserve(rooms.faces);
-  queue.reserve(rooms.queue());
-  for (auto& list : lists) list.reserve(rooms.queue());
-  candidates.reserve(rooms.queue());
-  bounds.reserve(rooms.queue());
+  known_table.reserve(kBucket * rooms.known_buckets);
+  table.reserve(kBucket * rooms.buckets);
+  queue.reserve(rooms.queue);
+  for (auto& list : lists) list.reserve(rooms.queue);
+  candidates.reserve(rooms.queue);
+  far_bounds.reserve(rooms.queue);
+  bounds.reserve(rooms.queue);
   wide_nodes.reserve(std::size_t{2} * kWideNodes * static_cast<unsigned>(multiprocessors));
   counts.reserve(1);
   host_counts.reserve(1);
@@ -310,18 +315,18 @@ Front Wrapping::State::find_open_faces(const BallIndex* known, const Rooms& room
   stream.fill(counts, 0, 1);
   stream.fill(neighbours, 0xff, 4 * rooms.quads);
   stream.fill(apex, 0xff, 4 * rooms.quads);
-  stream.fill(known_table, 0xff, rooms.known_faces);
-  stream.fill(table, 0xff, rooms.faces);
+  stream.fill(known_table, 0xff, kBucket * rooms.known_buckets);
+  stream.fill(table, 0xff, kBucket * rooms.buckets);
   stream.fill(needed, 0, n + 1);
   stream.fill(found, 0, n);
   const Front front{{quads.get(), neighbours.get()},
-                    {table.get(), static_cast<std::uint32_t>(rooms.faces)},
+                    {table.get(), static_cast<std::uint32_t>(rooms.buckets)},
                     queue.get(),
                     apex.get(),
                     static_cast<std::uint32_t>(rooms.quads),
-                    static_cast<std::uint32_t>(rooms.queue()),
+                    static_cast<std::uint32_t>(rooms.queue),
                     counts.get()};
-  const FaceTable known_faces{known_table.get(), static_cast<std::uint32_t>(rooms.known_faces)};
+  const FaceTable known_faces{known_table.get(), static_cast<std::uint32_t>(rooms.known_buckets)};
   DeviceTimer timer(stream);
   stream.each(read_quads, count, known, count, slot.get(), balls.get(), quads.get());
   stream.each(join_faces, 4 * rooms.known, front.faces, known_faces, count);
@@ -356,9 +361,11 @@ void Wrapping::State::search_round(const Front& front, const SearchSpace& space,
   };
   launch(begin_round, {1, 32, stream}, counts.get());
   if (times != nullptr) timer.emplace(stream);
-  launch(search_near, searching, front, space, grid, guess, task(kNear).next, list(kFar));
+  launch(small ? search_near<true> : search_near<false>, searching, front, space, grid, guess,
+         task(kNear).next, list(kFar), far_bounds.get());
   next(kNear);
-  launch(search_tree<false>, searching, front, space, task(kFar));
+  launch(small ? search_tree<false, true> : search_tree<false, false>, searching, front, space,
+         task(kFar));
   next(kFar);
   launch(search_widely, {each_multiprocessor, kWideThreads, stream}, front, space, task(kWide),
          wide_nodes.get());
@@ -439,6 +446,7 @@ WrappingResult Wrapping::run(const DeviceSimplices& known, double radius, std::s
   result.fits = counts.full == 0;
   s.wrapped.faces = front.faces;
   s.wrapped.count = counts.quads;
+  s.wrapped.hull = counts.hull;
   s.wrapped.found = s.found.get();
   s.wrapped.spare = s.apex.get();
   if (bring && result.fits) s.bring(known.count, counts.quads, result);

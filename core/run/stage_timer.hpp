@@ -26,12 +26,13 @@ inline constexpr std::string_view kDeviceToHost = "device→host";
 // Time to reserve memory, and for runs that found too little of it.
 inline constexpr std::string_view kMakingRoom = "making room";
 inline constexpr std::string_view kTriangulation = "regular triangulation";
-// A device's triangulation: the tetrahedra of a small K_alpha, all others, proof and order.
+// A device's triangulation: the tetrahedra of a small K_alpha, all others, order and proof.
 inline constexpr std::string_view kBulk = "tetrahedra of a small alpha";
 inline constexpr std::string_view kOpenFaces = "open faces";
 inline constexpr std::string_view kWrapping = "wrapping";
-inline constexpr std::string_view kCertificate = "certificate";
 inline constexpr std::string_view kOrder = "order";
+inline constexpr std::string_view kCertificate = "certificate";
+inline constexpr std::string_view kHull = "hull";
 inline constexpr std::string_view kClassification = "classification";
 inline constexpr std::string_view kThreshold = "threshold";
 inline constexpr std::string_view kHash = "hash and cache";

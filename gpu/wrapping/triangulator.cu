@@ -164,9 +164,10 @@ class GpuTriangulator : public DeviceTriangulator {
     grown_ = grown_ || balls.size() > most_balls_;
     most_balls_ = std::max(most_balls_, balls.size());
     context.report(stage::kTriangulation, 0);
-    m.wrapping.load(balls);
-    context.cancel.throw_if_cancelled();
     StageTimer host(made.report.timings);
+    m.wrapping.load(balls);
+    host.lap(stage::kHostToDevice, false);
+    context.cancel.throw_if_cancelled();
     const double radius = kRadiusPerGap * m.wrapping.small_gap();
     const std::optional<DeviceSimplices> known = find_known(balls, radius, context.cancel);
     if (!known) {
@@ -279,7 +280,8 @@ class GpuTriangulator : public DeviceTriangulator {
     copier.fetch(&m.host_counts.get()->certificate, &m.counts.get()->certificate, 1);
 
     check(cudaEventSynchronize(m.first_here), "putting a triangulation in order");
-    StageTimer host(made.report.timings);
+    StageTimes last;
+    StageTimer host(last);
     Triangulation result = in_result_memory(memory, layout, count);
     const LastCounts& counts = *m.host_counts.get();
     const auto* const listed =
@@ -292,7 +294,7 @@ class GpuTriangulator : public DeviceTriangulator {
     const auto* const hull_balls = reinterpret_cast<const std::array<BallIndex, 4>*>(
         m.first_bytes(layout.hull_balls(), layout));
     const bool encloses = encloses_once(balls, facets, hull_balls[hull_room]);
-    host.lap("hull", false);
+    host.lap(stage::kHull);
     copier.wait("copying a triangulation");
     cancel.throw_if_cancelled();
     const CertificateCounts& checked = counts.certificate;
@@ -303,13 +305,15 @@ class GpuTriangulator : public DeviceTriangulator {
     set_hull(std::move(facets), outside, result);
     made.triangulation = std::move(result);
 
-    host.lap(stage::kDeviceToHost, false);
-    // Of the copy counts what took longer than the checks beside it.
-    std::vector<StageTime>& stages = made.report.timings.stages;
+    host.lap(stage::kDeviceToHost);
     const double certificate = clock.milliseconds(stage::kCertificate);
-    stages.back().milliseconds = std::max(0.0, stages.back().milliseconds - certificate);
+    // Of the copy counts what took longer than the checks beside it.
+    StageTime& copy = last.stages.back();
+    copy.milliseconds = std::max(0.0, copy.milliseconds - certificate);
+    std::vector<StageTime>& stages = made.report.timings.stages;
     stages.push_back({std::string(stage::kOrder), clock.milliseconds(stage::kOrder), false});
     stages.push_back({std::string(stage::kCertificate), certificate, false});
+    stages.insert(stages.end(), last.stages.begin(), last.stages.end());
   }
 
   // Queues all checks of the device, after those of hidden balls.

@@ -10,12 +10,14 @@
 namespace alphascope::gpu {
 
 // A search in single precision that takes more steps leaves its face to search_widely(). Few faces
-// do not keep the device busy, and blocks are sooner done with them. In a tall tree they would
-// begin with too large a sphere.
-inline constexpr int kMostSteps = 384, kTall = 6;
-inline constexpr unsigned kFewFaces = 4;  // for each block
+// do not keep the device busy, and blocks are sooner done with them if they have room for all
+// leaves.
+inline constexpr int kMostSteps = 384;
+inline constexpr unsigned kFewFaces = 4;              // for each block
+inline constexpr std::uint32_t kWideNodes = 1 << 14;  // of one level, for which a block has room
 __device__ inline int most_steps(const BallTree& tree, std::uint32_t faces) {
-  return tree.top < kTall && faces <= kFewFaces * gridDim.x ? tree.top * tree.top : kMostSteps;
+  return tree.count[0] <= kWideNodes && faces <= kFewFaces * gridDim.x ? tree.top * tree.top
+                                                                       : kMostSteps;
 }
 
 // kByIntegers: decides every face. Else single precision does what it can.
@@ -192,9 +194,7 @@ __global__ void __launch_bounds__(kSearchThreads, kByIntegers ? 1 : 7)
     }
 
     if constexpr (!kByIntegers) {
-      // A block needs a bound.
-      const bool too_long =
-          active && !done && ++steps > (search.bound < Crossing<Real>::kNever ? most : kMostSteps);
+      const bool too_long = active && !done && ++steps > most;
       if (too_long) {
         if (sub == 0) space.bounds[space.wide.add(ref)] = search.bound;
         active = false;

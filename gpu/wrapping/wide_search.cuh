@@ -9,7 +9,6 @@
 namespace alphascope::gpu {
 
 inline constexpr int kWideThreads = 1024;
-inline constexpr std::uint32_t kWideNodes = 1u << 14;  // of one level
 
 inline constexpr std::uint32_t kWideCandidates = 1024;
 inline constexpr int kWideAttempts = 16;

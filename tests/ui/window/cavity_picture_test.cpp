@@ -339,13 +339,22 @@ TEST_F(CavityPictureTest, OpacityThatIsNotSeenSaysSo) {
   choose(*row_with_ligand("HEM"));
   EXPECT_TRUE(viewer_->widgets().contains("display.ball_opacity.faded"));
   EXPECT_TRUE(viewer_->widgets().contains("display.complex_opacity.faded"));
+  EXPECT_TRUE(viewer_->widgets().contains("objects.faded"));
   viewer_->state().settings.display.complex_opacity = 0.1f;
   settle();
   EXPECT_FALSE(viewer_->widgets().contains("display.complex_opacity.faded"))
       << "it is as it is set";
+  EXPECT_TRUE(viewer_->widgets().contains("objects.faded")) << "the balls are faded";
+  viewer_->state().settings.display.balls = false;
+  settle();
+  EXPECT_FALSE(viewer_->widgets().contains("objects.faded"));
+  run("view.cartoon on\n");
+  settle();
+  EXPECT_TRUE(viewer_->widgets().contains("objects.faded")) << "the cartoon is faded";
   run("click cavities.draw\nframes 3\nclick cavities.draw.fade\nkey esc\n");
   settle();
   EXPECT_FALSE(viewer_->widgets().contains("display.ball_opacity.faded"));
+  EXPECT_FALSE(viewer_->widgets().contains("objects.faded"));
 }
 
 // The selected lining is marked by rims only. Whole green balls would hide the cavity.

@@ -18,6 +18,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/theme.hpp"
+#include "ui/widgets/colour_field.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -102,12 +103,8 @@ void colour_row(PanelContext& ctx, const std::string& name, DrawnObject& object)
   }
   if (object.colour != ObjectColour::single) return;
   row_label(ctx, "Colour");
-  const Colour now = to_colour(object.own);
-  float rgb[3] = {now.r, now.g, now.b};
-  if (ImGui::ColorEdit3(("##" + name + ".own").c_str(), rgb, ImGuiColorEditFlags_DisplayHex)) {
-    object.own = to_rgb8({rgb[0], rgb[1], rgb[2], 1});
-  }
-  record(ctx, (name + ".own").c_str());
+  Colour now = to_colour(object.own);
+  if (colour_field(ctx, name + ".own", now)) object.own = to_rgb8(now);
 }
 
 void kind_row(PanelContext& ctx, const std::string& name, DrawnObject& object) {

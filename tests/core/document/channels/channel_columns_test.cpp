@@ -20,7 +20,7 @@ FoundChannel way() {
   ChannelSample wide, narrow;
   wide.radius_angstrom = 3;
   narrow.position_angstrom = {1.25, -2, 30};
-  narrow.radius_angstrom = 1.5009;
+  narrow.radius_angstrom = 1.50390625;
   narrow.along_angstrom = 4;
   found.channel->samples = {wide, narrow};
   found.channel->bottleneck = 1;
@@ -45,7 +45,7 @@ TEST(ChannelColumns, WaysHaveTheBottleneckAndItsPlace) {
 TEST(ChannelColumns, SamplesHaveTheirPlacesInCsv) {
   const CsvRow cells = csv_row_of(sample_columns(), way().channel->samples[1]);
   EXPECT_EQ(csv_names(cells), "along_angstrom,radius_angstrom,x_angstrom,y_angstrom,z_angstrom\n");
-  EXPECT_EQ(csv_values(cells), "4,1.5009,1.25,-2,30\n");
+  EXPECT_EQ(csv_values(cells), "4,1.50390625,1.25,-2,30\n");
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ void Viewer::take_error(bool only_the_model_changed) {
       break;
     case Source::changing:
       if (only_the_model_changed) {
-        state_.notice = s.last_error;
+        state_.refuse_late(s.last_error);
       } else {
         state_.show_error(kNotChanged,
                           s.last_error + still(state_, "The previous selection is still in use."));

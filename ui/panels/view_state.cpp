@@ -151,6 +151,11 @@ void ViewState::note_withdrawn(const std::string& text) {
   if (withdrawn_error.empty()) withdrawn_error = text;
 }
 
+void ViewState::refuse_late(const std::string& text) {
+  notice = text;
+  note_withdrawn(text);
+}
+
 void ViewState::close_error() {
   error_title.clear();
   error.clear();

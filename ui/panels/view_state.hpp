@@ -151,7 +151,7 @@ struct ViewValues {
   std::deque<std::pair<std::string, std::string>> more_errors;
   std::string compute_error;  // why the present alpha has no complex; one line over the view
   // Scripts end with these. The first error or question that the program withdrew before anybody
-  // dismissed it, and the first complex that could not be computed.
+  // dismissed it, or what it refused late; and the first complex that could not be computed.
   std::string withdrawn_error, first_compute_error;
   // Why the picture is of other values than the controls have. Empty: computing was not cancelled.
   std::string computing_cancelled;
@@ -242,6 +242,8 @@ struct ViewState : ViewValues {
   // Closes errors with this title, for when they are true no more.
   void close_errors(std::string_view title);
   void note_withdrawn(const std::string& text);
+  // Refuses, in the status bar, what a command asked for in an earlier frame. A script fails.
+  void refuse_late(const std::string& text);
 };
 
 // Whether a GPU was found that engines can use.

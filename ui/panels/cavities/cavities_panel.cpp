@@ -162,8 +162,8 @@ void select_wanted_row(PanelContext& ctx, CavityPage& page) {
   if (!row) return;
   const std::size_t rows = page.rows.table().size();
   if (*row < rows) return select_cavity(ctx, page, *row, HowSelected::alone);
-  ctx.state.notice = "There is no cavity " + with_separators(static_cast<long long>(*row) + 1) +
-                     "; the last is " + with_separators(static_cast<long long>(rows)) + ".";
+  ctx.state.refuse_late("There is no cavity " + with_separators(static_cast<long long>(*row) + 1) +
+                        "; the last is " + with_separators(static_cast<long long>(rows)) + ".");
 }
 
 void draw_cavities(PanelContext& ctx) {

@@ -111,12 +111,14 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options,
     alphascope::ScriptedInput no_input;
     viewer.shoot(*options.shot, &no_input);
   }
+  // What failed in between counts, unless the script dismissed the message.
   const alphascope::ViewState& state = viewer.state();
   const std::string problem = state.session_problem ? state.session_problem->text : "";
-  const std::string& refused = state.lessons.refused;
+  const std::string& refused = state.lessons.first_refused;
   const std::pair<const std::string&, ExitCode> failures[] = {
       {state.error, ExitCode::unreadable_input},
-      {state.compute_error, ExitCode::computing_failed},
+      {state.withdrawn_error, ExitCode::unreadable_input},
+      {state.first_compute_error, ExitCode::computing_failed},
       {problem, ExitCode::unreadable_input},
       {refused, ExitCode::unreadable_input}};
   for (const auto& [error, code] : failures) {

@@ -38,7 +38,7 @@ void Viewer::guarded(const std::function<void()>& what) {
 void Viewer::take_error(bool only_the_model_changed) {
   using Source = SessionState::Source;
   const SessionState& s = session_.state();
-  state_.compute_error = s.error_source == Source::computing ? s.last_error : "";
+  state_.show_compute_error(s.error_source == Source::computing ? s.last_error : "");
   if (s.last_error.empty()) return;
   state_.playback.alpha = state_.playback.models = false;
   switch (s.error_source) {
@@ -49,7 +49,7 @@ void Viewer::take_error(bool only_the_model_changed) {
       break;
     case Source::changing:
       if (only_the_model_changed) {
-        state_.notice = s.last_error;
+        state_.refuse_late(s.last_error);
       } else {
         state_.show_error(kNotChanged,
                           s.last_error + still(state_, "The previous selection is still in use."));

@@ -130,9 +130,30 @@ void ViewState::show_error(const std::string& title, const std::string& text) {
   }
 }
 
+void ViewState::show_compute_error(const std::string& text) {
+  compute_error = text;
+  if (first_compute_error.empty()) first_compute_error = text;
+}
+
 void ViewState::close_errors(std::string_view title) {
-  std::erase_if(more_errors, [&](const auto& later) { return later.first == title; });
-  if (error_title == title) close_error();
+  if (error_title == title) {
+    note_withdrawn(error);
+    close_error();
+  }
+  std::erase_if(more_errors, [&](const auto& later) {
+    const bool closes = later.first == title;
+    if (closes) note_withdrawn(later.second);
+    return closes;
+  });
+}
+
+void ViewState::note_withdrawn(const std::string& text) {
+  if (withdrawn_error.empty()) withdrawn_error = text;
+}
+
+void ViewState::refuse_late(const std::string& text) {
+  notice = text;
+  note_withdrawn(text);
 }
 
 void ViewState::close_error() {

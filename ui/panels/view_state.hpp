@@ -150,6 +150,9 @@ struct ViewValues {
   // Titles and texts of the errors that come next.
   std::deque<std::pair<std::string, std::string>> more_errors;
   std::string compute_error;  // why the present alpha has no complex; one line over the view
+  // Scripts end with these. The first error or question that the program withdrew before anybody
+  // dismissed it, or what it refused late; and the first complex that could not be computed.
+  std::string withdrawn_error, first_compute_error;
   // Why the picture is of other values than the controls have. Empty: computing was not cancelled.
   std::string computing_cancelled;
   // Lines that name the opened one of several dropped files. They stay until they are dismissed or
@@ -234,9 +237,13 @@ struct ViewState : ViewValues {
   // Shows an error in a dialog, after earlier ones that are not dismissed yet. To be used for
   // single requests of the user, since a slider must not open a dialog at each step.
   void show_error(const std::string& title, const std::string& text);
-  void close_error();  // the one in the dialog; the next one follows
+  void show_compute_error(const std::string& text);  // empty: there is none
+  void close_error();                                // the one in the dialog; the next one follows
   // Closes errors with this title, for when they are true no more.
   void close_errors(std::string_view title);
+  void note_withdrawn(const std::string& text);
+  // Refuses, in the status bar, what a command asked for in an earlier frame. A script fails.
+  void refuse_late(const std::string& text);
 };
 
 // Whether a GPU was found that engines can use.

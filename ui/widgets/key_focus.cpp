@@ -236,6 +236,7 @@ void begin_key_focus(PanelContext& ctx) {
   keys.stops = std::exchange(keys.drawn, {});
   keys.list_open = list_on_top() || keys.list_at_end;
   keys.enter_used = false;
+  keys.entered.clear();
   keys.slid.clear();
   give_held_characters(keys);
   if (std::exchange(keys.begins, false)) hold_characters(keys);
@@ -274,6 +275,11 @@ void key_stop(PanelContext& ctx, const char* name, KeyStop kind) {
   KeyState::Place& at = keys.at.back();
   if (ImGui::IsItemActivated() && at.name != name) at = {name, false};
   if (at.shown && at.name == name) mark_stop(ctx);
+}
+
+void note_enter(PanelContext& ctx, const char* name) {
+  const bool enter = went_down(key::kEnter) || went_down(key::kKeypadEnter);
+  if (enter && ImGui::IsItemDeactivated()) keys_of(ctx).entered = name;
 }
 
 bool wants_typing(PanelContext& ctx, const std::string& name) {

@@ -19,6 +19,9 @@ void end_key_focus(PanelContext& ctx);
 
 // Makes the last item a stop of Tab.
 void key_stop(PanelContext& ctx, const char* name, KeyStop kind = KeyStop::press);
+// Notes whether Enter has just ended typing in the last item. It then confirms the dialog
+// (dialog_stack.cpp).
+void note_enter(PanelContext& ctx, const char* name);
 // Whether Enter or Space has asked this slider to become a field. Returns true once.
 bool wants_typing(PanelContext& ctx, const std::string& name);
 // Number of steps by which arrow keys move this slider in this frame.

@@ -43,6 +43,7 @@ struct KeyState {
   bool list_at_end = false;  // at the end of the last frame; a key may have closed it since
   bool untouched = false;    // the field with which the dialog began is unchanged
   bool enter_used = false;   // in this frame, by the widget in focus
+  std::string entered;       // field for a number or a colour in which Enter ended typing now
   std::string typed;         // a slider that is to become a field
   std::string slid;          // a slider that an arrow key moves by `steps`
   int steps = 0;

@@ -78,6 +78,7 @@ bool type(PanelContext& ctx, const char* name, const std::string& shown, std::st
   }
   record(ctx, name);
   key_stop(ctx, name, KeyStop::type_when_asked);
+  note_enter(ctx, name);
   if (ImGui::IsItemActivated()) {
     typing.refused.erase(name);
     typing.name = name;

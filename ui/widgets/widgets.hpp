@@ -52,8 +52,9 @@ void record(PanelContext& ctx, const char* name);
 enum class ButtonKind : std::uint8_t { normal, primary, quiet };
 bool button(PanelContext& ctx, const char* name, const char* label, ImVec2 size = {0, 0},
             ButtonKind kind = ButtonKind::normal);
-// Returns the width in pixels of a button that fits its label.
+// Returns the width in pixels of a button or check box that fits its label.
 float button_width(const char* label);
+float checkbox_width(const char* label);
 // Keeps the next item, `width` pixels wide, in the same line if it fits there after `gap` pixels.
 void same_line_where_it_fits(float width, float gap);
 

@@ -172,7 +172,7 @@ void print_ways(const FoundWays& ways, const FoundChannel& chosen) {
     const Channel& channel = *found->channel;
     std::cout << (found->way->number == 1 ? "ways        " : "            ") << way.number
               << (found.get() == &chosen ? " * " : "   ") << way.through << ": radius "
-              << format_text("%.3f", channel.widest_angstrom) << " Å at "
+              << bottleneck_radius_text(channel) << " Å at "
               << point_text(channel.narrowest().position_angstrom) << " Å, length "
               << format_text("%.1f", channel.length_angstrom) << " Å, lined by "
               << chains_text(way.lining_chains) << "\n";
@@ -195,7 +195,7 @@ void print(const Input& input, const Answer& answer) {
   const Channel& channel = *answer.found->channel;
   std::cout << input_text(input) << "sha256      " << input.molecule().sha256 << "\n";
   print_ways(answer.ways, *answer.found);
-  std::cout << "bottleneck  radius " << format_text("%.3f", channel.widest_angstrom) << " Å"
+  std::cout << "bottleneck  radius " << bottleneck_radius_text(channel) << " Å"
             << (channel.is_open() ? "" : ": closed; not even a point can pass") << "\n"
             << "            at " << point_text(channel.narrowest().position_angstrom) << " Å, "
             << channel_limit_text(channel.limit) << "\n"

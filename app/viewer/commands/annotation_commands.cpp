@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "app/viewer/commands/command_parts.hpp"
+#include "core/document/reference/atom_labels.hpp"
 #include "core/document/reference/measurement_columns.hpp"
 #include "core/document/reference/reference.hpp"
-#include "core/document/session/setting_ids.hpp"
 #include "core/document/session/settings_fields.hpp"
 #include "core/explain/power_diagram.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -30,22 +30,38 @@ std::string count(std::size_t n) {
 
 // --- labels
 
-std::vector<Choice> label_texts() {
-  return {{"address", "Chain, residue and atom", "A:HIS 87:NE2"},
-          {"residue", "Residue", "HIS 87"},
-          {"name", "Name of the atom", "NE2"},
-          {"element", "Element", "N"},
-          {"radius", "Radius", "1.64 Å"},
-          {"b_factor", "B factor", "24.1 Å²"}};
+LabelText label_named(std::string_view id) {
+  for (const auto& [text, known] : label_text_ids()) {
+    if (known == id) return text;
+  }
+  return LabelText::address;
+}
+
+// Each has the text of the first selected atom or simplex beside it, or else an example.
+std::vector<Choice> label_texts(const ViewState& s) {
+  std::vector<Choice> all{{"address", "Chain, residue and atom", "A:HIS 87:NE2"},
+                          {"residue", "Residue", "HIS 87"},
+                          {"name", "Name of the atom", "NE2"},
+                          {"element", "Element", "N"},
+                          {"radius", "Radius", "1.64 Å"},
+                          {"b_factor", "B factor", "24.1 Å²"}};
+  const std::vector<Ref>& selected = s.settings.selection.items.items();
+  for (Choice& choice : all) {
+    if (selected.empty() || s.references == nullptr) {
+      choice.detail = "such as " + choice.detail;
+      continue;
+    }
+    choice.detail = label_text(*s.references, selected.front(), label_named(choice.id));
+    if (selected.size() > 1)
+      choice.detail += (choice.detail.empty() ? "" : ", ") + std::string("…");
+  }
+  return all;
 }
 
 Outcome label_atoms(ViewState& s, const Arguments& arguments) {
   const NamedOrSelectedAtoms asked = named_or_selected_atoms(s, arguments.text("atoms"));
   if (!asked.fault.empty()) return Outcome::refused(asked.fault);
-  LabelText text = LabelText::address;
-  for (const auto& [value, id] : setting_ids(text)) {
-    if (arguments.text("text") == id) text = value;
-  }
+  const LabelText text = label_named(arguments.text("text"));
   LabelGroups labels = s.settings.annotations.labels;
   set_labels(labels, asked.atoms, text);
   if (label_count(s.references->molecule(), labels) > kMostLabels) {
@@ -67,7 +83,7 @@ void add_label_commands(Commands& commands, ViewState& s) {
       .parameters = {{.name = "text",
                       .kind = Kind::choice,
                       .help = "Text of the labels; residue: one label for each residue",
-                      .choices = label_texts},
+                      .choices = [&s] { return label_texts(s); }},
                      which_atoms()}};
   label.why_not = without_picture(s);
   label.run = [&s](const Arguments& arguments) { return label_atoms(s, arguments); };

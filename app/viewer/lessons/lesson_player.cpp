@@ -44,9 +44,10 @@ void LessonPlayer::reveal() {
 void LessonPlayer::close() {
   if (!memory_.open) return;
   if (kept_) stage_.restore_kept();
-  const auto shelf = memory_.shelf;
-  memory_ = {};
-  memory_.shelf = shelf;
+  LessonState closed;
+  closed.shelf = memory_.shelf;
+  closed.first_refused = memory_.first_refused;
+  memory_ = closed;
   kept_ = false;
   ours_ = before_ = nullptr;
   asked_.clear();
@@ -117,9 +118,10 @@ void LessonPlayer::run_next() {
 }
 
 void LessonPlayer::refuse(std::size_t line, const std::string& why) {
-  memory_.refused += (memory_.refused.empty() ? "" : "\n") +
-                     printable(memory_.open->file.string()) + ", line " + std::to_string(line) +
-                     ": " + why;
+  const std::string text =
+      printable(memory_.open->file.string()) + ", line " + std::to_string(line) + ": " + why;
+  memory_.refused += (memory_.refused.empty() ? "" : "\n") + text;
+  if (memory_.first_refused.empty()) memory_.first_refused = text;
 }
 
 void LessonPlayer::notice_other_file() {

@@ -100,6 +100,7 @@ void Opening::forget_waiting_session() {
   waiting_ = starting_ = nullptr;
   awaits_gpu_ = false;
   history_.set_to_restore(std::nullopt);
+  if (state_.session_problem) state_.note_withdrawn(state_.session_problem->text);
   state_.session_problem.reset();
 }
 

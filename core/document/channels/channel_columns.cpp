@@ -8,6 +8,7 @@
 #include "core/channel/channel.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/document/channels/channel_results.hpp"
+#include "core/document/channels/channel_text.hpp"
 #include "core/document/tables/cell_value.hpp"
 #include "core/document/tables/column.hpp"
 #include "core/geometry/real_point.hpp"
@@ -66,8 +67,7 @@ const Column<FoundChannel> kWays[] = {
      .unit = "Å",
      .help = "The radius of the largest ball that passes.",
      .value = [](const FoundChannel& f) -> CellValue { return f.channel->widest_angstrom; },
-     .text =
-         [](const FoundChannel& f) { return decimals(f.channel->narrowest().radius_angstrom, 3); },
+     .text = [](const FoundChannel& f) { return bottleneck_radius_text(*f.channel); },
      .files = InFiles::json},
     {.id = "position",
      .title = "at",

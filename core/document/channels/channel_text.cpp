@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "core/chart/readable_number.hpp"
 #include "core/complex/face_class.hpp"
 #include "core/engine/known_results.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -13,6 +14,7 @@
 #include "core/predicates/orthosphere.hpp"
 #include "core/radii/amber_radii.hpp"
 #include "core/selection/atom_address.hpp"
+#include "core/text/fixed_digits.hpp"
 
 namespace alphascope {
 
@@ -50,6 +52,10 @@ Rgb8 water_band_colour(WaterBand band) {
   return band == WaterBand::none  ? Rgb8{213, 94, 0}
          : band == WaterBand::one ? Rgb8{0, 158, 115}
                                   : Rgb8{0, 114, 178};
+}
+
+std::string bottleneck_radius_text(const Channel& channel) {
+  return readable_number(fixed_digits(channel.widest_angstrom, 3));
 }
 
 std::string passing_waters_text(const FoundChannel& found) {

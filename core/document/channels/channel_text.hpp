@@ -26,6 +26,10 @@ const char* water_band_text(WaterBand band);  // "no water passes"
 // Colour of the tube and of the profile's bands.
 Rgb8 water_band_colour(WaterBand band);
 
+// The radius of the largest ball that passes, rounded down to 0.001 Å: "0.846". It is negative for
+// a closed channel. Window, command line and files give this number.
+std::string bottleneck_radius_text(const Channel& channel);
+
 // The waters that can pass a channel through the whole molecule. For other channels the text says
 // that there is no verdict.
 std::string passing_waters_text(const FoundChannel& found);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <variant>
 
 #include "core/document/reference/reference.hpp"
 #include "core/geometry/ball_set.hpp"
@@ -106,6 +108,25 @@ const std::vector<std::pair<LabelText, std::string_view>>& label_text_ids() {
       {LabelText::address, "address"}, {LabelText::element, "element"},
       {LabelText::radius, "radius"},   {LabelText::b_factor, "b_factor"}};
   return ids;
+}
+
+std::string label_text(const BallReferences& atoms, const Ref& of, LabelText text) {
+  std::vector<AtomRef> refs;
+  if (const auto* const simplex = std::get_if<SimplexRef>(&of)) {
+    refs = *simplex;
+  } else {
+    refs.push_back(std::get<AtomRef>(of));
+  }
+  std::vector<std::string> all;
+  for (const AtomRef& ref : refs) {
+    const auto atom = find_atom(atoms.molecule(), {ref.atom, ref.copy});
+    std::string one = atom ? label_text(atoms, *atom, text) : "";
+    const bool known = std::find(all.begin(), all.end(), one) != all.end();
+    if (!one.empty() && !known) all.push_back(std::move(one));
+  }
+  std::string joined;
+  for (const std::string& one : all) joined += (joined.empty() ? "" : ", ") + one;
+  return joined;
 }
 
 void set_labels(LabelGroups& labels, const AtomSet& atoms, std::optional<LabelText> text) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/document/reference/atom_set.hpp"
+#include "core/document/reference/ref_set.hpp"
 #include "core/geometry/real_point.hpp"
 
 namespace alphascope {
@@ -39,6 +40,10 @@ void set_labels(LabelGroups& labels, const AtomSet& atoms, std::optional<LabelTe
 // Number of labels of atoms in this molecule. Counting stops at `most` + 1.
 std::size_t label_count(const Molecule& molecule, const LabelGroups& labels,
                         std::size_t most = kMostLabels);
+
+// The text of the thing's label: of an atom, or of the atoms of a simplex, with commas between
+// them. Empty: no atom has one, such as a B factor that the file lacks.
+std::string label_text(const BallReferences& atoms, const Ref& of, LabelText text);
 
 struct PlacedText {
   RealPoint at_angstrom;  // coordinates of the file; for a residue the mean of its atoms

@@ -265,8 +265,10 @@ TEST_F(ErrorsTest, AStepThatFailsIsALineAndNotADialog) {
   EXPECT_NE(s.compute_error.find("etrahedra only"), std::string::npos) << s.compute_error;
   EXPECT_TRUE(viewer_->widgets().contains("view.compute_error"));
   no_memory_ = false;
+  const std::string first = s.compute_error;
   run("click alpha.water\nwait-idle\nframes 3\n");
   EXPECT_TRUE(s.compute_error.empty());
+  EXPECT_EQ(s.first_compute_error, first) << "a script ends with it";
   EXPECT_TRUE(s.result);
 }
 
@@ -287,6 +289,7 @@ TEST_F(ErrorsTest, OnlyAFailedOpeningSpeaksOfThePreviousMolecule) {
   run("open /no/such/file.pdb\nwait-idle\n");
   EXPECT_NE(s.error.find("The previous molecule is still open."), std::string::npos) << s.error;
   run("click error.ok\nframes 2\n");
+  EXPECT_EQ(s.withdrawn_error, "") << "it was dismissed";
   viewer_->calls().jobs.save_picture(
       ScreenshotRequest{"/no/such/folder/p.png", {.width = 64, .height = 64}});
   run("wait-idle\n");
@@ -304,6 +307,7 @@ TEST_F(ErrorsTest, AFailedOpeningIsToldNoMoreWhenAnotherFileIsOpen) {
   run("open " + another.string() + "\nwait-idle\nframes 3\n");
   EXPECT_EQ(s.molecule.name, "4hhb.pdb.gz");
   EXPECT_EQ(s.error_title, "The picture cannot be saved") << "this is still true";
+  EXPECT_NE(s.withdrawn_error.find("/no/such/file.pdb"), std::string::npos) << "a script ends so";
   EXPECT_TRUE(s.more_errors.empty());
   run("click error.ok\nframes 3\n");
   EXPECT_EQ(s.error, "");

@@ -142,6 +142,7 @@ TEST_F(LessonPlayerTest, TheSameMoleculeIsNotOpenedAgain) {
   steps();
   EXPECT_EQ(stage_.said(), "reset; common; settle; ");
   EXPECT_EQ(memory_.refused, "");
+  EXPECT_EQ(memory_.first_refused, "/l/lesson.md, line 13: No.") << "a script ends with it";
   EXPECT_EQ(memory_.step, 0u);
   player_.back();
   EXPECT_EQ(memory_.step, 0u);

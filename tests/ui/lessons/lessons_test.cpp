@@ -11,6 +11,7 @@
 #include "tests/ui/baseline.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/panel_list.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -284,6 +285,38 @@ TEST_F(LessonsTest, HaveRoomAtPresenterSize) {
     EXPECT_FALSE(state().window.presenter_size);
     EXPECT_TRUE(has("alpha.slider"));
   }
+}
+
+// Every field and button of every page is inside its page, beside a lesson at presenter size, too.
+TEST_F(LessonsTest, PagesHaveRoomBesideThemAtPresenterSize) {
+  open_lesson("union_of_balls");
+  run("open " ALPHASCOPE_SOURCE_DIR "/resources/molecules/4hhb.pdb.gz\nwait-idle\n");
+  run("size 1280 800\nview.presenter_size on\nframes 3\n");
+  for (const PanelSpec& page : panels()) {
+    if (page.place != PanelPlace::bottom) continue;
+    run("view.page " + std::string(page.id) +
+        "\nwait-idle\nframes 3\nwait-idle\nframes 3\nmove status.move\nframes 3\n");
+    const WidgetRects& all = viewer_->widgets();
+    const WidgetRect below = all.at("layout.splitter");
+    std::size_t seen = 0;
+    for (const KeyState::Stop& stop : state().keys.stops) {
+      const WidgetRect at = all.at(stop.name);
+      const bool beside = stop.name.starts_with("lesson") || stop.name.starts_with("status.");
+      const bool of_page = at.y0 > below.y0 && !beside;
+      if (!of_page) continue;
+      ++seen;
+      EXPECT_LE(at.x1, below.x1) << page.id << ": " << stop.name;
+    }
+    EXPECT_GT(seen, 10u) << page.id;
+  }
+  run("view.page cavities\nwait-idle\nframes 3\nwait-idle\n");
+  for (const char* name : {"cavities.all", "cavities.none", "cavities.draw", "cavities.columns",
+                           "cavities.save", "cavities.shown"}) {
+    const WidgetRect at = viewer_->widgets().at(name);
+    EXPECT_LE(at.x1, viewer_->widgets().at("layout.splitter").x1) << name;
+  }
+  run("move cavities.totals\nwheel -30\nframes 3\n");
+  EXPECT_TRUE(viewer_->widgets().at("cavities.row.1").visible);
 }
 
 // The list of lessons is read after the lesson, and both arrive in one poll. The lesson must not be

@@ -85,6 +85,35 @@ TEST_F(CavitiesTest, ThePresetComparesWithCastpAndCanBeUndone) {
   EXPECT_EQ(page().rows.size(), before);
 }
 
+// The first search has no older rows to show.
+TEST_F(CavitiesTest, ThePageSaysThatTheFirstSearchWasCancelled) {
+  run("view.page timings\nopen " ALPHASCOPE_SOURCE_DIR
+      "/resources/molecules/4hhb.pdb.gz\nwait-idle\nview.page cavities\n");
+  for (int k = 0; k < 2000 && !has("cavities.cancelled"); ++k) {
+    viewer_->calls().jobs.cancel_result("cavities.table");
+    run("frames 1\n");
+  }
+  ASSERT_TRUE(has("cavities.cancelled"));
+  EXPECT_FALSE(has("cavities.totals") || has("cavities.waiting"));
+  run("click cavities.again\n");
+  settle();
+  EXPECT_FALSE(has("cavities.cancelled"));
+  EXPECT_TRUE(has("cavities.row.1"));
+}
+
+// "21 of 0 shown" was the text without a cavity.
+TEST_F(CavitiesTest, ATableWithoutRowsShowsNoneOfThem) {
+  open_crambin();
+  run("view.page cavities\n");
+  settle();
+  ASSERT_FALSE(page().order.empty());
+  run("alpha.set 900\n");
+  settle();
+  ASSERT_TRUE(has("cavities.empty"));
+  EXPECT_EQ(page().rows.size(), 0u);
+  EXPECT_TRUE(page().order.empty());
+}
+
 TEST_F(CavitiesTest, AClickShowsTheCavityAndWhatLinesIt) {
   open_cavities();
   use_preset();

@@ -69,7 +69,10 @@ TEST_F(ChannelsTest, OfAPoreIsThereUponTheFirstClick) {
   EXPECT_EQ(tube.tubes.at(0).size(), channel().samples.size());
   EXPECT_TRUE(tube.body && tube.fades_rest) << "the molecule would hide it";
   ASSERT_EQ(tube.labels.size(), 1u);
-  EXPECT_NE(tube.labels[0].text.find("2.5"), std::string::npos) << tube.labels[0].text;
+  // The radius of the largest sphere that passes, as on the command line: no other rounding.
+  const std::string radius = bottleneck_radius_text(channel()) + " Å";
+  EXPECT_EQ(tube.labels[0].text, radius);
+  EXPECT_NE(tube.name.find("narrowest radius " + radius), std::string::npos) << tube.name;
   // The place under the mouse is marked in the view.
   run("move channels.profile 0.5 0.5\nframes 3\n");
   EXPECT_TRUE(has_layer("channels.cursor"));
@@ -83,7 +86,7 @@ TEST_F(ChannelsTest, TheTubeHasANameUnderTheMouse) {
   ASSERT_TRUE(has_layer("channels.tube"));
   run("move view 0.5 0.5\nframes 3\n");
   const ViewportInfo& view = viewer_->state().viewport;
-  EXPECT_EQ(view.under_mouse, "Channel through the whole molecule  ·  narrowest radius 2.500 Å");
+  EXPECT_EQ(view.under_mouse, "Channel through the whole molecule  ·  narrowest radius 2.499 Å");
   EXPECT_EQ(view.under_mouse_line, view.under_mouse);
   run("click bottom.timings\nframes 3\nmove view 0.5 0.5\nframes 3\n");
   EXPECT_EQ(view.under_mouse.find("Channel"), std::string::npos) << "it is no longer drawn";

@@ -95,6 +95,19 @@ TEST_F(ContextMenuTest, IsAboutTheAtomUnderTheMouse) {
   EXPECT_EQ(items(), std::vector<Ref>{atom});
 }
 
+// Without a B factor there is nothing to write.
+TEST_F(ContextMenuTest, ALabelThatWouldBeEmptyIsGrey) {
+  std::ofstream(folder_ / "one.xyz") << "1\n\nC 0 0 0\n";
+  run("open " + (folder_ / "one.xyz").string() + "\nwait-idle\n");
+  const std::string place = at(0.5, 0.5);
+  for (const auto& [label, labels] : {std::pair("b_factor", 0u), {"element", 1u}}) {
+    run("right-click " + place + "click context.label\nframes 2\n");
+    ASSERT_TRUE(has("context.label.b_factor"));
+    run("click context.label." + std::string(label) + "\nframes 2\nkey esc\nkey esc\n");
+    EXPECT_EQ(state().settings.annotations.labels.size(), labels) << label;
+  }
+}
+
 TEST_F(ContextMenuTest, MeasuresFromTheSelectionAndSaysWhyNot) {
   open_crambin();
   const auto where = places("A:", 3);

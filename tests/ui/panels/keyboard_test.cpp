@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+#include "core/document/settings/paint.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
@@ -335,6 +336,103 @@ TEST_F(Keyboard, EnterDoesNotConfirmWhatCannotBe) {
   p.frame(2);
   EXPECT_TRUE(state().dialogs.show_export);
   EXPECT_FALSE(p.asked.export_complex);
+}
+
+TEST_F(Keyboard, EnterInANumberOrAColourConfirmsTheDialog) {
+  const auto open = [&] {
+    p.asked.screenshot.reset();
+    state().dialogs.save_path = "/tmp/a.png";
+    state().dialogs.show_save = true;
+    p.frame(4);
+  };
+  open();
+  ASSERT_TRUE(tab_to("save.width"));
+  letters("640");
+  p.tap(key::kEnter);
+  p.frame(2);
+  ASSERT_TRUE(p.asked.screenshot);
+  EXPECT_EQ(p.asked.screenshot->options.width, 640);
+  EXPECT_FALSE(state().dialogs.show_save);
+  open();
+  ASSERT_TRUE(tab_to("save.height"));
+  p.tap(key::kEnter);
+  EXPECT_TRUE(p.asked.screenshot) << "of an unchanged number, too";
+  open();
+  ASSERT_TRUE(tab_to("save.background"));
+  letters("FF8000");
+  p.tap(key::kEnter);
+  p.frame(2);
+  ASSERT_TRUE(p.asked.screenshot);
+  EXPECT_EQ(p.asked.screenshot->options.background.colour, (Rgb8{255, 128, 0}));
+  // A wrong number is not saved. Enter leads back into it.
+  open();
+  ASSERT_TRUE(tab_to("save.width"));
+  letters("99999");
+  p.tap(key::kEnter);
+  p.frame(2);
+  EXPECT_FALSE(p.asked.screenshot);
+  EXPECT_TRUE(p.rects.contains("save.width.error"));
+  EXPECT_EQ(at(), "save.width");
+  EXPECT_TRUE(marked());
+  p.tap(key::kEnter);
+  p.frame(2);
+  EXPECT_TRUE(typing());
+  letters("320");
+  p.tap(key::kEnter);
+  ASSERT_TRUE(p.asked.screenshot);
+  EXPECT_EQ(p.asked.screenshot->options.width, 320);
+}
+
+TEST_F(Keyboard, EnterInTheBenchmarksFieldsRunsIt) {
+  state().dialogs.show_benchmark = true;
+  p.frame(4);
+  ASSERT_TRUE(tab_to("benchmark.runs"));
+  letters("x");
+  p.tap(key::kEnter);
+  p.frame(2);
+  EXPECT_FALSE(p.asked.run_benchmark) << "not with the number before";
+  p.tap(key::kEnter);
+  p.frame(2);
+  letters("2");
+  p.tap(key::kEnter);
+  p.frame(2);
+  EXPECT_TRUE(p.asked.run_benchmark);
+  EXPECT_EQ(state().benchmark_settings.runs, 2);
+  p.asked.run_benchmark = false;
+  ASSERT_TRUE(tab_to("benchmark.alphas"));
+  p.tap(key::kEnter);
+  p.frame(2);
+  EXPECT_TRUE(p.asked.run_benchmark);
+}
+
+// The digits and the patch of a colour are stops, wherever there is such a field.
+TEST_F(Keyboard, TabGoesThroughAColour) {
+  p.state.settings.display.ball_paint =
+      with_scheme(p.state.settings.display.ball_paint, ColourBy::single);
+  p.frame(2);
+  EXPECT_TRUE(tab_to("display.ball_one_colour"));
+  state().dialogs.show_save = true;
+  p.frame(4);
+  p.click("save.background", 0.3f);
+  EXPECT_EQ(at(), "save.background");
+  tab();
+  EXPECT_EQ(at(), "save.background.patch");
+  tab();
+  EXPECT_EQ(at(), "save.letters");
+  back();
+  back();
+  p.frame();
+  EXPECT_TRUE(typing());
+  letters("00FF00");
+  tab();
+  EXPECT_EQ(p.state.window.picture.background.colour, (Rgb8{0, 255, 0}));
+  p.tap(key::kSpace);
+  p.frame(3);
+  EXPECT_TRUE(state().keys.list_open) << "the picker";
+  p.tap(key::kEscape);
+  p.frame(2);
+  EXPECT_FALSE(state().keys.list_open);
+  EXPECT_TRUE(state().dialogs.show_save);
 }
 
 // --- a path in the file dialog

@@ -204,11 +204,16 @@ TEST_F(NumberFields, SliderClicksWithoutControlStillSlide) {
 TEST_F(NumberFields, PictureSizesAreWholeAndBounded) {
   p.state.dialogs.show_save = true;
   p.frame(3);
-  p.type("save.width", "800");
+  p.click("save.width");
+  ImGui::GetIO().AddInputCharactersUTF8("800");
+  p.frame(2);
+  p.tap(key::kTab);
+  p.frame(2);
   EXPECT_EQ(p.state.window.picture.width, 800);
   for (const char* bad : {"0", "99999", "1,920", "12.5", "1e308"}) {
     p.type("save.width", bad);
     EXPECT_EQ(p.state.window.picture.width, 800) << bad;
+    EXPECT_TRUE(p.state.dialogs.show_save) << bad;
   }
 }
 

@@ -160,6 +160,36 @@ TEST(StatusBar, ANoticeHasTheRoomItNeeds) {
   }
 }
 
+// A new notice is read although the mouse names something. Later that thing has its place.
+TEST(StatusBar, ANewNoticeStaysBesideTheThingUnderTheMouse) {
+  Panels p({1280, 720, 1});
+  p.state = moved_state();
+  p.state.viewport.under_mouse_line = "A:HIS 87:NE2  ·  (1.000, 2.000, 3.000) Å  ·  radius 1.64 Å";
+  p.frame(3);
+  const auto shown = [&](const char* name) {
+    return p.rects.contains(name) ? p.rects[name] : WidgetRect{};
+  };
+  EXPECT_GT(shown("status.under_mouse").x1, 0);
+  const auto width = [&](const char* name) { return shown(name).x1 - shown(name).x0; };
+  p.state.notice = "Saved /home/somebody/pictures/haemoglobin-with-water.png";
+  p.frame(3);
+  const float whole = width("status.notice");
+  EXPECT_GT(whole, 200);
+  if (shown("status.under_mouse").x1 > 0) {
+    EXPECT_LE(shown("status.notice").x1, shown("status.under_mouse").x0);
+  }
+  p.state.viewport.under_mouse_line.clear();
+  p.frame(3);
+  EXPECT_EQ(width("status.notice"), whole) << "it is as wide as without a thing";
+  p.state.viewport.under_mouse_line = "A:HIS 87:NE2";
+  p.frame(600);
+  EXPECT_EQ(width("status.notice"), 0) << "it is no news after ten seconds";
+  EXPECT_GT(width("status.under_mouse"), 0);
+  p.state.notice = "Saved /home/somebody/pictures/haemoglobin-with-water.png";
+  p.frame(3);
+  EXPECT_EQ(width("status.notice"), whole) << "the same text once more is news";
+}
+
 TEST(MoveClock, ForgetsMovesOfAnotherFile) {
   MoveClock clock;
   const MoveClock::Clock::time_point start{};

@@ -3,7 +3,9 @@
 // sessions, and on the command line. They can be undone and removed, and come back with their
 // atoms.
 #include <algorithm>
+#include <map>
 
+#include "core/document/commands/commands.hpp"
 #include "core/write/csv.hpp"
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
@@ -54,6 +56,24 @@ TEST_F(AnnotationsTest, LabelsSayNamesAndGoWithTheirAtoms) {
   run("label.remove_all\n");
   settle();
   EXPECT_EQ(words(), Words{});
+}
+
+// Menu and list show what would be written beside the selected atoms, not an example.
+TEST_F(AnnotationsTest, TextsToChooseAreThoseOfTheSelection) {
+  open_crambin();
+  const auto choices = [&] {
+    std::map<std::string, std::string> texts;
+    const CommandSpec& label = *viewer_->commands().find("label.atoms");
+    for (const Choice& c : label.parameters.front().choices()) texts[c.id] = c.detail;
+    return texts;
+  };
+  EXPECT_EQ(choices()["name"], "such as NE2");
+  run("select.atoms A:THR 1:CB\n");
+  EXPECT_EQ(choices()["address"], "A:THR 1:CB");
+  EXPECT_EQ(choices()["name"], "CB");
+  EXPECT_EQ(choices()["element"], "C");
+  run("select.atoms A:THR 1:CA, A:THR 1:CB\n");
+  EXPECT_EQ(choices()["name"], "CA, …");
 }
 
 TEST_F(AnnotationsTest, LabelsAreInThePictureAndFollowTheCamera) {

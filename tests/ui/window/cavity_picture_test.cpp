@@ -13,6 +13,7 @@
 #include "tests/ui/scene/picture_difference.hpp"
 #include "tests/ui/scene/png_pixels.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/layer_objects.hpp"
 #include "ui/panels/cavities/cavity_page.hpp"
 #include "ui/panels/cavities/cavity_parts.hpp"
 
@@ -57,12 +58,13 @@ class CavityPictureTest : public ViewerTest {
     run("click cavities.row." + std::to_string(row + 1) + " 0.2\n");
     settle();
   }
-  Layer held() {
+  Layer layer_named(const std::string& id) {
     for (const auto& layer : viewer_->state().layers) {
-      if (layer->id == "cavities.held") return *layer;
+      if (layer->id == id) return *layer;
     }
     return {};
   }
+  Layer held() { return layer_named("cavities.held"); }
 
   Image saved(const std::string& name) {
     run("file.save_picture \"" + (folder_ / name).string() + "\" 480 320 none\nwait-idle\n");
@@ -339,13 +341,40 @@ TEST_F(CavityPictureTest, OpacityThatIsNotSeenSaysSo) {
   choose(*row_with_ligand("HEM"));
   EXPECT_TRUE(viewer_->widgets().contains("display.ball_opacity.faded"));
   EXPECT_TRUE(viewer_->widgets().contains("display.complex_opacity.faded"));
+  EXPECT_TRUE(viewer_->widgets().contains("objects.faded"));
   viewer_->state().settings.display.complex_opacity = 0.1f;
   settle();
   EXPECT_FALSE(viewer_->widgets().contains("display.complex_opacity.faded"))
       << "it is as it is set";
+  EXPECT_TRUE(viewer_->widgets().contains("objects.faded")) << "the balls are faded";
+  viewer_->state().settings.display.balls = false;
+  settle();
+  EXPECT_FALSE(viewer_->widgets().contains("objects.faded"));
+  run("view.cartoon on\n");
+  settle();
+  EXPECT_TRUE(viewer_->widgets().contains("objects.faded")) << "the cartoon is faded";
   run("click cavities.draw\nframes 3\nclick cavities.draw.fade\nkey esc\n");
   settle();
   EXPECT_FALSE(viewer_->widgets().contains("display.ball_opacity.faded"));
+  EXPECT_FALSE(viewer_->widgets().contains("objects.faded"));
+}
+
+// The lining is drawn as sticks whether or not the rest is pale. Beside opaque balls the contents
+// stay where they are.
+TEST_F(CavityPictureTest, TheLiningIsDrawnWithoutFadingTheRest) {
+  open_cavities(haemoglobin());
+  choose(*row_with_ligand("HEM"));
+  ASSERT_TRUE(layer_named("cavities.lining").objects);
+  run("click cavities.draw\nframes 3\nclick cavities.draw.fade\nkey esc\n");
+  settle();
+  ASSERT_FALSE(page().fades_rest);
+  const Layer lining = layer_named("cavities.lining");
+  ASSERT_TRUE(lining.objects);
+  EXPECT_FALSE(lining.objects->of.at(0).atoms.empty());
+  EXPECT_TRUE(held().atoms.empty());
+  run("view.balls off\nview.tetrahedra off\n");
+  settle();
+  EXPECT_FALSE(held().atoms.empty()) << "no body hides them";
 }
 
 // The selected lining is marked by rims only. Whole green balls would hide the cavity.

@@ -52,6 +52,26 @@ TEST(Tooltips, AreBesideWhatTheySpeakOf) {
   EXPECT_GT(seen, 30u);
 }
 
+// A field with a tooltip that refused a number shows the reason, and the tooltip does not cover it.
+TEST(Tooltips, DoNotCoverTheReasonOfARefusedNumber) {
+  Panels p({1280, 800, 1});
+  p.state = loaded_state();
+  p.state.dialogs.show_save = true;
+  p.frame(4);
+  const auto tooltip = [&] {
+    p.point_at("save.dpi");
+    ImGui::GetIO().DeltaTime = 0.5f;
+    p.window_frame();
+    p.frame(2);
+    const ImGuiWindow* tip = ImGui::FindWindowByName("##Tooltip_00");
+    return tip != nullptr && tip->Active && !tip->Hidden;
+  };
+  EXPECT_TRUE(tooltip());
+  p.type("save.dpi", "9e9");
+  EXPECT_FALSE(tooltip());
+  EXPECT_TRUE(p.rects.contains("save.dpi.error"));
+}
+
 // For a slider with its value behind it, the tooltip is the slider's.
 TEST(Tooltips, AreTheSliders) {
   Panels p({1280, 1700, 1});

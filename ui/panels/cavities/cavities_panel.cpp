@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of cavities: totals, differences from CASTp, filters, and the table of voids and pockets
 // with the chosen ones beside it.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -24,7 +25,9 @@ namespace alphascope {
 namespace {
 
 constexpr NumberRule kLeastVolumeRule{"The least volume", 0, 1e9, "Å³"};
-constexpr float kPaneWidth = 230;      // pixels at scale 1, width of the pane on chosen cavities
+// Pixels at scale 1: the width of the pane on chosen cavities, and the least height of both. Where
+// there is less room, the page scrolls.
+constexpr float kPaneWidth = 230, kLeastHeight = 96;
 constexpr double kStaleSeconds = 0.3;  // after it, rows of an earlier picture turn grey
 
 // --- lines above the table
@@ -45,39 +48,44 @@ void totals_line(PanelContext& ctx, const CavityTable& table) {
   record(ctx, "cavities.totals");
 }
 
+// Draws the filter and the buttons of the table, in as many lines as they need.
 void filter_line(PanelContext& ctx, CavityPage& page, bool current) {
   CavityFilter& filter = page.filter;
+  const float field = ctx.px(56), gap = ctx.px(4), wide = ctx.px(14);
   choice(ctx, "cavities.kind", {"all", "voids", "pockets"}, filter.kind, ctx.px(180));
-  ImGui::SameLine(0, ctx.px(14));
+  same_line_where_it_fits(
+      ImGui::CalcTextSize("at least").x + ctx.px(6) + field + gap + ImGui::CalcTextSize("Å³").x,
+      wide);
+  ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("at least");
   ImGui::SameLine(0, ctx.px(6));
-  ImGui::SetNextItemWidth(ctx.px(56));
+  ImGui::SetNextItemWidth(field);
   number_field(ctx, "cavities.least", filter.least_volume_angstrom3, kLeastVolumeRule);
   tooltip(ctx,
           "Hides cavities with a smaller SA volume. Volumes below 1 Å³ are within the error of "
           "coordinates and radii. 0 shows all.");
-  ImGui::SameLine(0, ctx.px(4));
+  ImGui::SameLine(0, gap);
   ImGui::TextUnformatted("Å³");
-  ImGui::SameLine(0, ctx.px(14));
+  same_line_where_it_fits(button_width("Select all"), wide);
   if (button(ctx, "cavities.all", "Select all")) select_all_cavities(ctx, page);
   tooltip(
       ctx,
       "Selects all listed cavities. Ctrl+click on a row adds one; Shift+click selects a range.");
-  ImGui::SameLine(0, ctx.px(4));
+  same_line_where_it_fits(button_width("None"), gap);
   ImGui::BeginDisabled(ctx.state.settings.selection.empty());
   if (button(ctx, "cavities.none", "None")) clear_cavity_selection(ctx);
   ImGui::EndDisabled();
-  ImGui::SameLine(0, ctx.px(14));
+  same_line_where_it_fits(button_width("Draw"), wide);
   cavity_parts_button(ctx, page);
-  ImGui::SameLine(0, ctx.px(4));
+  same_line_where_it_fits(button_width("Columns"), gap);
   cavity_columns_button(ctx, page);
-  ImGui::SameLine(0, ctx.px(4));
+  same_line_where_it_fits(button_width("Save…"), gap);
   cavity_save_button(ctx, page, current);
-  ImGui::SameLine(0, ctx.px(14));
   const auto number = [](std::size_t n) { return with_separators(static_cast<long long>(n)); };
   const bool all = page.order.size() == page.rows.size();
   const std::string text =
       (all ? "all " : number(page.order.size()) + " of ") + number(page.rows.size()) + " shown";
+  same_line_where_it_fits(ImGui::CalcTextSize(text.c_str()).x, wide);
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, fitted_text(text, ImGui::GetContentRegionAvail().x));
   record(ctx, "cavities.shown");
@@ -129,10 +137,11 @@ void body(PanelContext& ctx, CavityPage& page, bool current) {
     return;
   }
   const float gap = ctx.px(12);
-  const float width = ImGui::GetContentRegionAvail().x - ctx.px(kPaneWidth) - gap;
-  draw_cavity_table(ctx, page, width, current);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float height = std::max(room.y, ctx.px(kLeastHeight));
+  draw_cavity_table(ctx, page, room.x - ctx.px(kPaneWidth) - gap, height, current);
   ImGui::SameLine(0, gap);
-  draw_selected_cavities(ctx, page);
+  draw_selected_cavities(ctx, page, height);
 }
 
 // Whether to draw the rows grey, because they belong to another alpha than the picture. For
@@ -153,8 +162,8 @@ void select_wanted_row(PanelContext& ctx, CavityPage& page) {
   if (!row) return;
   const std::size_t rows = page.rows.table().size();
   if (*row < rows) return select_cavity(ctx, page, *row, HowSelected::alone);
-  ctx.state.notice = "There is no cavity " + with_separators(static_cast<long long>(*row) + 1) +
-                     "; the last is " + with_separators(static_cast<long long>(rows)) + ".";
+  ctx.state.refuse_late("There is no cavity " + with_separators(static_cast<long long>(*row) + 1) +
+                        "; the last is " + with_separators(static_cast<long long>(rows)) + ".");
 }
 
 void draw_cavities(PanelContext& ctx) {

@@ -211,12 +211,13 @@ void cavity_columns_button(PanelContext& ctx, CavityPage& page) {
   ImGui::EndPopup();
 }
 
-void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool current) {
+void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, float height,
+                       bool current) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
                                      ImGuiTableFlags_ScrollX | ImGuiTableFlags_RowBg |
                                      ImGuiTableFlags_Resizable | ImGuiTableFlags_Hideable;
   const float inner = std::max(least_width(ctx, page), width - ImGui::GetStyle().ScrollbarSize);
-  if (!ImGui::BeginTable("cavities", column_count(), kFlags, {width, 0}, inner)) return;
+  if (!ImGui::BeginTable("cavities", column_count(), kFlags, {width, height}, inner)) return;
   set_up_columns(ctx);
   draw_headers(ctx);
   follow_columns(page);

@@ -31,9 +31,9 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page) {
   if (checkbox(ctx, "cavities.draw.fade", "fade the rest", page.fades_rest)) {
     page.layers_are_old = true;
   }
-  tooltip(ctx, ("Balls and simplices are at most " + percent_text(kFadedOpacity) +
-                " opaque, whatever the section Display says, so that they do not hide the cavity. "
-                "Its contents are drawn in front of everything else.")
+  tooltip(ctx, ("Balls, simplices and objects are at most " + percent_text(kFadedOpacity) +
+                " opaque, whatever is set, so that they do not hide the cavity. Its contents are "
+                "drawn in front of everything else.")
                    .c_str());
   display_row(ctx, &DisplaySettings::lining_sticks);
   ImGui::Dummy({ctx.px(240), 0});  // a width, since the slider takes all there is

@@ -102,7 +102,7 @@ void giant_network_line(PanelContext& ctx, const CavityPage& page) {
                      "empty space is one giant pocket.",
                      kGiantBelow);
   record(ctx, "cavities.giant");
-  ImGui::SameLine(0, ctx.px(10));
+  same_line_where_it_fits(button_width("Use 1.4 Å"), ctx.px(10));
   if (button(ctx, "cavities.water", "Use 1.4 Å")) {
     ctx.state.settings.request.solvent_radius_angstrom = kCavitySolventAngstrom;
   }
@@ -128,7 +128,8 @@ void networks_line(PanelContext& ctx, const CavityPage& page, bool current) {
     record(ctx, "cavities.networks");
   }
   if (!row || !current) return;
-  ImGui::SameLine(0, ctx.px(14));
+  constexpr float kLeast = 240;  // pixels at scale 1, for a button and the beginning of a sentence
+  same_line_where_it_fits(ctx.px(kLeast), ctx.px(14));
   end_of_network(ctx, page, *row);
 }
 

@@ -44,7 +44,9 @@ void follow_cavity_order(CavityPage& page);
 // Draws a button that opens a list of the columns.
 void cavity_columns_button(PanelContext& ctx, CavityPage& page);
 // Draws the table. `current`: the rows belong to the picture; otherwise clicks do nothing.
-void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, bool current);
+// Sizes are in pixels.
+void draw_cavity_table(PanelContext& ctx, CavityPage& page, float width, float height,
+                       bool current);
 
 // --- cavity_column_results.cpp
 
@@ -113,7 +115,7 @@ void cavity_parts_button(PanelContext& ctx, CavityPage& page);
 
 // --- selected_cavities_pane.cpp
 
-void draw_selected_cavities(PanelContext& ctx, CavityPage& page);
+void draw_selected_cavities(PanelContext& ctx, CavityPage& page, float height);
 // Returns a sentence if the cavity lies between bodies or chains; empty if it does not. `chains`
 // names the chains that line it, "A and D"; empty if they are unknown.
 std::string between_text(const CavityLine& line, const std::string& chains);

@@ -130,8 +130,8 @@ std::string change_text(const CavityPage& page, std::size_t row) {
   return text;
 }
 
-void draw_selected_cavities(PanelContext& ctx, CavityPage& page) {
-  ImGui::BeginChild("chosen", {0, 0});
+void draw_selected_cavities(PanelContext& ctx, CavityPage& page, float height) {
+  ImGui::BeginChild("chosen", {0, height});
   if (page.chosen.empty()) {
     muted_wrapped(ctx,
                   "Click a row to see the cavity and its lining. Ctrl+click adds one; "

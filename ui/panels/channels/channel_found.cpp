@@ -110,7 +110,6 @@ std::string no_channel_text(const ChannelState& memory) {
 
 void channel_headline(PanelContext& ctx, const FoundChannel& found) {
   const Channel& channel = *found.channel;
-  const double radius = channel.narrowest().radius_angstrom;
   ImGui::AlignTextToFramePadding();
   if (!channel.is_open()) {
     strong_text(ctx,
@@ -119,11 +118,12 @@ void channel_headline(PanelContext& ctx, const FoundChannel& found) {
     tooltip(ctx, "Not even a point passes. All balls must shrink by this much before one does.");
     return;
   }
-  strong_text(ctx, "bottleneck " + number_text(radius, 3) + " Å");
+  strong_text(ctx, "bottleneck " + bottleneck_radius_text(channel) + " Å");
   record(ctx, "channels.result");
-  tooltip(ctx,
-          "Radius of the largest sphere that passes, exact to 0.001 Å. Neither alpha nor the "
-          "solvent radius changes it.");
+  tooltip(
+      ctx,
+      "Radius of the largest sphere that passes, rounded down to 0.001 Å. Neither alpha nor the "
+      "solvent radius changes it.");
   ImGui::SameLine(0, ctx.px(12));
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, passing_waters_text(found));

@@ -95,7 +95,7 @@ void draw_bottleneck(PanelContext& ctx, const PlotArea& area, const Channel& cha
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ChannelSample& narrowest = channel.narrowest();
   const ImVec2 at{area.x_of(narrowest.along_angstrom), area.y_of(narrowest.radius_angstrom)};
-  const std::string text = number_text(narrowest.radius_angstrom, 3) + " Å";
+  const std::string text = bottleneck_radius_text(channel) + " Å";
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const float right = at.x + ctx.px(7) + size.x;
   const float x = right < area.right ? at.x + ctx.px(7) : at.x - ctx.px(7) - size.x;

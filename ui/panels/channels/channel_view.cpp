@@ -6,7 +6,6 @@
 #include "core/channel/channel.hpp"
 #include "core/document/channels/channel_text.hpp"
 #include "ui/layer.hpp"
-#include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/view_state.hpp"
@@ -44,15 +43,13 @@ void make_layers(ChannelState& memory) {
   layer->body = true;  // balls and simplices around it fade
   auto& tube = layer->tubes.emplace_back();
   for (const ChannelSample& sample : channel.samples) tube.push_back(sphere_of(sample));
+  const std::string radius = bottleneck_radius_text(channel) + " Å";
   const std::string through = memory.shown->way ? memory.shown->way->through : "";
   layer->name = "Channel" + (through.empty() ? "" : " through " + through) + "  ·  " +
-                (channel.is_open() ? "narrowest radius " +
-                                         number_text(channel.narrowest().radius_angstrom, 3) + " Å"
-                                   : "closed");
+                (channel.is_open() ? "narrowest radius " + radius : "closed");
   layer->page = "channels";
-  const std::string text = number_text(channel.narrowest().radius_angstrom, 3) + " Å";
   layer->labels.push_back(
-      {channel.narrowest().position_angstrom, channel.is_open() ? text : "closed here"});
+      {channel.narrowest().position_angstrom, channel.is_open() ? radius : "closed here"});
   memory.layers = {std::move(layer)};
 }
 

@@ -154,7 +154,8 @@ void page(PanelContext& ctx, ChannelState& memory) {
     muted_text(ctx, question.waiting ? question.why : "");
   }
   constexpr float kColumn = 410;
-  ImGui::BeginChild("ends", {ctx.px(kColumn), 0}, false);
+  ImGui::BeginChild("ends", {std::min(ctx.px(kColumn), ImGui::GetContentRegionAvail().x), 0},
+                    false);
   draw_channel_ends(ctx, memory);
   if (of_ways && ways.ready()) draw_ways(ctx, memory, *ways.value);
   ImGui::Dummy({0, ctx.px(2)});

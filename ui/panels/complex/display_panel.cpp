@@ -9,7 +9,6 @@
 #include "core/geometry/ball_set.hpp"
 #include "core/molecule/atom_colours.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "ui/layer.hpp"
 #include "ui/panels/complex/display_rows.hpp"
 #include "ui/panels/complex/paint_rows.hpp"
 #include "ui/panels/panel.hpp"
@@ -52,15 +51,9 @@ void opacity_row(PanelContext& ctx, DisplayField::Member member) {
   const DisplayField& field = display_field(member);
   display_row(ctx, field);
   const double opacity = number_of(field, ctx.state.settings.display);
-  if (!ctx.state.viewport.fades_rest || opacity <= kFadedOpacity) return;
+  if (shown_opacity(ctx, opacity) == opacity) return;
   row_label(ctx, "");
-  ImGui::PushFont(ctx.fonts.small);
-  muted_text(ctx, "faded to " + percent_text(kFadedOpacity) + " by the page below");
-  ImGui::PopFont();
-  record(ctx, (control_name(field) + ".faded").c_str());
-  tooltip(ctx,
-          "Balls and simplices are faded, so that they do not hide a cavity or channel. For "
-          "cavities: the page Cavities, Draw, “fade the rest”.");
+  fading_note(ctx, control_name(field) + ".faded");
 }
 
 void balls(PanelContext& ctx) {

@@ -2,12 +2,17 @@
 // Draws check boxes and sliders of settings of the display.
 #include "ui/panels/complex/display_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
 
+#include "ui/layer.hpp"
 #include "ui/number_text.hpp"
 #include "ui/panels/view_state.hpp"
+#include "ui/panels/viewport_info.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/style.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace alphascope {
@@ -31,6 +36,20 @@ void percent_of(PanelContext& ctx, const DisplayField& field, const char* name) 
 }
 
 }  // namespace
+
+double shown_opacity(const PanelContext& ctx, double set) {
+  return ctx.state.viewport.fades_rest ? std::min(set, kFadedOpacity) : set;
+}
+
+void fading_note(PanelContext& ctx, const std::string& name) {
+  ImGui::PushFont(ctx.fonts.small);
+  muted_text(ctx, "faded to " + percent_text(kFadedOpacity) + " by the page below");
+  ImGui::PopFont();
+  record(ctx, name.c_str());
+  tooltip(ctx,
+          "Balls, simplices and objects are faded, so that they do not hide a cavity or channel. "
+          "For cavities: the page Cavities, Draw, “fade the rest”.");
+}
 
 std::string control_name(const DisplayField& field) {
   return (field.group == DisplayGroup::light ? "look." : "display.") + std::string(field.id);

@@ -18,6 +18,7 @@
 #include "ui/panels/view_state.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/theme.hpp"
+#include "ui/widgets/colour_field.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/style.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -49,16 +50,34 @@ void eye(PanelContext& ctx, const std::string& name, const std::string& what, bo
   draw->AddCircleFilled(middle, 0.11F * size, ink);
 }
 
-// The slider ends `kButton` pixels before the end of the line, where objects have a button.
+// The slider ends `kButton` pixels before the end of the line, where objects have a button. The
+// number is the opacity in the picture, which a page may have lowered.
 void opacity(PanelContext& ctx, const std::string& name, float line_end, float& value) {
   constexpr NumberRule kRule{"The opacity", 100 * kLeastOpacity, 100, "%"};
   ImGui::SameLine(line_end - ctx.px(kSlider + kButton));
   double percent = std::round(100.0 * value);
-  const std::string text = percent_text(value);
-  if (value_slider(ctx, name.c_str(), percent, kRule.least, kRule.most, kRule, text, kButton)) {
+  const std::string set = percent_text(value), shown = percent_text(shown_opacity(ctx, value));
+  const bool faded = shown != set;
+  if (faded) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(ctx.palette.text_muted));
+  if (value_slider(ctx, name.c_str(), percent, kRule.least, kRule.most, kRule, shown, kButton)) {
     value = static_cast<float>(percent / 100);
   }
-  tooltip(ctx, "Opacity. Ctrl+click to type a number.");
+  if (faded) ImGui::PopStyleColor();
+  const std::string help = "Opacity. Ctrl+click to type a number.";
+  tooltip(ctx, (faded ? help + " It is set to " + set +
+                            ", but the page below fades the picture to " + shown + "."
+                      : help)
+                   .c_str());
+}
+
+// Whether a page fades anything of the list.
+bool fades_any(const PanelContext& ctx) {
+  const D& d = ctx.state.settings.display;
+  const auto fades = [&](double opacity) { return shown_opacity(ctx, opacity) < opacity; };
+  const DrawnObjects& objects = ctx.state.settings.objects;
+  return (d.balls && fades(d.ball_opacity)) || (d.tetrahedra && fades(d.complex_opacity)) ||
+         std::any_of(objects.begin(), objects.end(),
+                     [&](const DrawnObject& o) { return o.shown && fades(o.opacity); });
 }
 
 // A line of balls or simplices, which have more settings in the section Display.
@@ -84,12 +103,8 @@ void colour_row(PanelContext& ctx, const std::string& name, DrawnObject& object)
   }
   if (object.colour != ObjectColour::single) return;
   row_label(ctx, "Colour");
-  const Colour now = to_colour(object.own);
-  float rgb[3] = {now.r, now.g, now.b};
-  if (ImGui::ColorEdit3(("##" + name + ".own").c_str(), rgb, ImGuiColorEditFlags_DisplayHex)) {
-    object.own = to_rgb8({rgb[0], rgb[1], rgb[2], 1});
-  }
-  record(ctx, (name + ".own").c_str());
+  Colour now = to_colour(object.own);
+  if (colour_field(ctx, name + ".own", now)) object.own = to_rgb8(now);
 }
 
 void kind_row(PanelContext& ctx, const std::string& name, DrawnObject& object) {
@@ -222,6 +237,7 @@ void draw_objects(PanelContext& ctx, ObjectsState& memory) {
     objects.erase(objects.begin() + static_cast<std::ptrdiff_t>(*removed));
     memory = {};
   }
+  if (fades_any(ctx)) fading_note(ctx, "objects.faded");
   add_row(ctx, memory, objects);
 }
 

@@ -6,6 +6,8 @@
 
 #include "core/document/commands/number_input.hpp"
 #include "ui/rgb8.hpp"
+#include "ui/theme.hpp"
+#include "ui/widgets/colour_field.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -50,12 +52,8 @@ void one_colour_row(PanelContext& ctx, const PaintRows& rows, Paint& paint) {
   const std::string name = rows.name + "_one_colour";
   constexpr float kButton = 64;
   row_label(ctx, "Colour", kButton + 6);
-  const Colour shown = to_colour(paint.colour.value_or(rows.usual));
-  float rgb[3] = {shown.r, shown.g, shown.b};
-  if (ImGui::ColorEdit3(("##" + name).c_str(), rgb, ImGuiColorEditFlags_DisplayHex)) {
-    paint.colour = to_rgb8({rgb[0], rgb[1], rgb[2], 1});
-  }
-  record(ctx, name.c_str());
+  Colour shown = to_colour(paint.colour.value_or(rows.usual));
+  if (colour_field(ctx, name, shown)) paint.colour = to_rgb8(shown);
   tooltip(ctx, "Click on the patch to choose, or type hexadecimal digits.");
   ImGui::SameLine(0, ctx.px(6));
   ImGui::BeginDisabled(!paint.colour);

@@ -67,12 +67,13 @@ void labelled_number(PanelContext& ctx, const char* name, const char* label, int
   ImGui::SameLine(0, ctx.px(16));
 }
 
-void controls(PanelContext& ctx) {
+// Returns whether Enter was pressed in a field for text.
+bool controls(PanelContext& ctx) {
   BenchmarkSettings& c = ctx.state.benchmark_settings;
   ImGui::BeginDisabled(ctx.state.benchmark.running);
   row_label(ctx, "Alphas (Å²)");
   ImGui::SetNextItemWidth(ctx.px(190));
-  text_field(ctx, "benchmark.alphas", c.alphas);
+  const bool entered = text_field(ctx, "benchmark.alphas", c.alphas);
   ImGui::SameLine(0, ctx.px(16));
   labelled_number(ctx, "benchmark.runs", "runs", c.runs, kRunsRule);
   labelled_number(ctx, "benchmark.seconds", "seconds per row, at most", c.seconds_per_row,
@@ -91,9 +92,10 @@ void controls(PanelContext& ctx) {
           "Measures the tuple engines again at the smallest alpha, with one optimisation off at a "
           "time.");
   ImGui::EndDisabled();
+  return entered;
 }
 
-void run_row(PanelContext& ctx) {
+void run_row(PanelContext& ctx, bool entered) {
   ViewState& s = ctx.state;
   BenchmarkInfo& b = s.benchmark;
   row_label(ctx, "");
@@ -110,10 +112,11 @@ void run_row(PanelContext& ctx) {
     muted_text(ctx, b.progress);
     return;
   }
-  const bool can_run = s.molecule.loaded && !b.exporting;
+  const bool can_run = s.molecule.loaded && !b.exporting && !has_refused_number(ctx, "benchmark");
+  entered |= entered_field(ctx) || enter_pressed(ctx);
   ImGui::BeginDisabled(!can_run);
   const bool clicked = button(ctx, "benchmark.run", "Run", {ctx.px(100), 0}, ButtonKind::primary);
-  if (clicked || (can_run && enter_pressed(ctx))) {
+  if (clicked || (can_run && entered)) {
     ctx.calls.jobs.run_benchmark();
   }
   ImGui::EndDisabled();
@@ -259,8 +262,8 @@ void draw_benchmark_dialog(PanelContext& ctx) {
   constexpr const char* kTitle = "Benchmark: the thesis' table and figures";
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   if (!begin_dialog(ctx, kTitle, {display.x * 0.92f, display.y * 0.9f})) return;
-  controls(ctx);
-  run_row(ctx);
+  const bool entered = controls(ctx);
+  run_row(ctx, entered);
   message(ctx);
   results(ctx, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing() - ctx.px(6));
   export_row(ctx);

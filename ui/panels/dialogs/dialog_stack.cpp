@@ -134,6 +134,10 @@ bool enter_pressed(const PanelContext& ctx) {
          (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
 }
 
+bool entered_field(const PanelContext& ctx) {
+  return on_top(ctx) && !ctx.state.keys.entered.empty();
+}
+
 DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
                             DialogButton confirm, bool can_confirm, bool entered) {
   const float each = ctx.px(100), gap = ImGui::GetStyle().ItemSpacing.x;
@@ -145,9 +149,12 @@ DialogAnswer dialog_buttons(PanelContext& ctx, float width, DialogButton cancel,
   ImGui::BeginDisabled(!can_confirm);
   const bool clicked = button(ctx, confirm.name, confirm.label, {each, 0}, ButtonKind::primary);
   ImGui::EndDisabled();
-  const bool yes = clicked || (can_confirm && (entered || enter_pressed(ctx)));
-  // Enter ends typing. If it is refused, the field gets the keyboard again, to be corrected.
+  const bool ended = entered_field(ctx);
+  const bool yes = clicked || (can_confirm && (entered || ended || enter_pressed(ctx)));
+  // Enter ends typing. If it is refused, the field gets the keyboard again, to be corrected. A
+  // field for a number only gets its mark, since typing would hide the reason below it.
   if (entered && !yes && !no) type_into(ctx, ctx.state.keys.at.back().name);
+  if (ended && !yes && !no) ctx.state.keys.at.back().shown = true;
   return yes ? DialogAnswer::confirm : no ? DialogAnswer::cancel : DialogAnswer::none;
 }
 

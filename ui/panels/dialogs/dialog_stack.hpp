@@ -29,10 +29,13 @@ bool on_top(const PanelContext& ctx);
 bool has_keys(const PanelContext& ctx);
 bool escape_pressed(const PanelContext& ctx);
 bool enter_pressed(const PanelContext& ctx);
+// Whether Enter has just ended typing in a field of the topmost dialog for a number or a colour.
+bool entered_field(const PanelContext& ctx);
 
 // Draws the two buttons of a dialog at the right end of a line of `width` pixels. In every dialog
 // cancel is at the left and confirm at the right. Enter confirms and Escape cancels. `entered`:
-// Enter was pressed in a field. While a number in the dialog is invalid, nothing is confirmed.
+// Enter was pressed in a field for text. While a number in the dialog is invalid, nothing is
+// confirmed.
 enum class DialogAnswer : std::uint8_t { none, cancel, confirm };
 struct DialogButton {
   const char* name;

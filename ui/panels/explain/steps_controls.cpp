@@ -23,13 +23,14 @@ void move_button(PanelContext& ctx, const char* id, const char* label) {
   ImGui::EndDisabled();
   const std::string keys = spec->shortcuts_text();
   tooltip(ctx, (spec->help + (keys.empty() ? "." : " (" + keys + ").")).c_str());
-  ImGui::SameLine(0, ctx.px(4));
 }
 
 void engine_choice(PanelContext& ctx) {
   StepsState& memory = ctx.state.steps;
   if (steps_engines().size() < 2) return;
-  ImGui::SetNextItemWidth(ctx.px(170));
+  constexpr float kWidth = 170;
+  same_line_where_it_fits(ctx.px(kWidth), ctx.px(16));
+  ImGui::SetNextItemWidth(ctx.px(kWidth));
   if (list_field(ctx, "steps.engine", spec_of(memory.engine).title)) {
     for (const StepsEngineSpec& spec : steps_engines()) {
       const char* const id = steps_engine_id(spec.engine);
@@ -47,9 +48,7 @@ void engine_choice(PanelContext& ctx) {
 
 // Draws a check box behind the last item, or below it if there is no room.
 void optimisation(PanelContext& ctx, const char* name, const char* label, bool& value) {
-  same_line_where_it_fits(
-      ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x,
-      ctx.px(12));
+  same_line_where_it_fits(checkbox_width(label), ctx.px(12));
   checkbox(ctx, name, label, value);
   const CommandSpec* const spec = ctx.commands.find(name);
   if (spec != nullptr) tooltip(ctx, (spec->help + ".").c_str());
@@ -59,12 +58,16 @@ void optimisation(PanelContext& ctx, const char* name, const char* label, bool& 
 
 void draw_steps_controls(PanelContext& ctx) {
   StepsState& memory = ctx.state.steps;
+  const float gap = ctx.px(4);
   move_button(ctx, "steps.first", "First");
+  ImGui::SameLine(0, gap);
   move_button(ctx, "steps.back", "Back");
+  ImGui::SameLine(0, gap);
   move_button(ctx, "steps.play", memory.playing ? "Pause" : "Play");
+  ImGui::SameLine(0, gap);
   move_button(ctx, "steps.next", "Next");
+  ImGui::SameLine(0, gap);
   move_button(ctx, "steps.last", "Last");
-  ImGui::SameLine(0, ctx.px(12));
   engine_choice(ctx);
   if (spec_of(memory.engine).has_optimisations) {
     optimisation(ctx, "steps.edge_optimisation", "Edge optimisation", memory.edge_optimisation);

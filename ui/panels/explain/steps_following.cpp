@@ -31,7 +31,7 @@ void go_where_asked(PanelContext& ctx, StepsState& memory) {
   const std::string asked = std::exchange(memory.go_to, {});
   const auto found = step_number(memory.shown->steps, asked);
   if (found) return memory.show(*found);
-  ctx.state.notice = "There is no step “" + asked + "” here.";
+  ctx.state.refuse_late("There is no step “" + asked + "” here.");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/document/commands/commands.hpp"
+#include "core/document/reference/atom_labels.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
@@ -40,16 +41,19 @@ void entry(PanelContext& ctx, const Entry& e) {
   if (clicked) run_command(ctx, *spec, e.words);
 }
 
-// Entries for the choices of a command whose first parameter is a choice.
-void choices(PanelContext& ctx, const Entry& e) {
-  const CommandSpec* const spec = ctx.commands.find(e.id);
+// Entries for the texts that a label of the thing can have, each beside its name.
+void labels(PanelContext& ctx, const Ref& what, const std::string& atoms) {
+  const CommandSpec* const spec = ctx.commands.find("label.atoms");
   for (const Choice& choice : spec->parameters.front().choices()) {
-    const bool clicked = ImGui::MenuItem(choice.title.c_str(), choice.detail.c_str());
-    record(ctx, (e.name + "." + choice.id).c_str());
-    if (!clicked) continue;
-    std::vector<std::string> words{choice.id};
-    words.insert(words.end(), e.words.begin(), e.words.end());
-    run_command(ctx, *spec, words);
+    std::string text;
+    for (const auto& [value, id] : label_text_ids()) {
+      if (id == choice.id) text = label_text(*ctx.state.references, what, value);
+    }
+    const bool any = !text.empty();
+    const std::string shown = any ? fitted_text(text, ctx.px(kTitleWidth)) : "none";
+    const bool clicked = ImGui::MenuItem(choice.title.c_str(), shown.c_str(), false, any);
+    record(ctx, ("context.label." + choice.id).c_str());
+    if (clicked) run_command(ctx, *spec, {choice.id, atoms});
   }
 }
 
@@ -141,7 +145,7 @@ void of_something(PanelContext& ctx, const Ref& what, const std::string& title,
   entry(ctx, {"context.centre", "Centre rotation here", "view.centre", {atoms}});
   ImGui::Separator();
   submenu(ctx, "context.label", "Label", [&] {
-    choices(ctx, {"context.label", "", "label.atoms", {one}});
+    labels(ctx, what, one);
     ImGui::Separator();
     entry(ctx, {"context.no_label", "No label", "label.remove", {atoms}});
   });

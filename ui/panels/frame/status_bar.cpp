@@ -12,6 +12,7 @@
 #include "ui/number_text.hpp"
 #include "ui/panels/complex/shown_triangulation.hpp"
 #include "ui/panels/complex/timings_text.hpp"
+#include "ui/panels/frame/task_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/panels/viewport_info.hpp"
@@ -209,16 +210,23 @@ void result_line(PanelContext& ctx) {
   }
 }
 
-// Names the thing under the mouse, in the place of the memory. Returns whether there is one.
-bool under_mouse(PanelContext& ctx) {
-  const std::string& line = ctx.state.viewport.under_mouse_line;
-  if (line.empty()) return false;
+// Whether the notice is so new that the thing under the mouse must not hide it.
+bool is_new(ShownNotice& shown, const std::string& notice, std::size_t times) {
+  constexpr double kNew = 6;  // seconds
+  const double now = ImGui::GetTime();
+  if (shown.text != notice || shown.times != times) shown = {notice, times, now};
+  return !notice.empty() && now - shown.since_seconds < kNew;
+}
+
+// Names the thing under the mouse, in the place of the memory.
+void under_mouse(PanelContext& ctx) {
+  constexpr float kLeast = 60;  // pixels at scale 1
   const float end = ImGui::GetWindowWidth() - ctx.px(12), start = ImGui::GetCursorPosX();
-  const std::string text = fitted_text(line, end - start);
+  if (end - start < ctx.px(kLeast)) return;
+  const std::string text = fitted_text(ctx.state.viewport.under_mouse_line, end - start);
   ImGui::SetCursorPosX(std::max(start, end - ImGui::CalcTextSize(text.c_str()).x));
   ImGui::TextUnformatted(text.c_str());
   record(ctx, "status.under_mouse");
-  return true;
 }
 
 // Makes the last text a button that shows or hides the window Tasks.
@@ -260,7 +268,11 @@ void draw_status_bar(PanelContext& ctx) {
                     "Atoms and simplices that are selected in the picture. Those that the present "
                     "complex lacks stay selected and reappear with it."});
   }
-  if (under_mouse(ctx)) {
+  const std::string notice = notice_text(s);
+  const bool fresh = is_new(ctx.state.tasks.shown_notice, notice, s.notice.times());
+  const bool named = !s.viewport.under_mouse_line.empty();
+  if (named && !fresh) {
+    under_mouse(ctx);
     ImGui::PopFont();
     return;
   }
@@ -269,7 +281,6 @@ void draw_status_bar(PanelContext& ctx) {
   const std::string running = job_text(s);
   const std::string& work = running.empty() ? s.background.text : running;
   if (!work.empty()) right = work + "  ·  " + right;
-  const std::string notice = notice_text(s);
   const float end = ImGui::GetWindowWidth() - ctx.px(12);
   const float room = end - ImGui::GetCursorPosX();
   const float wanted =
@@ -282,9 +293,11 @@ void draw_status_bar(PanelContext& ctx) {
     ImGui::TextUnformatted(fitted_text(notice, room - width - ctx.px(kBeforeMemory)).c_str());
     tasks_button(ctx, "status.notice");
     tooltip(ctx, (notice + "\nClick: tasks and messages.").c_str());
-    ImGui::SameLine();
+    ImGui::SameLine(0, ctx.px(kGap));
   }
-  if (width <= room) {
+  if (named) {
+    under_mouse(ctx);
+  } else if (width <= room) {
     ImGui::SetCursorPosX(end - width);
     muted_text(ctx, right);
     tasks_button(ctx, "status.memory");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window Tasks: whether it is open, and the last messages. Plain data.
+// The window Tasks: whether it is open, and the last messages. The notice in the status bar. Plain
+// data.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +17,13 @@ struct Message {
   std::string text;
 };
 
+// The notice in the status bar, and since when it is there.
+struct ShownNotice {
+  std::string text;
+  std::size_t times = 0;  // Notice::times()
+  double since_seconds = 0;
+};
+
 struct TaskState {
   static constexpr std::size_t kMostMessages = 100;
 
@@ -23,6 +31,7 @@ struct TaskState {
   bool to_front = false;         // the window was asked for since the last frame
   std::deque<Message> messages;  // the latest first
   std::size_t noted = 0;         // all messages of this run
+  ShownNotice shown_notice;
 };
 
 }  // namespace alphascope

@@ -237,7 +237,10 @@ void bottom_panel(PanelContext& ctx, const Area& area) {
   splitter(ctx, area);
   hairline(ctx, {x, y}, {x + width, y});
   ImGui::SetCursorScreenPos({x + ImGui::GetStyle().WindowPadding.x, y + ctx.px(8)});
-  ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
+  // Pages are made for kBottomHeight. In less room they may scroll.
+  const bool low = area.size.y < ctx.px(kBottomHeight);
+  ImGui::BeginChild("content", {0, 0}, false,
+                    low ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar);
   const std::vector<PanelSpec> pages = panels_at(PanelPlace::bottom);
   ctx.panels.of(*bottom_tabs(ctx, pages)).draw(ctx);
   // Atoms that line chosen cavities are marked in the picture, whatever page is open.

@@ -264,7 +264,8 @@ void take_state(PanelContext& ctx, GuideMemory& m) {
   if (const auto place = find_page(*m.guide, asked)) return go_to(m, *place);
   std::string names;
   for (const GuidePage& page : m.guide->pages) names += (names.empty() ? "" : ", ") + page.name();
-  ctx.state.notice = "The user guide has no page \"" + asked + "\". Its pages are " + names + ".";
+  ctx.state.refuse_late("The user guide has no page \"" + asked + "\". Its pages are " + names +
+                        ".");
 }
 
 void draw_contents(PanelContext& ctx, GuideMemory& m) {

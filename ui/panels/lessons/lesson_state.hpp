@@ -32,6 +32,7 @@ struct LessonState {
   bool ready = false;
   // Commands that the window refused, one a line: file, line and reason. Empty: none.
   std::string refused;
+  std::string first_refused;  // since the start, of any lesson; scripts end with it
   bool left = false;  // another file was opened since, so the step's molecule is not the open one
   std::string said;   // text shown last, with facts filled in
   std::vector<LessonParagraph> paragraphs;  // the same text as paragraphs

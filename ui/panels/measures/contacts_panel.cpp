@@ -49,10 +49,9 @@ void select_asked(PanelContext& ctx, const ChainContacts& contacts, ContactMemor
   const auto at = std::find_if(contacts.pairs.begin(), contacts.pairs.end(),
                                [&](const ChainContact& c) { return is_of(c, memory); });
   if (at == contacts.pairs.end()) {
-    ctx.state.notice = "Chains " + memory.first + " and " + memory.second +
-                       " do not touch in this complex. A larger alpha or solvent radius may join "
-                       "them.";
-    return;
+    return ctx.state.refuse_late("Chains " + memory.first + " and " + memory.second +
+                                 " do not touch in this complex. A larger alpha or solvent radius "
+                                 "may join them.");
   }
   ctx.state.settings.selection.items = atoms_of(*at, *ctx.inputs.atoms);
 }

@@ -36,7 +36,7 @@ void legend(PanelContext& ctx, const CurveState& memory) {
 
 void choices(PanelContext& ctx, CurveState& memory) {
   // Pixels at scale 1, of all choices; the names of the pages stand before them.
-  constexpr float kWidth = 570;
+  constexpr float kWidth = 570, kAxes = 240;
   if (ImGui::GetContentRegionAvail().x < ctx.px(kWidth)) ImGui::NewLine();
   choice(ctx, "curves.quantity", {"Volume", "Area", "Exact", "Lives"}, memory.quantity,
          ctx.px(250));
@@ -44,15 +44,18 @@ void choices(PanelContext& ctx, CurveState& memory) {
           "SA volume and SA area: CASTp's sums for the region of probe centres. Exact: the "
           "volume of the cavity's tetrahedra outside all grown balls, about twenty times "
           "slower. Lives: the range of alpha in which each cavity exists.");
-  ImGui::SameLine(0, ctx.px(10));
-  ImGui::AlignTextToFramePadding();
   if (memory.quantity == CurveState::kLives) {
+    ImGui::SameLine(0, ctx.px(10));
+    ImGui::AlignTextToFramePadding();
     muted_text(ctx, "against alpha");
     return;
   }
+  const float gap = ctx.px(8);
+  same_line_where_it_fits(ImGui::CalcTextSize("against").x + gap + ctx.px(kAxes), ctx.px(10));
+  ImGui::AlignTextToFramePadding();
   muted_text(ctx, "against");
-  ImGui::SameLine(0, ctx.px(8));
-  choice(ctx, "curves.axis", {"Alpha", "Solvent", "Model"}, memory.axis, ctx.px(240));
+  ImGui::SameLine(0, gap);
+  choice(ctx, "curves.axis", {"Alpha", "Solvent", "Model"}, memory.axis, ctx.px(kAxes));
 }
 
 std::string nothing_text(const PanelContext& ctx) {

@@ -106,22 +106,23 @@ void controls_line(PanelContext& ctx, MeasureState& memory) {
   choice(ctx, "measures.per", {"components", "chains", "residues", "atoms"}, memory.per,
          ctx.px(340));
   if (memory.per != before) memory.chosen.clear();
-  ImGui::SameLine(0, ctx.px(12));
-  ImGui::SetNextItemWidth(ctx.px(130));
+  const float gap = ctx.px(12), field = ctx.px(130);
+  same_line_where_it_fits(field, gap);
+  ImGui::SetNextItemWidth(field);
   text_field(ctx, "measures.filter", memory.query.filter, "name contains…");
-  ImGui::SameLine(0, ctx.px(12));
+  same_line_where_it_fits(checkbox_width("Changes"), gap);
   ImGui::BeginDisabled(kPer[memory.per] != MeasureGrouping::atom);
   checkbox(ctx, "measures.changes", "Changes", memory.changes);
   ImGui::EndDisabled();
   tooltip(
       ctx,
       "Shows how area and volume change when an atom moves or grows. Available for rows of atoms.");
-  ImGui::SameLine(0, ctx.px(12));
+  same_line_where_it_fits(button_width("Copy CSV") + button_width("Save…") + ctx.px(4), gap);
   measure_save_buttons(ctx, memory);
-  ImGui::SameLine(0, ctx.px(12));
-  if (!memory.rows) return ImGui::NewLine();
-  ImGui::AlignTextToFramePadding();
+  if (!memory.rows) return;
   const std::string text = shown_text(memory);
+  same_line_where_it_fits(ImGui::CalcTextSize(text.c_str()).x, gap);
+  ImGui::AlignTextToFramePadding();
   muted_text(ctx, fitted_text(text, ImGui::GetContentRegionAvail().x));
   record(ctx, "measures.shown");
   tooltip(ctx, (text + "\n" + measured_text(*memory.measured->by)).c_str());

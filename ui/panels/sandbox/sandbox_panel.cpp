@@ -42,7 +42,7 @@ void presets(PanelContext& ctx) {
 
 void begin_row(PanelContext& ctx) {
   presets(ctx);
-  ImGui::SameLine(0, ctx.px(8));
+  same_line_where_it_fits(checkbox_width("Balls by hand"), ctx.px(8));
   const std::string why = why_not_editable(ctx.state);
   ImGui::BeginDisabled(!why.empty());
   bool by_hand = ctx.state.settings.open.sandbox.has_value();
@@ -54,11 +54,11 @@ void begin_row(PanelContext& ctx) {
                              "Off: the balls are the file's again. Undo brings them back."
                            : why.c_str());
   if (!ctx.state.settings.open.sandbox) return;
-  ImGui::SameLine(0, ctx.px(16));
+  same_line_where_it_fits(button_width("Save…"), ctx.px(16));
   if (button(ctx, "sandbox.save", "Save…")) ctx.commands.run("file.export");
   tooltip(ctx, "Saves the flat drawing (.svg), the balls (.xyzr) or any other export format.");
   if (!shows_flat_drawing(ctx.state)) return;
-  ImGui::SameLine(0, ctx.px(6));
+  same_line_where_it_fits(button_width("Show all"), ctx.px(6));
   if (button(ctx, "sandbox.fit", "Show all")) ctx.state.sandbox.pixels_per_angstrom = 0;
 }
 
@@ -78,7 +78,7 @@ void edit_row(PanelContext& ctx) {
   if (button(ctx, "sandbox.remove", "Remove")) remove_selected_balls(s);
   ImGui::EndDisabled();
   tooltip(ctx, "Removes the selected balls (Delete).");
-  ImGui::SameLine(0, ctx.px(16));
+  same_line_where_it_fits(checkbox_width("In a plane"), ctx.px(16));
   bool flat = s.settings.open.sandbox->flat;
   if (checkbox(ctx, "sandbox.flat", "In a plane", flat)) {
     ctx.commands.run("sandbox.flat", {flat ? "on" : "off"});
@@ -86,7 +86,7 @@ void edit_row(PanelContext& ctx) {
   tooltip(ctx,
           "Moves every centre to z = 0 and keeps it there. The largest simplices are then "
           "triangles.");
-  ImGui::SameLine(0, ctx.px(10));
+  same_line_where_it_fits(checkbox_width("Flat drawing"), ctx.px(10));
   ImGui::BeginDisabled(!flat);
   checkbox(ctx, "sandbox.drawing", "Flat drawing", m.drawing);
   ImGui::EndDisabled();
@@ -95,24 +95,25 @@ void edit_row(PanelContext& ctx) {
 
 void drawing_row(PanelContext& ctx) {
   SandboxState& m = ctx.state.sandbox;
-  ImGui::SameLine(0, ctx.px(10));
+  const float gap = ctx.px(10), field = ctx.px(64);
+  same_line_where_it_fits(checkbox_width("Grown discs"), gap);
   checkbox(ctx, "sandbox.discs", "Grown discs", m.content.discs);
   tooltip(ctx, "Each ball with the radius √(r² + α).");
-  ImGui::SameLine(0, ctx.px(10));
+  same_line_where_it_fits(checkbox_width("Power diagram"), gap);
   checkbox(ctx, "sandbox.cells", "Power diagram", m.content.cells);
   tooltip(ctx,
           "The cell of a ball is the set of points nearest to it by power distance |x − c|² − r². "
           "Cells do not depend on α.");
-  ImGui::SameLine(0, ctx.px(10));
+  same_line_where_it_fits(checkbox_width("Complex"), gap);
   checkbox(ctx, "sandbox.complex", "Complex", m.content.complex);
   tooltip(ctx,
           "The dual complex: green triangles, dark edges at their rim, yellow edges that belong "
           "to no triangle.");
-  ImGui::SameLine(0, ctx.px(16));
+  same_line_where_it_fits(ImGui::CalcTextSize("Step, Å").x + ctx.px(6) + field, ctx.px(16));
   ImGui::AlignTextToFramePadding();
   muted_text(ctx, "Step, Å");
   ImGui::SameLine(0, ctx.px(6));
-  ImGui::SetNextItemWidth(ctx.px(64));
+  ImGui::SetNextItemWidth(field);
   number_field(ctx, "sandbox.snap", m.snap_angstrom, kSnapRule);
   tooltip(ctx,
           "Positions and radii set with the mouse are multiples of this step, in Å. So exact ties "
@@ -151,7 +152,8 @@ void table(PanelContext& ctx) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                      ImGuiTableFlags_BordersInnerH |
                                      ImGuiTableFlags_SizingStretchSame;
-  if (!ImGui::BeginTable("balls", 5, kFlags, {ctx.px(560), 0})) return;
+  const float width = std::min(ctx.px(560), ImGui::GetContentRegionAvail().x);
+  if (!ImGui::BeginTable("balls", 5, kFlags, {width, 0})) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Ball", ImGuiTableColumnFlags_WidthFixed, ctx.px(64));
   for (const char* title : {"x, Å", "y, Å", "z, Å", "Radius, Å"}) ImGui::TableSetupColumn(title);

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/document/channels/channel_results.hpp"
+#include "core/document/channels/channel_text.hpp"
 #include "core/document/store/definition.hpp"
-#include "ui/number_text.hpp"
 #include "ui/panels/channels/channel_parts.hpp"
 #include "ui/panels/channels/channel_state.hpp"
 #include "ui/panels/panels.hpp"
@@ -78,7 +78,7 @@ void draw_channel(StructurePage& page, std::size_t row) {
   const FoundChannel& found = *page.memory.ways->ways[row];
   const std::size_t number = row + 1;
   const std::string text = std::to_string(number) + "  " + found.way->through + "  " +
-                           number_text(found.channel->widest_angstrom, 3) + " Å";
+                           bottleneck_radius_text(*found.channel) + " Å";
   ImGui::Indent(page.ctx.px(22));
   if (ImGui::Selectable((text + "##channel" + std::to_string(row)).c_str(),
                         page.memory.way == number)) {

@@ -46,7 +46,27 @@ std::string expression_of_branch(const ResidueBranch& branch, const std::string&
   return "byres (" + first + ")";
 }
 
-// Selects rows [begin, end). With Ctrl they are added; with Shift all from the last clicked one.
+// Whether all atoms of the rows [begin, end) are selected that are balls; without balls, all atoms.
+// Commands select balls only.
+bool is_wholly_selected(const StructurePage& page, std::size_t begin, std::size_t end) {
+  const RefSet& items = page.ctx.state.settings.selection.items;
+  bool any_ball = false, all_balls = true, all_atoms = !items.empty();
+  for (std::size_t row = begin; row < end && all_balls; ++row) {
+    const ResidueRow& r = page.rows.residues[row];
+    for (std::uint32_t i = r.first; i < r.end && all_balls; ++i) {
+      const AtomRef atom = page.atoms.atom_of_molecule(i);
+      const bool in = items.contains(atom);
+      all_atoms &= in;
+      if (!page.atoms.ball(atom)) continue;
+      any_ball = true;
+      all_balls = in;
+    }
+  }
+  return any_ball ? all_balls : all_atoms;
+}
+
+// Selects rows [begin, end). With Shift, these are all from the last clicked one. With Ctrl they
+// are added; without Shift they are removed if they were wholly selected.
 void select(StructurePage& page, std::size_t begin, std::size_t end) {
   Selection& selection = page.ctx.state.settings.selection;
   const ImGuiIO& io = ImGui::GetIO();
@@ -66,7 +86,7 @@ void select(StructurePage& page, std::size_t begin, std::size_t end) {
     selection.items = RefSet(std::move(refs));
     return;
   }
-  const bool off = end == begin + 1 && is_selected(page, begin);
+  const bool off = !io.KeyShift && is_wholly_selected(page, begin, end);
   if (!off) {
     selection.items = selection.items.with(refs);
     return;

@@ -20,7 +20,7 @@ FoundChannel way() {
   ChannelSample wide, narrow;
   wide.radius_angstrom = 3;
   narrow.position_angstrom = {1.25, -2, 30};
-  narrow.radius_angstrom = 1.5;
+  narrow.radius_angstrom = 1.50390625;
   narrow.along_angstrom = 4;
   found.channel->samples = {wide, narrow};
   found.channel->bottleneck = 1;
@@ -37,7 +37,7 @@ std::string text(const char* id) {
 TEST(ChannelColumns, WaysHaveTheBottleneckAndItsPlace) {
   EXPECT_EQ(text("number"), "2");
   EXPECT_EQ(text("through"), "chain A");
-  EXPECT_EQ(text("widest_angstrom"), "1.500");
+  EXPECT_EQ(text("widest_angstrom"), "1.500") << "not the clearance at the sample";
   EXPECT_EQ(text("position"), "1.2, −2.0, 30.0");
   EXPECT_EQ(text("length_angstrom"), "12.3");
 }
@@ -45,7 +45,7 @@ TEST(ChannelColumns, WaysHaveTheBottleneckAndItsPlace) {
 TEST(ChannelColumns, SamplesHaveTheirPlacesInCsv) {
   const CsvRow cells = csv_row_of(sample_columns(), way().channel->samples[1]);
   EXPECT_EQ(csv_names(cells), "along_angstrom,radius_angstrom,x_angstrom,y_angstrom,z_angstrom\n");
-  EXPECT_EQ(csv_values(cells), "4,1.5,1.25,-2,30\n");
+  EXPECT_EQ(csv_values(cells), "4,1.50390625,1.25,-2,30\n");
 }
 
 }  // namespace

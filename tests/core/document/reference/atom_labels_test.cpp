@@ -69,6 +69,19 @@ TEST(AtomLabels, SayWhatTheyAreAskedFor) {
       << "there is no copy, and there are five atoms";
 }
 
+TEST(AtomLabels, OfAThingHaveTheTextsOfItsAtoms) {
+  const BallReferences atoms = references();
+  const Ref one = AtomRef{1, 0}, edge = SimplexRef{{1, 0}, {2, 0}},
+            between = SimplexRef{{2, 0}, {3, 0}};
+  EXPECT_EQ(label_text(atoms, one, LabelText::address), "A:SER 1:CA");
+  EXPECT_EQ(label_text(atoms, one, LabelText::b_factor), "−1.2 Å²");
+  EXPECT_EQ(label_text(atoms, edge, LabelText::name), "CA, CB");
+  EXPECT_EQ(label_text(atoms, edge, LabelText::residue), "SER 1") << "both are of it";
+  EXPECT_EQ(label_text(atoms, between, LabelText::residue), "SER 1, GLY 2");
+  EXPECT_EQ(label_text(atoms, AtomRef{4, 0}, LabelText::radius), "") << "water is no ball";
+  EXPECT_EQ(label_text(atoms, AtomRef{99, 0}, LabelText::name), "") << "there is no such atom";
+}
+
 TEST(AtomLabels, OneForEachResidueInTheMiddleOfWhatIsDrawn) {
   const LabelGroups labels{{LabelText::residue, AtomSet({{0, 0, 4}})}};
   EXPECT_EQ(label_count(references().molecule(), labels), 3u);

@@ -14,6 +14,7 @@
 #include "ui/panels/viewport_info.hpp"
 #include "ui/rgb8.hpp"
 #include "ui/theme.hpp"
+#include "ui/widgets/colour_field.hpp"
 #include "ui/widgets/number_field.hpp"
 
 namespace alphascope {
@@ -117,15 +118,12 @@ void background_fields(PanelContext& ctx, const std::string& dialog, PictureOpti
     if (on) ImGui::PopStyleColor();
     ImGui::SameLine(0, ctx.px(4));
   }
-  const Colour shown =
+  Colour shown =
       options.background.colour ? to_colour(*options.background.colour) : ctx.palette.scene;
-  float rgb[3] = {shown.r, shown.g, shown.b};
   ImGui::SetNextItemWidth(ctx.px(104));
-  const std::string name = dialog + ".background";
-  if (ImGui::ColorEdit3(("##" + name).c_str(), rgb, ImGuiColorEditFlags_DisplayHex)) {
-    options.background = {false, to_rgb8({rgb[0], rgb[1], rgb[2], 1})};
+  if (colour_field(ctx, dialog + ".background", shown)) {
+    options.background = {false, to_rgb8(shown)};
   }
-  record(ctx, name.c_str());
   tooltip(ctx, "Any colour: click on the patch to choose, or type hexadecimal digits.");
 }
 

@@ -205,15 +205,15 @@ __global__ void __launch_bounds__(kSearchThreads, kSearchBlocks)
         const int other = __shfl_up_sync(~0u, sum, step, kFan);
         if (sub >= step) sum += other;
       }
-      // The lane's balls begin at `from` of the list. When it is full, they go on after it.
-      int from = listed + sum - length;
+      // The lane's balls begin at `first` of the list. When it is full, they go on after it.
+      int first = listed + sum - length;
       listed += __shfl_sync(~0u, sum, group + kFan - 1);
       for (;;) {
-        for (int n = max(0, -from); n < length && from + n < kListedBalls; ++n)
-          list[from + n] = run.x + static_cast<std::uint32_t>(n);
+        for (int n = max(0, -first); n < length && first + n < kListedBalls; ++n)
+          list[first + n] = run.x + static_cast<std::uint32_t>(n);
         if (!__any_sync(~0u, listed > kListedBalls)) break;
         try_balls(min(listed, kListedBalls));
-        from -= kListedBalls;
+        first -= kListedBalls;
         listed = max(0, listed - kListedBalls);
       }
     }

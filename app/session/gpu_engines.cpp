@@ -23,8 +23,8 @@ constexpr LibraryKind kGpu{
     .build_symbol = "alphascope_gpu_build",
     .table_symbol = "alphascope_gpu_library",
     .if_missing =
-        "Install alphascope-gpu.so, or install NVIDIA's CUDA compiler (nvcc) and run "
-        "scripts/run again."};
+        "Install the package alphascope-cuda; or, with the sources, NVIDIA's CUDA compiler (nvcc), "
+        "and run scripts/run again."};
 
 // The library is never unloaded, because results refer to it.
 const GpuLibrary& load_first(const std::vector<fs::path>& places) {

@@ -78,7 +78,7 @@ void expect_unusable(const fs::path& place, const std::vector<std::string>& part
 TEST(GpuEngines, SayThatThereIsNoLibrary) {
   const Named none(nullptr);
   expect_unusable("/nonexistent/alphascope-gpu.so",
-                  {"No GPU library was found", "Install alphascope-gpu.so", "nvcc"});
+                  {"No GPU library was found", "alphascope-cuda", "nvcc"});
   const Named wrong("/nonexistent/gpu.so");
   expect_unusable("/nonexistent/gpu.so",
                   {"ALPHASCOPE_GPU_LIBRARY names /nonexistent/gpu.so", "Correct or unset it"});

@@ -102,6 +102,40 @@ BallIndex conflict(const BallSet& balls, const std::array<BallIndex, 4>& tetrahe
   return deepest.second;
 }
 
+// The 64 balls whose radical planes with ball `top` are nearest to its centre, or all others if
+// there are fewer. By the distance of the plane, c / (2 |d|); its rounding changes only the choice.
+std::vector<BallIndex> nearest_balls(const BallSet& balls, BallIndex top) {
+  constexpr std::ptrdiff_t kNearest = 64;
+  using Planes = std::vector<std::pair<double, BallIndex>>;
+  const auto keep_nearest = [](Planes& planes) {
+    if (std::ssize(planes) <= kNearest) return;
+    std::nth_element(planes.begin(), planes.begin() + (kNearest - 1), planes.end());
+    planes.resize(kNearest);
+  };
+  std::mutex mutex;
+  Planes nearest;
+  constexpr std::size_t kGrain = 1 << 14;
+  parallel_ranges(BallIndex{0}, static_cast<BallIndex>(balls.size()), kGrain,
+                  [&](BallIndex begin, BallIndex end) {
+                    Planes own;
+                    own.reserve(end - begin);
+                    for (BallIndex m = begin; m < end; ++m) {
+                      const LiftedInt v = lifted_vector(balls, top, m);
+                      const auto x = static_cast<double>(v.x), y = static_cast<double>(v.y),
+                                 z = static_cast<double>(v.z), square = x * x + y * y + z * z;
+                      if (square > 0)
+                        own.emplace_back(static_cast<double>(v.c) / std::sqrt(square), m);
+                    }
+                    keep_nearest(own);
+                    const std::lock_guard lock(mutex);
+                    nearest.insert(nearest.end(), own.begin(), own.end());
+                  });
+  keep_nearest(nearest);
+  std::vector<BallIndex> result;
+  for (const auto& [distance, m] : nearest) result.push_back(m);
+  return result;
+}
+
 }  // namespace
 
 std::optional<std::array<BallIndex, 4>> seed_tetrahedron(const BallSet& balls,
@@ -112,20 +146,7 @@ std::optional<std::array<BallIndex, 4>> seed_tetrahedron(const BallSet& balls,
   std::vector<BallIndex> taken = spanning_balls(balls, top);
   if (taken.size() < 4) return std::nullopt;
 
-  // By the distance of the radical plane, c / (2 |d|). Its rounding changes only the order.
-  std::vector<std::pair<double, BallIndex>> others;
-  others.reserve(balls.size());
-  for (BallIndex m = 0; m < balls.size(); ++m) {
-    const LiftedInt v = lifted_vector(balls, top, m);
-    const auto x = static_cast<double>(v.x), y = static_cast<double>(v.y),
-               z = static_cast<double>(v.z), square = x * x + y * y + z * z;
-    if (square > 0) others.emplace_back(static_cast<double>(v.c) / std::sqrt(square), m);
-  }
-  constexpr std::size_t kNearest = 64;
-  const std::size_t nearest = std::min(kNearest, others.size());
-  std::nth_element(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(nearest - 1),
-                   others.end());
-  for (std::size_t n = 0; n < nearest; ++n) taken.push_back(others[n].second);
+  for (const BallIndex m : nearest_balls(balls, top)) taken.push_back(m);
   // Each pass takes at least one ball more. So this ends, at the latest with all of them.
   for (;;) {
     std::sort(taken.begin(), taken.end());

@@ -288,12 +288,13 @@ class GpuTriangulator : public DeviceTriangulator {
         reinterpret_cast<const BallIndex*>(m.first_bytes(layout.listed, layout));
     result.vertices.assign(listed, listed + counts.vertices);
     result.hidden.assign(listed + counts.vertices, listed + n);
-    std::vector<OutsideFace> outside =
-        outside_faces(layout, std::min<std::size_t>(counts.hull, hull_room));
-    std::vector<HullFacet> facets = hull_facets(balls, outside);
     const auto* const hull_balls = reinterpret_cast<const std::array<BallIndex, 4>*>(
         m.first_bytes(layout.hull_balls(), layout));
-    const bool encloses = encloses_once(balls, facets, hull_balls[hull_room]);
+    std::vector<OutsideFace> outside =
+        outside_faces(layout, std::min<std::size_t>(counts.hull, hull_room), n);
+    std::vector<HullFacet> facets = hull_facets(balls, outside);
+    const auto& inside = hull_balls[hull_room];
+    const bool encloses = are_balls(inside, n) && encloses_once(balls, facets, inside);
     host.lap(stage::kHull);
     copier.wait("copying a triangulation");
     cancel.throw_if_cancelled();
@@ -391,8 +392,13 @@ class GpuTriangulator : public DeviceTriangulator {
         std::span<Neighbours>{reinterpret_cast<Neighbours*>(at + layout.neighbours), count});
     return result;
   }
-  std::vector<OutsideFace> outside_faces(const TriangulationLayout& layout,
-                                         std::size_t count) const {
+  // The result is not certified yet.
+  static bool are_balls(const std::array<BallIndex, 4>& indices, std::size_t balls) {
+    return std::all_of(indices.begin(), indices.end(), [&](BallIndex i) { return i < balls; });
+  }
+  // Leaves out faces of what are no balls. Their number is then wrong, and the result refused.
+  std::vector<OutsideFace> outside_faces(const TriangulationLayout& layout, std::size_t count,
+                                         std::size_t all_balls) const {
     const Memory& m = *memory_;
     const auto* const hull =
         reinterpret_cast<const std::uint32_t*>(m.first_bytes(layout.hull, layout));
@@ -400,8 +406,10 @@ class GpuTriangulator : public DeviceTriangulator {
         m.first_bytes(layout.hull_balls(), layout));
     std::vector<OutsideFace> outside;
     outside.reserve(count);
-    for (std::size_t h = 0; h < count; ++h)
-      outside.push_back({hull[h] / 4, static_cast<int>(hull[h] % 4), balls[h]});
+    for (std::size_t h = 0; h < count; ++h) {
+      if (are_balls(balls[h], all_balls))
+        outside.push_back({hull[h] / 4, static_cast<int>(hull[h] % 4), balls[h]});
+    }
     return outside;
   }
 

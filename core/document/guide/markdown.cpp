@@ -85,8 +85,13 @@ class BlockMaker {
           blocks_.back().kind = MarkdownKind::picture;
           blocks_.back().picture = picture_;
         }
+        takes_text_ = false;
+        break;
+      case MD_BLOCK_H:
+        takes_text_ = false;
         break;
       case MD_BLOCK_CODE: {
+        takes_text_ = false;
         MarkdownText& lines = blocks_.back().cells[0];
         if (lines.empty()) lines.push_back({.text = {}, .code = true});
         if (lines[0].text.ends_with('\n')) lines[0].text.pop_back();
@@ -97,7 +102,7 @@ class BlockMaker {
         lists_.pop_back();
         break;
       case MD_BLOCK_LI:
-        item_begins_ = false;
+        item_begins_ = takes_text_ = false;
         break;
       case MD_BLOCK_THEAD:
         in_head_ = false;
@@ -105,6 +110,7 @@ class BlockMaker {
       case MD_BLOCK_TR: {  // the parser fills a short row with empty cells
         std::vector<MarkdownText>& cells = blocks_.back().cells;
         while (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+        takes_text_ = false;
         break;
       }
       default:
@@ -133,12 +139,15 @@ class BlockMaker {
 
   void take(MD_TEXTTYPE type, std::string_view text) {
     if (type == MD_TEXT_HTML) {  // comments and the like are left out
-      if (text.starts_with("<br") && !blocks_.empty()) add("\n");
+      if (text.starts_with("<br") && takes_text_) add("\n");
       return;
     }
     if (type == MD_TEXT_BR) text = "\n";
     if (type == MD_TEXT_SOFTBR) text = " ";
     if (type == MD_TEXT_ENTITY) text = character_of(text);
+    // The parser names no paragraph in a list without blank lines, as after code in its item.
+    if (!takes_text_) begin(MarkdownKind::paragraph);
+    item_begins_ = false;
     find_line(text);
     add(text);
     if (type == MD_TEXT_CODE && blocks_.back().kind == MarkdownKind::row) {
@@ -162,7 +171,7 @@ class BlockMaker {
   MarkdownBlock& begin(MarkdownKind kind) {
     item_begins_ = false;
     blocks_.push_back({.kind = kind, .line = line_, .cells = {{}}});
-    line_is_open_ = true;
+    line_is_open_ = takes_text_ = true;
     return blocks_.back();
   }
 
@@ -216,6 +225,7 @@ class BlockMaker {
   std::string link_, picture_;
   std::size_t line_ = 1, counted_ = 0;  // the line of text_[counted_]
   bool line_is_open_ = false;           // the line of the last block is not known yet
+  bool takes_text_ = false;             // the last block has not ended
 };
 
 // Calls a function of the BlockMaker; the parser ends if it has failed.

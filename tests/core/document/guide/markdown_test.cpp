@@ -63,6 +63,16 @@ TEST(Markdown, HasLists) {
   EXPECT_EQ(outline("-no item\n1.5 is a number\n"), Texts{"p -no item 1.5 is a number"});
 }
 
+// Without blank lines the parser names no paragraphs, and their text is not that of the block
+// before.
+TEST(Markdown, TextAfterABlockInAnItemIsAParagraph) {
+  EXPECT_EQ(outline("- one\n  ```\n  code\n  ```\n  after\n"),
+            (Texts{"0• one", "c code", "p after"}));
+  EXPECT_EQ(outline("-     code\n  *after*\n"), (Texts{"0• ", "c code", "p after"}));
+  EXPECT_EQ(outline("- one\n  # head\n  after\n"), (Texts{"0• one", "h1 head", "p after"}));
+  EXPECT_EQ(outline("- one\n  > quote\n- > quote\n"), (Texts{"0• one", "p quote", "0• quote"}));
+}
+
 TEST(Markdown, KeepsCodeAsItIs) {
   EXPECT_EQ(outline("Text:\n\n    a  b\n\n      * c\n\nMore\n    of it\n"),
             (Texts{"p Text:", "c a  b\n\n  * c", "p More of it"}));

@@ -33,7 +33,7 @@ class GpuEngines {
                                       const EngineOptions& options, std::string& why_not) const;
   std::unique_ptr<Engine> make_tuple_engine(std::shared_ptr<const BallSet> balls,
                                             const TupleOptions& tuples, std::string& why_not) const;
-  // Makes triangulations on the GPU, or by CGAL where it cannot be used. Engines and derived
+  // Makes triangulations on the GPU, or on the CPU where it cannot be used. Engines and derived
   // results share it, and with it the memory on the GPU.
   const std::shared_ptr<TriangulationMaker>& triangulations() const { return triangulations_; }
   // As in GpuLibrary.

@@ -16,8 +16,8 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/flow_predicate.hpp"
 #include "core/run/stage_timer.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 
 namespace alphascope {
 namespace {

@@ -39,7 +39,7 @@ struct NetworkEnd {
 };
 
 struct NetworkSearch {
-  std::shared_ptr<TriangulationMaker> maker = {};  // of triangulations; null: CGAL
+  std::shared_ptr<TriangulationMaker> maker = {};  // of triangulations; null: the CPU
   int threads = 1;                                 // for each triangulation of CGAL
   FlowTies ties = FlowTies::perturbed;             // as for the ground of the table
 };

@@ -10,7 +10,7 @@
 #include "core/clearance/empty_space.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/run/internal_error.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 
 namespace alphascope {
 namespace {

@@ -3,24 +3,11 @@
 // device.
 #pragma once
 
-#include "core/predicates/perturbation.hpp"
+#include "core/predicates/orthocentre_cut.hpp"
 #include "core/predicates/recording.hpp"
 #include "core/predicates/simplex_decisions.hpp"
 
 namespace alphascope {
-
-// Int128 is wide enough for orthocentre_cut() if |d_x| < 2^17 and |c| < 2^36: then |d_j × d_k| <
-// 2^35, its products with c and d_m are < 2^88, and twelve of them < 2^92. WideInt<4> is wide
-// enough for every lattice: 2^61 and 2^154.
-inline constexpr std::int64_t kSmallOffset = std::int64_t{1} << 17,
-                              kSmallPower = std::int64_t{1} << 36;
-
-// A ball that ends a dual edge. Slot -1 is a ghost: a plane without weight, beyond all points with
-// pi_i <= alpha.
-struct EndBall {
-  int slot;
-  LiftedInt lifted;
-};
 
 // The ghost on one side of the line of ijk (+1: along d_j × d_k). It is the axis-parallel plane at
 // distance g from p_i that the line crosses most steeply.
@@ -33,24 +20,6 @@ ALPHASCOPE_HOST_DEVICE inline EndBall ghost_end(const LiftedInt& j, const Lifted
   if (x >= y && x >= z) return {-1, {along(n.x), 0, 0, 2 * g}};
   if (y >= z) return {-1, {0, along(n.y), 0, 2 * g}};
   return {-1, {0, 0, along(n.z), 2 * g}};
-}
-
-// +1 when ball m cuts off the orthocentre x of ijkl, else -1; the perturbation breaks ties. With
-// D = det(d_j, d_k, d_l), not 0: 2 D x = c_j d_k × d_l + c_k d_l × d_j + c_l d_j × d_k.
-template <class Integer>
-ALPHASCOPE_HOST_DEVICE int orthocentre_cut(const LiftedInt& j, const LiftedInt& k,
-                                           const EndBall& end, const LiftedInt& m) {
-  const LiftedInt& l = end.lifted;
-  const auto kl = cross(k, l), lj = cross(l, j), jk = cross(j, k);
-  const Integer cj(j.c), ck(k.c), cl(l.c);
-  const Integer d =
-      Integer(j.x) * Integer(kl.x) + Integer(j.y) * Integer(kl.y) + Integer(j.z) * Integer(kl.z);
-  const Integer x = cj * Integer(kl.x) + ck * Integer(lj.x) + cl * Integer(jk.x);
-  const Integer y = cj * Integer(kl.y) + ck * Integer(lj.y) + cl * Integer(jk.y);
-  const Integer z = cj * Integer(kl.z) + ck * Integer(lj.z) + cl * Integer(jk.z);
-  const Integer beyond = Integer(m.x) * x + Integer(m.y) * y + Integer(m.z) * z - Integer(m.c) * d;
-  const int sign = sign_of(beyond) * sign_of(d);
-  return sign != 0 ? sign : perturbed_cut(j, k, false, l, end.slot < 0, m);
 }
 
 // Finds the ends of the dual edge of ijk after the cuts of its common neighbours. False when

@@ -10,6 +10,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/triangulation_maker.hpp"
 #include "core/triangulation/triangulation_report.hpp"
@@ -40,7 +41,7 @@ AlphaComplex filtered_tetrahedra(const BallSet& balls, const Triangulation& tria
   complex.lattice = balls.lattice;
   complex.alpha_on_lattice = alpha;
   complex.tetrahedra_only = true;
-  complex.engine.rests_on_cgal = !made_by_device(triangulation);
+  complex.engine.rests_on_cgal = made_by_cgal(triangulation);
   filter_tetrahedra(balls, triangulation, complex);
   complex.hash = complex_hash(complex);
   return complex;
@@ -69,7 +70,8 @@ AlphaComplex compute_by_triangulation(const TriangulatingEngine& engine,
   known.balls = engine.balls;
   if (!was_known) {
     known.triangulation = std::make_shared<const Triangulation>(
-        make_triangulation_by(engine.maker, balls, engine.threads, context));
+        engine.by_cgal ? make_cgal_triangulation(balls, engine.threads, context)
+                       : make_triangulation_by(engine.maker, balls, engine.threads, context));
     timer.lap(stage::kTriangulation, true);
   }
   const std::shared_ptr<const Triangulation> triangulation = known.triangulation;

@@ -11,8 +11,9 @@ namespace alphascope {
 
 struct TriangulatingEngine {
   std::shared_ptr<const BallSet> balls;
-  std::shared_ptr<TriangulationMaker> maker;  // null: CGAL
-  int threads = 0;                            // for CGAL, as in make_triangulation()
+  std::shared_ptr<TriangulationMaker> maker;  // null: the CPU
+  int threads = 0;                            // as in make_triangulation()
+  bool by_cgal = false;                       // in any case
 };
 
 // The complex, its route, and whether it rests on CGAL. Makes what `known` lacks, which counts as

@@ -11,9 +11,17 @@
 #include "core/engines/answers_from_known.hpp"
 #include "core/engines/by_triangulation.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/triangulation/filtration.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope {
 namespace {
+
+// This engine answers from CGAL's triangulations only.
+void forget_others(KnownResults& known) {
+  if (known.triangulation && !made_by_cgal(*known.triangulation)) known.triangulation = nullptr;
+  if (known.filtration && !known.filtration->top().engine.rests_on_cgal) known.filtration = nullptr;
+}
 
 class CgalEngine : public Engine {
  public:
@@ -25,14 +33,15 @@ class CgalEngine : public Engine {
     if (std::isnan(request.alpha_angstrom2.nearest()))
       throw std::invalid_argument("alpha is not a number");
     require_known_of(*balls_, known);
+    forget_others(known);
     AlphaComplex complex;
     StageTimes times;
     threads_->run([&] {
       StageTimer timer(times);
       auto answer = threshold_of_filtration(*balls_, request, known, context, timer);
       complex = answer ? *std::move(answer)
-                       : compute_by_triangulation({balls_, nullptr, threads_->asked()}, request,
-                                                  known, context, timer);
+                       : compute_by_triangulation({balls_, nullptr, threads_->asked(), true},
+                                                  request, known, context, timer);
       timer.finish();
     });
     complex.timings = std::move(times);

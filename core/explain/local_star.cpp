@@ -13,7 +13,7 @@
 
 #include "core/dual_edge/exact_dual_edge.hpp"
 #include "core/predicates/spanning_balls.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "core/verify/verify_orthosphere.hpp"
 
 namespace alphascope {

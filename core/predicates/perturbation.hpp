@@ -24,6 +24,18 @@ ALPHASCOPE_HOST_DEVICE inline Int128 determinant(const LiftedInt& a, const Lifte
          static_cast<Int128>(n.z) * c.z;
 }
 
+// The sign of det(b, c, d) of centres. 64 bits suffice for most tetrahedra.
+ALPHASCOPE_HOST_DEVICE inline int orientation(const LiftedInt& b, const LiftedInt& c,
+                                              const LiftedInt& d) {
+  constexpr std::int64_t kSmall = std::int64_t{1} << 20;
+  const auto small = [](const LiftedInt& v) {
+    return v.x < kSmall && v.x > -kSmall && v.y < kSmall && v.y > -kSmall && v.z < kSmall &&
+           v.z > -kSmall;
+  };
+  if (!small(b) || !small(c) || !small(d)) return sign_of(determinant(b, c, d));
+  return sign_of(dot(cross(b, c), d));  // below 3 · 2^61
+}
+
 // The change of a number, 0 before, when the weight of the ball at `centre` is decreased by an
 // infinitesimal. The coefficient is exact up to a positive factor common to all terms.
 struct PerturbationTerm {

@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace alphascope {
 
@@ -19,6 +20,9 @@ int most_threads() {
   return static_cast<int>(
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
+
+// Of the WorkThreads whose work this thread runs; 0: none.
+thread_local int threads_of_work = 0;
 
 }  // namespace
 
@@ -38,15 +42,25 @@ WorkThreads::~WorkThreads() = default;
 // The work is isolated: a thread that waits for a part of its own work takes no task of another
 // caller meanwhile.
 void WorkThreads::run(const std::function<void()>& work) {
-  arena_->arena.execute([&] { tbb::this_task_arena::isolate([&] { work(); }); });
+  arena_->arena.execute([&] {
+    const int before = std::exchange(threads_of_work, used());
+    const auto put_back = [&](int*) { threads_of_work = before; };
+    const std::unique_ptr<int, decltype(put_back)> at_end(&threads_of_work, put_back);
+    tbb::this_task_arena::isolate([&] { work(); });
+  });
 }
 
 int WorkThreads::used() const {
   return std::min(count_, most_threads());
 }
 
-std::string WorkThreads::text() const {
-  return "CPU, " + std::to_string(used()) + (used() == 1 ? " thread" : " threads");
+std::string cpu_text(int threads) {
+  return "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
+
+int threads_here() {
+  if (threads_of_work > 0) return threads_of_work;
+  return std::min(tbb::this_task_arena::max_concurrency(), most_threads());
 }
 
 std::shared_ptr<WorkThreads> SharedThreads::of(int count) {

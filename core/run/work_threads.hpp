@@ -11,6 +11,9 @@
 
 namespace alphascope {
 
+// "CPU, 2 threads"
+std::string cpu_text(int threads);
+
 class WorkThreads {
  public:
   // 0: all threads of the machine.
@@ -27,13 +30,17 @@ class WorkThreads {
 
   int asked() const { return count_; }  // the machine may have fewer
   int used() const;
-  std::string text() const;  // "CPU, 2 threads": EngineInfo::device
+  std::string text() const { return cpu_text(used()); }  // EngineInfo::device
 
  private:
   struct Arena;
   std::unique_ptr<Arena> arena_;
   int count_;
 };
+
+// How many threads work on what the calling thread does: those of WorkThreads whose work it runs,
+// or those of its task arena. At most as many as the machine has.
+int threads_here();
 
 // Gives callers that ask for the same number the same threads. May be called from any thread.
 class SharedThreads {

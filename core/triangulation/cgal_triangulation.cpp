@@ -21,10 +21,10 @@
 
 #include "core/complex/count_limits.hpp"
 #include "core/geometry/lattice_point.hpp"
+#include "core/insertion/order_tetrahedra.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
-#include "core/triangulation/order_tetrahedra.hpp"
 
 namespace alphascope {
 namespace {
@@ -128,29 +128,6 @@ std::array<BallIndex, N> ascending_vertices(const Cell& cell) {
   return simplex;
 }
 
-// The ball of a corner, and the number of the cell across the face opposite to it.
-using Corner = std::pair<BallIndex, std::uint32_t>;
-
-template <class Cell>
-std::array<Corner, 4> ascending_corners(const Cell& cell) {
-  std::array<Corner, 4> corners;
-  for (int k = 0; k < 4; ++k) {
-    corners[static_cast<std::size_t>(k)] = {cell->vertex(k)->info(), cell->neighbor(k)->info()};
-  }
-  const auto order = [&](std::size_t a, std::size_t b) {
-    const auto [low, high] = std::minmax(corners[a], corners[b]);
-    const Corner lower = low, higher = high;
-    corners[a] = lower;
-    corners[b] = higher;
-  };
-  order(0, 1);
-  order(2, 3);
-  order(0, 2);
-  order(1, 3);
-  order(1, 2);
-  return corners;
-}
-
 // Numbers the cells in CGAL's order, then reads the numbers of each cell's neighbours.
 template <class Rt>
 UnorderedTetrahedra copy_tetrahedra(Rt& rt, const CancelToken& cancel) {
@@ -158,18 +135,16 @@ UnorderedTetrahedra copy_tetrahedra(Rt& rt, const CancelToken& cancel) {
   cells.reserve(rt.tds().number_of_cells());
   for (auto c = rt.all_cells_begin(); c != rt.all_cells_end(); ++c) {
     const bool finite = !rt.is_infinite(c);
-    c->info() = finite ? static_cast<std::uint32_t>(cells.size()) : UnorderedTetrahedra::kOutside;
+    c->info() = finite ? static_cast<std::uint32_t>(cells.size()) : TetrahedronCorner::kOutside;
     if (finite) cells.push_back(c);
   }
   cancel.throw_if_cancelled();
   UnorderedTetrahedra result;
   result.tetrahedra.resize(cells.size());
-  result.neighbours.resize(cells.size());
   parallel_each(0, cells.size(), [&](std::size_t t) {
-    const auto corners = ascending_corners(cells[t]);
-    for (std::size_t k = 0; k < 4; ++k) {
-      result.tetrahedra[t][k] = corners[k].first;
-      result.neighbours[t][k] = corners[k].second;
+    for (int k = 0; k < 4; ++k) {
+      result.tetrahedra[t][static_cast<std::size_t>(k)] = {cells[t]->vertex(k)->info(),
+                                                           cells[t]->neighbor(k)->info()};
     }
   });
   return result;
@@ -231,7 +206,8 @@ Triangulation triangulate_parallel(const BallSet& balls, std::vector<InputPoint>
 
 }  // namespace
 
-Triangulation make_triangulation(const BallSet& balls, int threads, const RunContext& context) {
+Triangulation make_cgal_triangulation(const BallSet& balls, int threads,
+                                      const RunContext& context) {
   require_balls(balls.size());
   std::vector<InputPoint> points = visible_input(balls);
   // On one thread CGAL's parallel code takes 1.4 times as long as its sequential code, because of

@@ -13,6 +13,7 @@ struct BallSet;
 // `threads` changes only the time. With three or more, and at least some thousand balls, CGAL's
 // parallel code runs in the caller's task arena; else its sequential code runs. Throws Cancelled,
 // and std::length_error for more balls or tetrahedra than can be handled.
-Triangulation make_triangulation(const BallSet& balls, int threads, const RunContext& context = {});
+Triangulation make_cgal_triangulation(const BallSet& balls, int threads,
+                                      const RunContext& context = {});
 
 }  // namespace alphascope

@@ -201,7 +201,7 @@ void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetr
   const CancelToken& cancel = context.cancel;
   top->lattice = balls_->lattice;
   top->alpha_on_lattice = std::numeric_limits<double>::infinity();
-  top->engine.rests_on_cgal = !made_by_device(triangulation);
+  top->engine.rests_on_cgal = made_by_cgal(triangulation);
 
   context.report(stage::kClassification, 0);
   SimplexList<4>& tetrahedra = top->tetrahedra;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chooses between device and CGAL, and writes the report.
+// Chooses between device and CPU, and completes the report.
 #include "core/triangulation/triangulation_maker.hpp"
 
 #include <chrono>
@@ -8,12 +8,12 @@
 
 #include "core/geometry/ball_set.hpp"
 #include "core/run/stage_timer.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 
 namespace alphascope {
 namespace {
 
-// With fewer balls CGAL takes some milliseconds only.
+// With fewer balls the CPU takes some milliseconds only.
 constexpr std::size_t kWorthBalls = 2000;
 
 // Another thread may hold the device for a second. A cancel need not wait for it.
@@ -64,16 +64,12 @@ Triangulation TriangulationMaker::make(const BallSet& balls, int threads,
   TriangulationReport report = std::move(made.report);
   if (made.triangulation) {
     result = *std::move(made.triangulation);
-    report.by_cgal = false;
+    report.by = TriangulationReport::By::device;
   } else {
     const std::string why_not = std::move(report.why_not);
-    report = {};
-    report.maker = "CGAL";
-    report.why_not = why_not;
-    StageTimer timer(report.timings);
     result = make_triangulation(balls, threads, context);
-    timer.lap(stage::kTriangulation);
-    timer.finish();
+    report = *result.report;
+    report.why_not = why_not;
   }
   result.report = std::make_shared<const TriangulationReport>(std::move(report));
   return result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes triangulations on a device where there is one, else by CGAL. Both have the same bytes.
-// Engines, derived results and searches take a maker; null stands for CGAL.
+// Makes triangulations on a device where there is one, else on the CPU. Both have the same bytes.
+// Engines, derived results and searches take a maker; null stands for the CPU.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +44,7 @@ class TriangulationMaker {
   std::string no_device_;
 };
 
-// As TriangulationMaker::make(). By CGAL if there is no maker.
+// As TriangulationMaker::make(). On the CPU if there is no maker.
 Triangulation make_triangulation_by(const std::shared_ptr<TriangulationMaker>& maker,
                                     const BallSet& balls, int threads, const RunContext& context);
 

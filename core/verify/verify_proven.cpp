@@ -21,7 +21,7 @@ namespace alphascope {
 ProvenTriangulation::ProvenTriangulation(const VerifyBalls& balls, const RunContext& context)
     : balls_(balls), context_(context) {
   const Triangulation triangulation =
-      make_triangulation(balls.balls(), tbb::this_task_arena::max_concurrency(), context);
+      make_cgal_triangulation(balls.balls(), tbb::this_task_arena::max_concurrency(), context);
   proof_ = verify_triangulation(balls.balls(), triangulation, context);
   if (!proof_.ok()) return;
   switch (triangulation.dimension) {

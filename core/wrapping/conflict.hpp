@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is a ball in conflict with a tetrahedron, and on which side of a face is it? In integers. Host
-// and device.
+// Is a ball in conflict with a tetrahedron? In integers. Host and device.
 #pragma once
 
-#include "core/dual_edge/exact_dual_edge.hpp"
+#include "core/predicates/orthocentre_cut.hpp"
+#include "core/predicates/wide_int.hpp"
 
 namespace alphascope {
 
@@ -15,18 +15,6 @@ struct IndexedBall {
 };
 ALPHASCOPE_HOST_DEVICE inline LiftedInt lifted_from(const IndexedBall& i, const IndexedBall& m) {
   return lifted_vector(i, i.radius, m, m.radius);
-}
-
-// The sign of det(b, c, d) of centres. 64 bits suffice for most tetrahedra.
-ALPHASCOPE_HOST_DEVICE inline int orientation(const LiftedInt& b, const LiftedInt& c,
-                                              const LiftedInt& d) {
-  constexpr std::int64_t kSmall = std::int64_t{1} << 20;
-  const auto small = [](const LiftedInt& v) {
-    return v.x < kSmall && v.x > -kSmall && v.y < kSmall && v.y > -kSmall && v.z < kSmall &&
-           v.z > -kSmall;
-  };
-  if (!small(b) || !small(c) || !small(d)) return sign_of(determinant(b, c, d));
-  return sign_of(dot(cross(b, c), d));  // below 3 · 2^61
 }
 
 // Does ball m stay out of the orthosphere of four balls that are not in a plane, with ties as CGAL

@@ -156,7 +156,7 @@ std::optional<std::array<BallIndex, 4>> seed_tetrahedron(const BallSet& balls,
       few.centres.push_back(balls.centres[i]);
       few.radii.push_back(balls.radii[i]);
     }
-    const Triangulation part = make_triangulation(few, 1, {cancel, {}});
+    const Triangulation part = make_cgal_triangulation(few, 1, {cancel, {}});
     std::vector<std::array<BallIndex, 4>> around;
     for (const auto& t : part.tetrahedra) {
       std::array<BallIndex, 4> own;

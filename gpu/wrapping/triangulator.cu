@@ -13,8 +13,8 @@
 
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/insertion/order_tetrahedra.hpp"
 #include "core/run/stage_timer.hpp"
-#include "core/triangulation/order_tetrahedra.hpp"
 #include "core/wrapping/hull_proof.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"

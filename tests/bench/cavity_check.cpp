@@ -23,9 +23,9 @@
 #include "core/predicates/flow_predicate.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/incidence.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "core/triangulation/membership.hpp"
 #include "tests/support/reference/cavity_reference.hpp"
 

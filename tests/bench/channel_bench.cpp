@@ -20,8 +20,8 @@
 #include "core/channel/bottlenecks.hpp"
 #include "core/channel/channel.hpp"
 #include "core/clearance/clearance.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/flow.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/bench/read_balls.hpp"
 
 namespace {

@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "core/geometry/alpha.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "core/triangulation/memory_need.hpp"
 #include "core/verify/verify_triangulation.hpp"
 #include "tests/bench/read_balls.hpp"

@@ -26,7 +26,7 @@
 #include "core/engine/engine.hpp"
 #include "core/measure/exact_outside.hpp"
 #include "core/measure/union_measures.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "core/triangulation/membership.hpp"
 
 namespace {

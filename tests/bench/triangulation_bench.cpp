@@ -40,10 +40,10 @@ bool time_set(DeviceTriangulator& triangulator, const std::string& name, const B
   Triangulation whole;
   if (compared) {
     const auto begun = Clock::now();
-    whole = make_triangulation(balls, 1);
+    whole = make_cgal_triangulation(balls, 1);
     one = milliseconds(begun);
     const auto again = Clock::now();
-    whole = make_triangulation(balls, 16);
+    whole = make_cgal_triangulation(balls, 16);
     sixteen = milliseconds(again);
   }
   auto start = Clock::now();

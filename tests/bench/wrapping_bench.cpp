@@ -36,7 +36,7 @@ bool time_set(const std::string& name, const BallSet& balls, double alpha, int r
     return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
   };
   const auto start = Clock::now();
-  const Triangulation whole = make_triangulation(balls, 16);
+  const Triangulation whole = make_cgal_triangulation(balls, 16);
   const double cgal = milliseconds(start);
   gpu::DualEdgePipeline pipeline(balls);
   const LatticeAlpha on_lattice = balls.lattice.alpha_on_lattice(Alpha{alpha});

@@ -25,7 +25,7 @@ class GpuTriangulatorFaults : public ::testing::Test {
   int make_with(const Fault& fault, const char* words) {
     Random random(97);
     const BallSet balls = testing::random_balls(random, 60, 300, 20, 150);
-    const Triangulation expected = make_triangulation(balls, 1);
+    const Triangulation expected = make_cgal_triangulation(balls, 1);
     for (int n = 0;; ++n) {
       const auto triangulator = make_gpu_triangulator(seed_tetrahedron);
       fault(n);

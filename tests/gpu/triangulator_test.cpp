@@ -31,7 +31,7 @@ class GpuTriangulator : public ::testing::Test {
   }
 
   void expect_cgal(const BallSet& balls) {
-    const Triangulation expected = make_triangulation(balls, 1);
+    const Triangulation expected = make_cgal_triangulation(balls, 1);
     const DeviceTriangulation made = triangulator_->make(balls, {});
     if (expected.dimension < 3) {
       EXPECT_FALSE(made.triangulation);

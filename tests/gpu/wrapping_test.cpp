@@ -43,7 +43,7 @@ class GpuWrapping : public ::testing::Test {
   // Completes the triangulation from every `step`-th of its tetrahedra, and from the first alone.
   // Returns the number of those found.
   static std::size_t expect_cgal(const BallSet& balls, std::size_t step) {
-    const Triangulation whole = make_triangulation(balls, 1);
+    const Triangulation whole = make_cgal_triangulation(balls, 1);
     if (whole.dimension < 3) return 0;
     const Tetrahedra expected(whole.tetrahedra.begin(), whole.tetrahedra.end());
     gpu::Wrapping wrapping(balls);

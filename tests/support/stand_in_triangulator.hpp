@@ -29,7 +29,7 @@ class StandInTriangulator : public DeviceTriangulator {
     made.report.maker = "a device";
     made.report.rounds = 3;
     made.report.why_not = why_not_;
-    if (why_not_.empty()) made.triangulation = make_triangulation(balls, 1);
+    if (why_not_.empty()) made.triangulation = make_cgal_triangulation(balls, 1);
     return made;
   }
   bool takes_much_room() override { return calls_.takes_much_room; }

@@ -22,7 +22,7 @@ PictureInputs::PictureInputs(const ViewState& state, const Session& session,
       marks_(marks),
       store_(store),
       due_(due),
-      by_cgal_(std::make_shared<TriangulationMaker>(nullptr)) {}
+      on_cpu_(std::make_shared<TriangulationMaker>(nullptr)) {}
 
 // Whether derived results may take the balls of the new picture as inputs. While the solvent radius
 // is dragged, results that panels wait for are finished first. Otherwise each new picture would
@@ -61,7 +61,7 @@ void PictureInputs::follow_picture() {
   }
   if (inputs_.balls) {
     inputs_.triangulation_maker =
-        computes_on_gpu() ? GpuEngines::of_program().triangulations() : by_cgal_;
+        computes_on_gpu() ? GpuEngines::of_program().triangulations() : on_cpu_;
     inputs_.split_networks = state_.settings.cavity_settings.split_networks;
     inputs_.complex = nullptr;
     inputs_.measures = nullptr;

@@ -46,7 +46,7 @@ class PictureInputs {
   Store& store_;
   DueFrames& due_;
   Inputs inputs_;
-  const std::shared_ptr<TriangulationMaker> by_cgal_;
+  const std::shared_ptr<TriangulationMaker> on_cpu_;
   Clock::time_point taken_at_{};
   std::shared_ptr<const Answer> source_;  // the owner of the balls in inputs_; null: none
   std::uint64_t balls_seen_ = 0, bodies_seen_ = 0, frames_key_ = 0;

@@ -39,9 +39,9 @@ struct Inputs {
   // How cavities are found. Zero is CASTp's method, which the window uses.
   FlowTies flow_ties{};
   OutsideRule outside_rule{};
-  // How triangulations are made; both affect the time only. Null: by CGAL.
+  // How triangulations are made; both affect the time only. Null: on the CPU.
   std::shared_ptr<TriangulationMaker> triangulation_maker = {};
-  int triangulation_threads = 1;  // for CGAL
+  int triangulation_threads = 0;  // 0: all that the result has
   // Areas and volumes of `complex`, where they are measured already; else null.
   std::shared_ptr<const MeasuredUnion> measures = {};
 

@@ -18,7 +18,7 @@
 #include "core/cavity/cavity_ground.hpp"
 #include "core/geometry/lattice_point.hpp"
 #include "core/predicates/flow_predicate.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "core/triangulation/membership.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"

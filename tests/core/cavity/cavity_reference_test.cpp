@@ -14,7 +14,7 @@
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_measures.hpp"
 #include "core/geometry/lattice_alpha.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "core/triangulation/membership.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/reference/cavity_reference.hpp"

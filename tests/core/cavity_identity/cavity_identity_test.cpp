@@ -14,7 +14,7 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
 #include "core/geometry/lattice_point.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/core/cavity/rational_location.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"

@@ -11,7 +11,7 @@
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/predicates/lifted.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/molecules.hpp"
 
 namespace alphascope {

@@ -13,7 +13,7 @@
 #include "core/clearance/clearance.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/predicates/lifted.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/molecules.hpp"
 #include "tests/support/random_balls.hpp"
 

@@ -12,7 +12,7 @@
 #include "core/cavity_shape/cavity_places.hpp"
 #include "core/channel/channel.hpp"
 #include "core/clearance/clearance.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/core/cavity/gramicidin.hpp"
 #include "tests/core/cavity/rings.hpp"
 #include "tests/support/random_balls.hpp"

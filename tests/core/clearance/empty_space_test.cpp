@@ -10,10 +10,10 @@
 
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/lifted.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/incidence.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "core/triangulation/membership.hpp"
 #include "tests/support/random_balls.hpp"
 

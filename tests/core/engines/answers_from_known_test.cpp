@@ -11,8 +11,8 @@
 #include "core/engine/engine.hpp"
 #include "core/engines/answers_from_known.hpp"
 #include "core/geometry/alpha.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

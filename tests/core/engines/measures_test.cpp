@@ -11,8 +11,8 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/measure/engine_measures.hpp"
 #include "core/predicates/flow_predicate.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/incidence.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/random_balls.hpp"
 

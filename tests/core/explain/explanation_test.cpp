@@ -19,8 +19,8 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/molecule/name_table.hpp"
 #include "core/radii/radii_set.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/reference/rational_oracle.hpp"
 

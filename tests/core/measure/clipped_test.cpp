@@ -11,7 +11,7 @@
 #include "core/geometry/lattice_point.hpp"
 #include "core/measure/ball_geometry.hpp"
 #include "core/measure/convex_piece.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/core/measure/measured_sets.hpp"
 
 namespace alphascope {

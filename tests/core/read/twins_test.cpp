@@ -14,7 +14,7 @@
 #include "core/predicates/wide_int.hpp"
 #include "core/radii/radii_set.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/core/read/twin_dialects.hpp"
 

@@ -18,7 +18,7 @@
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/reference/rational_oracle.hpp"

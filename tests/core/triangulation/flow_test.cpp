@@ -14,7 +14,7 @@
 #include "core/predicates/exact_alpha.hpp"
 #include "core/predicates/flow_predicate.hpp"
 #include "core/predicates/perturbation.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/five_balls.hpp"
 #include "tests/support/reference/rational_cavities.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/complex/face_groups.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "core/predicates/flow_ties.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/incidence.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/reference/rational_oracle.hpp"
 

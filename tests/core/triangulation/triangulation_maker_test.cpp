@@ -11,6 +11,7 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "core/triangulation/triangulation_report.hpp"
 #include "tests/support/random_balls.hpp"
 #include "tests/support/stand_in_triangulator.hpp"
@@ -40,7 +41,7 @@ TEST_F(TriangulationMakerTest, TheDeviceMakesThoseOfManyBalls) {
     const Triangulation made = triangulations.make(many_, 1, {});
     EXPECT_TRUE(made == make_triangulation(many_, 1));
     ASSERT_TRUE(made.report);
-    EXPECT_FALSE(made.report->by_cgal);
+    EXPECT_TRUE(made_by_device(made));
     EXPECT_EQ(made.report->maker, "a device");
     EXPECT_EQ(made.report->rounds, 3u);
   }
@@ -48,10 +49,10 @@ TEST_F(TriangulationMakerTest, TheDeviceMakesThoseOfManyBalls) {
   EXPECT_EQ(calls_.asked, 2);
 }
 
-TEST_F(TriangulationMakerTest, CgalMakesThoseOfFewBalls) {
+TEST_F(TriangulationMakerTest, TheCpuMakesThoseOfFewBalls) {
   const Triangulation made = maker().make(few_, 1, {});
-  EXPECT_TRUE(made.report->by_cgal);
-  EXPECT_EQ(made.report->maker, "CGAL");
+  EXPECT_EQ(made.report->by, TriangulationReport::By::insertion);
+  EXPECT_EQ(made.report->maker, "CPU, 1 thread");
   EXPECT_EQ(made.report->why_not, "");
   EXPECT_GT(made.report->timings.wall_milliseconds, 0);
   EXPECT_EQ(calls_.made, 0);
@@ -69,7 +70,7 @@ TEST_F(TriangulationMakerTest, IsCancelledWhileItWaitsForTheDevice) {
   begun.get_future().wait();
   RunContext context;
   auto waiting =
-      std::async(std::launch::async, [&] { return slow.make(many_, 1, context).report->by_cgal; });
+      std::async(std::launch::async, [&] { return slow.make(many_, 1, context).report->rounds; });
   EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
   context.cancel.cancel();
   EXPECT_EQ(waiting.wait_for(std::chrono::seconds(20)), std::future_status::ready);
@@ -100,12 +101,12 @@ TEST_F(TriangulationMakerTest, IsNotNeeded) {
 TEST_F(TriangulationMakerTest, SaysWhyTheDeviceDidNot) {
   const Triangulation made = maker("it is tired").make(many_, 1, {});
   EXPECT_TRUE(made == make_triangulation(many_, 1));
-  EXPECT_TRUE(made.report->by_cgal);
+  EXPECT_EQ(made.report->by, TriangulationReport::By::insertion);
   EXPECT_EQ(made.report->why_not, "it is tired");
   EXPECT_EQ(made.report->rounds, 0u);
 }
 
-TEST_F(TriangulationMakerTest, CgalMakesAllWithoutADevice) {
+TEST_F(TriangulationMakerTest, TheCpuMakesAllWithoutADevice) {
   TriangulationMaker none([](std::string& why_not) {
     why_not = "it is broken";
     return nullptr;
@@ -128,7 +129,9 @@ TEST_F(TriangulationMakerTest, OnlyCgalsTriangulationsRestOnCgal) {
     return Filtration(balls, made, {}).top().engine.rests_on_cgal;
   };
   EXPECT_FALSE(rests(""));
-  EXPECT_TRUE(rests("it is tired"));
+  EXPECT_FALSE(rests("it is tired"));
+  const auto by_cgal = std::make_shared<const Triangulation>(make_cgal_triangulation(many_, 1));
+  EXPECT_TRUE(Filtration(balls, by_cgal, {}).top().engine.rests_on_cgal);
 }
 
 }  // namespace

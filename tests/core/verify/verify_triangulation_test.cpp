@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/geometry/lattice_point.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
-#include "core/triangulation/order_tetrahedra.hpp"
+#include "core/insertion/order_tetrahedra.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {
@@ -35,32 +35,27 @@ BallSet unit_balls(const std::vector<LatticePoint>& centres) {
 
 // Any tetrahedra, with the neighbours and hull that follow from them. So only the tetrahedra can be
 // wrong.
-Triangulation made_of(const BallSet& balls, Simplices<4> tetrahedra) {
-  UnorderedTetrahedra all{std::move(tetrahedra), {}};
-  all.neighbours.assign(all.tetrahedra.size(), {});
-  for (auto& n : all.neighbours) n.fill(UnorderedTetrahedra::kOutside);
-  for (std::uint32_t a = 0; a < all.tetrahedra.size(); ++a) {
-    for (std::uint32_t b = 0; b < all.tetrahedra.size(); ++b) {
+Triangulation made_of(const BallSet& balls, const Simplices<4>& tetrahedra) {
+  UnorderedTetrahedra all;
+  for (std::uint32_t a = 0; a < tetrahedra.size(); ++a) {
+    const auto& of_a = tetrahedra[a];
+    TetrahedronCorners corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = {of_a[k], TetrahedronCorner::kOutside};
+    for (std::uint32_t b = 0; b < tetrahedra.size(); ++b) {
       std::array<BallIndex, 4> only_a;
-      const auto& of_a = all.tetrahedra[a];
-      const auto& of_b = all.tetrahedra[b];
+      const auto& of_b = tetrahedra[b];
       const auto end =
           std::set_difference(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), only_a.begin());
       if (end != only_a.begin() + 1) continue;
       const auto corner = std::find(of_a.begin(), of_a.end(), only_a[0]) - of_a.begin();
-      all.neighbours[a][static_cast<std::size_t>(corner)] = b;
+      corners[static_cast<std::size_t>(corner)] = {only_a[0], b};
     }
+    all.tetrahedra.push_back(corners);
   }
   Triangulation result;
   result.dimension = 3;
   set_tetrahedra(balls, all, {}, result);
-  std::vector<bool> used(balls.size(), false);
-  for (const auto& t : all.tetrahedra) {
-    for (const BallIndex v : t) used[v] = true;
-  }
-  for (BallIndex i = 0; i < balls.size(); ++i) {
-    (used[i] ? result.vertices : result.hidden).push_back(i);
-  }
+  set_vertices(balls.size(), result);
   return result;
 }
 

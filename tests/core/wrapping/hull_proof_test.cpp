@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/random_balls.hpp"
 
 namespace alphascope {

@@ -18,7 +18,7 @@ using testing::Random;
 
 // Returns whether there is a seed.
 bool expect_seed(const BallSet& balls) {
-  const Triangulation whole = make_triangulation(balls, 1);
+  const Triangulation whole = make_cgal_triangulation(balls, 1);
   const auto seed = seed_tetrahedron(balls, {});
   EXPECT_EQ(seed.has_value(), whole.dimension == 3);
   if (!seed) return false;

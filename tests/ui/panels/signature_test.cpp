@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/well_formed_xml.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 

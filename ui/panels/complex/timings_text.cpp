@@ -134,10 +134,17 @@ std::optional<double> speed_up(const ViewState& state, bool cold) {
 }
 
 std::vector<std::string> triangulation_sentences(const TriangulationReport& report) {
-  if (report.by_cgal) {
-    if (report.why_not.empty()) return {};
-    return {"The GPU did not make the triangulation of all balls: " + report.why_not + "."};
-  }
+  using By = TriangulationReport::By;
+  std::vector<std::string> sentences;
+  if (!report.why_not.empty())
+    sentences.push_back("The GPU did not make the triangulation of all balls: " + report.why_not +
+                        ".");
+  if (report.by == By::insertion && report.parts > 1)
+    sentences.push_back("Balls were inserted in up to " + std::to_string(report.parts) +
+                        " parts of space at the same time, and " +
+                        counted(report.put_off, "ball was", "balls were") +
+                        " put off to a later turn.");
+  if (report.by != By::device) return sentences;
   return {"Wrapping began with " + counted(report.known, "tetrahedron", "tetrahedra") + ", " +
               counted(report.open_faces, "open face", "open faces") + " and " +
               counted(report.needed, "ball", "balls") + ", and took " +
@@ -182,7 +189,7 @@ std::vector<LastMove> last_move(const ViewState& state, const TriangulationRepor
                 badge_words(state.badge.state), ""};
   if (!engine.device.empty()) full.engine += " on " + engine.device;
   const bool refused = triangulation != nullptr && !triangulation->why_not.empty();
-  if (refused) full.engine += ", triangulation by CGAL";
+  if (refused) full.engine += ", triangulation by " + triangulation->maker;
   if (moved) full.help = "Last move: " + time + " from the change to the finished picture.\n";
   full.help += full.engine + ": " + engine_time + " for the complex.\n";
   if (cgal.run) {

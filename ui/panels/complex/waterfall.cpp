@@ -173,7 +173,8 @@ void draw_waterfall(PanelContext& ctx, bool cold, float height) {
   }
   const auto triangulation = cold ? shown_triangulation(ctx) : nullptr;
   if (triangulation) {
-    add_lines(lines, *triangulation, triangulation->by_cgal ? p.bar_cgal : p.bar_ours);
+    add_lines(lines, *triangulation,
+              triangulation->by == TriangulationReport::By::cgal ? p.bar_cgal : p.bar_ours);
     range = std::max(range, triangulation->timings.wall_milliseconds);
   }
   if (!lines.empty()) {

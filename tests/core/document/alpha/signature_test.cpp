@@ -6,8 +6,8 @@
 
 #include "core/document/store/definition.hpp"
 #include "core/engine/engine.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/keeping_engine.hpp"
 #include "tests/support/random_balls.hpp"
 

@@ -15,7 +15,7 @@
 #include "core/document/reference/reference.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 
 namespace alphascope {
 namespace {

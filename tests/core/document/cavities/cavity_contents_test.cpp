@@ -22,7 +22,7 @@
 #include "core/read/read_molecule.hpp"
 #include "core/selection/atom_address.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/support/molecules.hpp"

@@ -19,7 +19,7 @@
 #include "core/molecule/sandbox.hpp"
 #include "core/selection/ball_options.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
 #include "tests/support/molecules.hpp"

@@ -16,7 +16,7 @@
 #include "core/document/store/inputs.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/selection/prepare_balls.hpp"
-#include "core/triangulation/cgal_triangulation.hpp"
+#include "core/triangulation/make_triangulation.hpp"
 #include "tests/core/document/store/store_fixture.hpp"
 #include "tests/core/files/temporary_file.hpp"
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sorts balls by round and by place on a Hilbert curve.
+#include "core/insertion/insertion_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "core/run/parallel.hpp"
+
+namespace alphascope {
+namespace {
+
+constexpr int kCurveBits = 10;  // for each axis
+
+// The place on a Hilbert curve of a cell of a grid with 2^kCurveBits cells to an axis
+// (J. Skilling, Programming the Hilbert curve, AIP Conf. Proc. 707, 2004).
+std::uint32_t curve_place(std::array<std::uint32_t, 3> x) {
+  for (std::uint32_t bit = 1u << (kCurveBits - 1); bit > 1; bit >>= 1) {
+    const std::uint32_t lower = bit - 1;
+    for (std::uint32_t& v : x) {
+      if ((v & bit) != 0) {
+        x[0] ^= lower;
+      } else {
+        const std::uint32_t swapped = (x[0] ^ v) & lower;
+        x[0] ^= swapped;
+        v ^= swapped;
+      }
+    }
+  }
+  x[1] ^= x[0];
+  x[2] ^= x[1];
+  std::uint32_t turned = 0;
+  for (std::uint32_t bit = 1u << (kCurveBits - 1); bit > 1; bit >>= 1) {
+    if ((x[2] & bit) != 0) turned ^= bit - 1;
+  }
+  std::uint32_t place = 0;
+  for (int bit = kCurveBits - 1; bit >= 0; --bit) {
+    for (const std::uint32_t v : x) place = place << 1 | (((v ^ turned) >> bit) & 1);
+  }
+  return place;
+}
+
+// A number without order, from the index of a ball.
+std::uint64_t scattered(std::uint64_t index) {
+  std::uint64_t h = (index + 1) * 0x9e3779b97f4a7c15u;
+  h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
+  h = (h ^ h >> 27) * 0x94d049bb133111ebu;
+  return h ^ h >> 31;
+}
+
+struct Placed {
+  std::uint64_t key;
+  BallIndex ball;
+};
+
+}  // namespace
+
+InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& left_out) {
+  constexpr std::size_t kFewest = 256;  // in the first round
+  const std::size_t count = balls.size();
+  InsertionOrder order;
+  if (count == 0) return order;
+  LatticePoint low = balls.centres[0], high = low;
+  for (const LatticePoint& p : balls.centres) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const auto width =
+      static_cast<std::uint32_t>(std::max({high.x - low.x, high.y - low.y, high.z - low.z}));
+  const int shift = std::max(0, static_cast<int>(std::bit_width(width)) - kCurveBits);
+  std::uint64_t last_round = 0;
+  while (kFewest << (3 * (last_round + 1)) <= count) ++last_round;
+
+  std::vector<Placed> placed(count);
+  parallel_ranges(0, count, 1024, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i != end; ++i) {
+      const LatticePoint& p = balls.centres[i];
+      const std::uint32_t place = curve_place({static_cast<std::uint32_t>(p.x - low.x) >> shift,
+                                               static_cast<std::uint32_t>(p.y - low.y) >> shift,
+                                               static_cast<std::uint32_t>(p.z - low.z) >> shift});
+      const auto early = static_cast<std::uint64_t>(std::countr_zero(scattered(i))) / 3;
+      const std::uint64_t round = last_round - std::min(early, last_round);
+      placed[i] = {round << 32 | place, static_cast<BallIndex>(i)};
+    }
+  });
+  if (!left_out.empty())
+    std::erase_if(placed, [&](const Placed& p) { return left_out[p.ball]; });
+  std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+    return a.key != b.key ? a.key < b.key : a.ball < b.ball;
+  });
+  order.balls.reserve(placed.size());
+  for (const Placed& p : placed) {
+    while (order.rounds.size() < p.key >> 32) order.rounds.push_back(order.balls.size());
+    order.balls.push_back(p.ball);
+  }
+  order.rounds.push_back(order.balls.size());
+  return order;
+}
+
+}  // namespace alphascope

@@ -174,7 +174,7 @@ function(alphascope_unity target size)
     if(folder MATCHES "^\\.\\." OR folder MATCHES "${alone}")
       continue()
     endif()
-    file(STRINGS ${source} calls_cgal REGEX "^#include \"core/triangulation/cgal_triangulation.hpp\"" LIMIT_COUNT 1)
+    file(STRINGS ${source} calls_cgal REGEX "^#include \"core/triangulation/(cgal|make)_triangulation.hpp\"" LIMIT_COUNT 1)
     if(calls_cgal AND NOT in_tests)
       continue()
     endif()
@@ -227,4 +227,4 @@ endfunction()
 
 # Inner loops that decide the times in docs/performance.md are compiled source by source.
 set(ALPHASCOPE_TIMED
-  "^core/(predicates|neighbours|triangulation|dual_edge|tuples)$")
+  "^core/(predicates|neighbours|insertion|triangulation|dual_edge|tuples)$")

@@ -20,9 +20,13 @@ CellBlock CellStore::take_block() {
 }
 
 void CellStore::make_room(std::size_t cells) {
-  require_at_most(cells, kMostCells, "tetrahedra");
   const std::size_t blocks = (cells + kBlockCells - 1) / kBlockCells;
   cells_.resize(std::min(blocks * kBlockCells, kMostCells));
+}
+
+void CellStore::double_room() {
+  if (cells_.size() == kMostCells) require_at_most(2 * cells_.size(), kMostCells, "tetrahedra");
+  make_room(2 * cells_.size());
 }
 
 }  // namespace alphascope

@@ -22,7 +22,7 @@ class CellStore {
   static constexpr std::size_t kMostCells = std::size_t{1} << 30;
   static constexpr std::uint32_t kBlockCells = 256;
 
-  // Throws std::length_error for more than kMostCells, and std::bad_alloc.
+  // Room for at least so many cells, if kMostCells are not fewer. Throws std::bad_alloc.
   explicit CellStore(std::size_t room) { make_room(room); }
 
   Cell* data() { return cells_.data(); }
@@ -32,11 +32,13 @@ class CellStore {
   // An empty block when there is no room. The cells are marked as free.
   CellBlock take_block();
 
-  // Room for at least `cells`, of which those in use are kept. Not while others use the store.
-  void make_room(std::size_t cells);
-  void double_room() { make_room(2 * cells_.size()); }
+  // Keeps the cells. Not while others use the store. Throws std::bad_alloc, and std::length_error
+  // beyond kMostCells.
+  void double_room();
 
  private:
+  void make_room(std::size_t cells);
+
   ResultArray<Cell> cells_;
   std::atomic<std::size_t> taken_{0};
 };

@@ -3,7 +3,6 @@
 #include "core/insertion/inserter.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace alphascope {
 namespace {
@@ -153,30 +152,33 @@ Inserter::Walk Inserter::walk(const InsertedBall& m, std::uint32_t& at) {
 // takes cells of other parts.
 bool Inserter::find_cavity(const InsertedBall& m, std::uint32_t first) {
   Cell* const cells = cells_;
-  // The neighbours are looked at later, when they have come from memory.
-  const auto take = [&](std::uint32_t c) {
-    cells[c].state = Cell::kInCavity;
-    cavity_.push_back(c);
-    for (const std::uint32_t across : cells[c].across) __builtin_prefetch(&cells[across / 4]);
+  // The cells next to it are looked at later, when they have come from memory.
+  const auto take = [&](std::uint32_t entry) {
+    cells[entry / 4].state = Cell::kInCavity;
+    cavity_.push_back(entry);
+    for (const std::uint32_t across : cells[entry / 4].across)
+      __builtin_prefetch(&cells[across / 4]);
   };
   cavity_.clear();
   faces_.clear();
-  take(first);
+  take(4 * first);
   for (std::size_t n = 0; n < cavity_.size(); ++n) {
-    const Cell& cell = cells[cavity_[n]];
+    // Each cell but the first was entered across the face opposite one of its corners.
+    const Cell& cell = cells[cavity_[n] / 4];
+    const std::uint32_t entry = cavity_[n] % 4, others = n == 0 ? 4 : 3;
     Conflict found[4];
-    for (int corner = 0; corner < 4; ++corner)
-      found[corner] = conflict(cells[cell.across[corner] / 4], m);
-    for (int corner = 0; corner < 4; ++corner) {
-      const std::uint32_t across = cell.across[corner];
-      Cell& next = cells[across / 4];
+    for (std::uint32_t k = 0; k < others; ++k)
+      found[k] = conflict(cells[cell.across[(entry + 1 + k) % 4] / 4], m);
+    for (std::uint32_t k = 0; k < others; ++k) {
+      const std::uint32_t corner = (entry + 1 + k) % 4, across = cell.across[corner];
+      const Cell& next = cells[across / 4];
       if (next.state == Cell::kInCavity) continue;
-      if (found[corner].is_certain() ? found[corner].value > 0 : exactly_in_conflict(next, m)) {
+      if (found[k].is_certain() ? found[k].value > 0 : exactly_in_conflict(next, m)) {
         if (!is_mine(next)) {
-          for (const std::uint32_t c : cavity_) cells[c].state = Cell::kUsed;
+          for (const std::uint32_t c : cavity_) cells[c / 4].state = Cell::kUsed;
           return false;
         }
-        take(across / 4);
+        take(across);
         continue;
       }
       const int(&face)[3] = kOthers[corner];
@@ -190,6 +192,7 @@ bool Inserter::find_cavity(const InsertedBall& m, std::uint32_t first) {
       faces_.push_back({{a, b, c}, across});
     }
   }
+  for (std::uint32_t& c : cavity_) c /= 4;
   return true;
 }
 
@@ -210,25 +213,50 @@ std::uint32_t Inserter::take_cell() {
   return cell;
 }
 
-// Numbers the balls of all faces, and looks at each from the new ball.
-void Inserter::see_corners(const InsertedBall& from) {
-  const std::size_t size = std::bit_ceil(4 * faces_.size());
-  slots_.assign(size, {0, 0});
-  const auto mask = static_cast<std::uint32_t>(size - 1);
-  corners_.clear();
-  places_.resize(faces_.size());
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    for (int n = 0; n < 3; ++n) {
+// Numbers the balls of all faces. False if they are too many.
+bool Inserter::number_corners() {
+  const auto infinity = static_cast<std::uint32_t>(number_of_.size() - 1);
+  bool all = true;
+  corner_balls_.clear();
+  for (std::size_t f = 0; f < faces_.size() && all; ++f) {
+    for (int n = 0; n < 3 && all; ++n) {
       const std::uint32_t ball = faces_[f].balls[n];
-      std::uint32_t at = (ball * 0x9e3779b9u >> 7) & mask;
-      while (slots_[at].number != 0 && slots_[at].ball != ball) at = (at + 1) & mask;
-      if (slots_[at].number == 0) {
-        corners_.push_back(ball == Cell::kInfinity ? CornerBall{}
-                                                   : CornerBall(seen_from(from, balls_[ball])));
-        slots_[at] = {ball, static_cast<std::uint32_t>(corners_.size())};
+      std::uint8_t& number = number_of_[std::min(ball, infinity)];
+      if (number == 0) {
+        all = corner_balls_.size() < kMostNumbered;
+        if (!all) break;
+        corner_balls_.push_back(ball);
+        number = static_cast<std::uint8_t>(corner_balls_.size());
       }
-      places_[f][static_cast<std::size_t>(n)] = slots_[at].number - 1;
+      places_[f][static_cast<std::size_t>(n)] = number - 1u;
     }
+  }
+  for (const std::uint32_t ball : corner_balls_) number_of_[std::min(ball, infinity)] = 0;
+  return all;
+}
+
+void Inserter::number_corners_by_sorting() {
+  corner_balls_.clear();
+  for (const Face& face : faces_)
+    corner_balls_.insert(corner_balls_.end(), face.balls, face.balls + 3);
+  std::sort(corner_balls_.begin(), corner_balls_.end());
+  corner_balls_.erase(std::unique(corner_balls_.begin(), corner_balls_.end()), corner_balls_.end());
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    for (std::size_t n = 0; n < 3; ++n) {
+      const auto at =
+          std::lower_bound(corner_balls_.begin(), corner_balls_.end(), faces_[f].balls[n]);
+      places_[f][n] = static_cast<std::uint32_t>(at - corner_balls_.begin());
+    }
+  }
+}
+
+void Inserter::see_corners(const InsertedBall& from) {
+  places_.resize(faces_.size());
+  if (!number_corners()) number_corners_by_sorting();
+  corners_.resize(corner_balls_.size());
+  for (std::size_t n = 0; n < corners_.size(); ++n) {
+    if (corner_balls_[n] != Cell::kInfinity)
+      corners_[n] = CornerBall(seen_from(from, balls_[corner_balls_[n]]));
   }
 }
 
@@ -236,9 +264,7 @@ void Inserter::see_corners(const InsertedBall& from) {
 void Inserter::find_neighbours_by_sorting() {
   struct Edge {
     std::uint32_t low, high, own;
-    bool operator<(const Edge& e) const {
-      return low != e.low ? low < e.low : high < e.high;
-    }
+    bool operator<(const Edge& e) const { return low != e.low ? low < e.low : high < e.high; }
   };
   std::vector<Edge> edges;
   edges.reserve(3 * faces_.size());

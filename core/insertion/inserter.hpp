@@ -3,10 +3,13 @@
 // with the new ball are replaced by those that join it with the faces around them.
 //
 // Several inserters may work on one triangulation at the same time, each for one part of the balls.
-// A cell belongs to a part if at least three of its balls do; the point at infinity belongs to none.
-// - An inserter replaces cells of its own part only. Each face of these has two balls of the part or
+// A cell belongs to a part if at least three of its balls do; the point at infinity belongs to
+// none.
+// - An inserter replaces cells of its own part only. Each face of these has two balls of the part
+// or
 //   more, so a new cell, which has the new ball besides, is of this part again.
-// - It also reads the cells next to those, and sets their neighbour on its own side. Such a cell has
+// - It also reads the cells next to those, and sets their neighbour on its own side. Such a cell
+// has
 //   two balls of this part, so it is of no other one, and nobody else changes it.
 #pragma once
 
@@ -35,7 +38,7 @@ class Inserter {
  public:
   // The balls and the store outlive the inserter.
   Inserter(std::span<const InsertedBall> balls, CellStore& store)
-      : balls_(balls.data()), store_(store) {}
+      : balls_(balls.data()), store_(store), number_of_(balls.size() + 1, 0) {}
 
   // From now on the inserter uses the cells of one part. `part_of` has the part of each ball in the
   // triangulation and of each to come; null: all are of the same part.
@@ -84,6 +87,8 @@ class Inserter {
   bool have_room(std::size_t cells);
   std::uint32_t take_cell();
   void see_corners(const InsertedBall& from);
+  bool number_corners();
+  void number_corners_by_sorting();
   void fill_cavity(std::uint32_t ball);
   void find_neighbours_by_sorting();
 
@@ -98,13 +103,15 @@ class Inserter {
   std::uint32_t turn_ = 0;  // varies the way of a walk
 
   // Of one insertion.
-  std::vector<std::uint32_t> cavity_;
+  std::vector<std::uint32_t> cavity_;  // cells; while it is searched, 4 times as in Cell::across
   std::vector<Face> faces_;
-  struct Slot {
-    std::uint32_t ball, number;  // from 1; 0: the slot is empty
-  };
-  std::vector<Slot> slots_;        // a hash table: the numbers of the balls of faces
-  std::vector<CornerBall> corners_;  // by number: those balls, seen from the new one
+  // The balls of faces, seen from the new one.
+  static constexpr std::size_t kMostNumbered = 255;
+  std::vector<CornerBall> corners_;
+  std::vector<std::uint32_t> corner_balls_;
+  // Of each ball, and of infinity as the last: its number among those, from 1. 0 between
+  // insertions.
+  std::vector<std::uint8_t> number_of_;
   std::vector<std::array<std::uint32_t, 3>> places_;  // of each face: its balls among the corners
   std::vector<std::uint32_t> new_cells_;              // of each face
   // By two corners of a face in their order: the face of its new cell there.

@@ -14,8 +14,8 @@
 
 #include "core/complex/count_limits.hpp"
 #include "core/geometry/ball_set.hpp"
-#include "core/insertion/insertion_order.hpp"
 #include "core/insertion/inserter.hpp"
+#include "core/insertion/insertion_order.hpp"
 #include "core/insertion/order_tetrahedra.hpp"
 #include "core/insertion/parts.hpp"
 #include "core/neighbours/coincident.hpp"

@@ -14,9 +14,9 @@ struct BallSet;
 // How balls were inserted.
 struct InsertionCounts {
   int threads = 1;
-  std::size_t parts = 1;        // of space, at the same time, at most
-  std::uint64_t put_off = 0;      // insertions that were begun and put off
-  std::uint64_t one_by_one = 0; // balls that were inserted on one thread
+  std::size_t parts = 1;         // of space, at the same time, at most
+  std::uint64_t put_off = 0;     // insertions that were begun and put off
+  std::uint64_t one_by_one = 0;  // balls that were inserted on one thread
 };
 
 // The triangulation of balls whose centres span space; empty if they do not. `threads`, at least

@@ -85,8 +85,7 @@ InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& le
       placed[i] = {round << 32 | place, static_cast<BallIndex>(i)};
     }
   });
-  if (!left_out.empty())
-    std::erase_if(placed, [&](const Placed& p) { return left_out[p.ball]; });
+  if (!left_out.empty()) std::erase_if(placed, [&](const Placed& p) { return left_out[p.ball]; });
   std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
     return a.key != b.key ? a.key < b.key : a.ball < b.ball;
   });

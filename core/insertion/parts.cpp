@@ -21,7 +21,8 @@ Parts::Parts(std::size_t count, int turn, std::span<const InsertedBall> all,
   const std::size_t samples = std::min(balls.size(), kSamples * count);
   std::vector<InsertedBall> sample(samples);
   for (std::size_t n = 0; n < samples; ++n) sample[n] = all[balls[n * balls.size() / samples]];
-  split(std::min(count, kMost), kDirections[static_cast<std::size_t>(turn) % std::size(kDirections)], sample);
+  split(std::min(count, kMost),
+        kDirections[static_cast<std::size_t>(turn) % std::size(kDirections)], sample);
 }
 
 void Parts::split(std::size_t count, std::span<const Direction> directions,
@@ -45,8 +46,7 @@ void Parts::split(std::size_t count, std::span<const Direction> directions,
     }
   }
   const std::size_t lower = count / 2;
-  const auto middle =
-      sample.begin() + static_cast<std::ptrdiff_t>(sample.size() * lower / count);
+  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() * lower / count);
   std::nth_element(sample.begin(), middle, sample.end(),
                    [&](const InsertedBall& a, const InsertedBall& b) {
                      return along(direction, a) < along(direction, b);

@@ -24,8 +24,7 @@ Triangulation make_triangulation(const BallSet& balls, int threads, const RunCon
   const int here = threads_here();
   threads = threads > 0 ? std::min(threads, here) : here;
   std::optional<Triangulation> made = triangulate_by_insertion(balls, threads, context, &counts);
-  Triangulation result =
-      made ? *std::move(made) : make_cgal_triangulation(balls, threads, context);
+  Triangulation result = made ? *std::move(made) : make_cgal_triangulation(balls, threads, context);
   report.by = made ? By::insertion : By::cgal;
   report.maker = made ? cpu_text(counts.threads) : "CGAL";
   report.parts = counts.parts;

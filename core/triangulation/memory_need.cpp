@@ -13,9 +13,9 @@ namespace {
 
 // PDB entries 1K4C, 1AON and 3J6R have 6.6 to 6.8.
 constexpr std::uint64_t kTetrahedraPerBall = 7;
-// Bytes of CGAL's cells and vertices, with the unused part of its blocks of memory. Measured per
-// tetrahedron when the triangulation is complete: 1K4C 136, 1AON and 3J6R 135.
-constexpr std::uint64_t kCgalBytesPerTetrahedron = 140;
+// Bytes while a triangulation is made: cells of 64, some of them free or at infinity, 40 to put a
+// tetrahedron in order, and 32 of the result. CGAL took as many.
+constexpr std::uint64_t kMakingBytesPerTetrahedron = 144;
 
 SimplexCount count_of_molecule(std::size_t balls) {
   const std::uint64_t tetrahedra = kTetrahedraPerBall * balls;
@@ -69,7 +69,7 @@ MemoryNeed triangulation_memory(std::size_t balls) {
   const SimplexCount c = count_of_molecule(balls);
   const std::uint64_t tetrahedron = sizeof(std::array<BallIndex, 4>) + 4 * sizeof(Neighbour);
   const std::uint64_t held = c.tetrahedra * tetrahedron + balls * sizeof(BallIndex);
-  return {held, c.tetrahedra * kCgalBytesPerTetrahedron};
+  return {held, c.tetrahedra * kMakingBytesPerTetrahedron};
 }
 
 MemoryNeed filtration_memory(std::size_t balls) {

@@ -51,8 +51,8 @@ void check_tetrahedron(std::array<Ball, 5> balls, Counts& counts) {
                cell);
   const SeenBall m = seen_from(balls[0].inserted(), balls[4].inserted());
   const double value = m.x * cell.x + m.y * cell.y + m.z * cell.z - m.c;
-  const double error = cell.error * (std::fabs(m.x) + std::fabs(m.y) + std::fabs(m.z)) +
-                       6 * kUnitRoundoff * m.size;
+  const double error =
+      cell.error * (std::fabs(m.x) + std::fabs(m.y) + std::fabs(m.z)) + 6 * kUnitRoundoff * m.size;
   if (!(std::fabs(value) > error)) {
     ++counts.undecided;
     return;
@@ -90,7 +90,9 @@ class NearlyOnASphere {
     std::array<int, 3> p = corner_;
     std::shuffle(p.begin(), p.end(), random_);
     for (int& c : p) c *= random_int(random_, 0, 1) != 0 ? 1 : -1;
-    const auto moved = [&] { return random_int(random_, 0, 3) == 0 ? random_int(random_, -1, 1) : 0; };
+    const auto moved = [&] {
+      return random_int(random_, 0, 3) == 0 ? random_int(random_, -1, 1) : 0;
+    };
     return {{p[0] + moved(), p[1] + moved(), p[2] + moved()}, radius_ + moved()};
   }
 

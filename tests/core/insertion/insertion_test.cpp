@@ -131,8 +131,8 @@ TEST(InsertionOrder, FollowsACurveInEachRound) {
   double steps = 0;
   const std::size_t begin = order.rounds[1] + 1;
   for (std::size_t n = begin; n < order.balls.size(); ++n)
-    steps += std::sqrt(static_cast<double>(square_distance(
-        balls.centres[order.balls[n - 1]], balls.centres[order.balls[n]])));
+    steps += std::sqrt(static_cast<double>(
+        square_distance(balls.centres[order.balls[n - 1]], balls.centres[order.balls[n]])));
   const double spacing = 20000 / std::cbrt(30000.0);
   EXPECT_LT(steps / static_cast<double>(order.balls.size() - begin), 2 * spacing);
 }

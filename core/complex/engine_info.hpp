@@ -21,7 +21,9 @@ struct EngineInfo {
   std::string route;   // what this run did: "dual edge clipping", "regular triangulation, then
                        // threshold", "threshold of cached filtration"
   std::vector<EngineCounter> counters = {};  // empty where nothing is counted
-  // The result came from CGAL's triangulation, so equality with CGAL is no evidence.
+  // The result was taken from the triangulation of all balls, as CGAL's results are.
+  bool of_whole = false;
+  // That was CGAL's, so equality with CGAL is no evidence.
   bool rests_on_cgal = false;
 };
 

@@ -23,7 +23,7 @@ void ColdAndWarm::note(const AlphaComplex& complex, bool was_cold) {
   engine = complex.engine;
   (was_cold ? cold : warm) =
       MeasuredRun{complex.timings, complex.alpha_angstrom2(), complex.tetrahedra_only,
-                  rebuilt(complex), complex.engine.rests_on_cgal};
+                  rebuilt(complex), complex.engine.of_whole};
 }
 
 }  // namespace alphascope

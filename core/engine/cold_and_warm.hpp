@@ -18,17 +18,17 @@ struct MeasuredRun {
   // In this run the engine made the filtration or complex from which it answers later alphas. Such
   // a run is not comparable with one that only takes a threshold.
   bool rebuilt = false;
-  bool rests_on_cgal = false;  // EngineInfo::rests_on_cgal
+  bool of_whole = false;  // EngineInfo::of_whole
 
   // Only times of the same task are comparable.
   bool comparable(const MeasuredRun& o) const {
     return alpha_angstrom2 == o.alpha_angstrom2 && tetrahedra_only == o.tetrahedra_only &&
            rebuilt == o.rebuilt && !same_threshold(o);
   }
-  // Both runs only took a threshold of a filtration made from CGAL's triangulation. Their steps are
-  // the same, so a comparison says nothing.
+  // Both runs only took a threshold of the filtration of all simplices. Their steps are the same,
+  // so a comparison says nothing.
   bool same_threshold(const MeasuredRun& o) const {
-    return rests_on_cgal && o.rests_on_cgal && !rebuilt && !o.rebuilt;
+    return of_whole && o.of_whole && !rebuilt && !o.rebuilt;
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -156,9 +157,9 @@ AlphaComplex compute_in_slabs(const BallSet& balls, const AlphaRequest& request,
     triangles.append(complex.triangles, part);
     tetrahedra.append(complex.tetrahedra, part);
     add_times(parts, complex.timings);
-    const bool rests_on_cgal = result.engine.rests_on_cgal || complex.engine.rests_on_cgal;
-    result.engine = complex.engine;
-    result.engine.rests_on_cgal = rests_on_cgal;
+    const EngineInfo before = std::exchange(result.engine, complex.engine);
+    result.engine.of_whole |= before.of_whole;
+    result.engine.rests_on_cgal |= before.rests_on_cgal;
   }
   result.vertices = vertices.ordered(balls.size());
   result.edges = edges.ordered(balls.size());

@@ -41,6 +41,7 @@ AlphaComplex filtered_tetrahedra(const BallSet& balls, const Triangulation& tria
   complex.lattice = balls.lattice;
   complex.alpha_on_lattice = alpha;
   complex.tetrahedra_only = true;
+  complex.engine.of_whole = true;
   complex.engine.rests_on_cgal = made_by_cgal(triangulation);
   filter_tetrahedra(balls, triangulation, complex);
   complex.hash = complex_hash(complex);

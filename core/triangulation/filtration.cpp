@@ -173,6 +173,7 @@ AlphaComplex threshold(const Filtration& filtration, const LatticeAlpha& alpha,
   complex.lattice = top.lattice;
   complex.alpha_on_lattice = alpha;
   complex.tetrahedra_only = tetrahedra_only;
+  complex.engine.of_whole = top.engine.of_whole;
   complex.engine.rests_on_cgal = top.engine.rests_on_cgal;
   if (alpha == filtration.alpha_max_on_lattice()) {  // all simplices, without a look at ties
     select(filtration, std::numeric_limits<float>::infinity(), complex);

@@ -71,7 +71,7 @@ class Filtration {
 
 // K_alpha for alpha_on_lattice <= filtration.alpha_max_on_lattice() (else std::invalid_argument).
 // The answer is exact: where alpha and an alpha value round to the same float, integers decide.
-// Sets the hash and rests_on_cgal; the caller sets the rest of engine and timings.
+// Sets the hash, of_whole and rests_on_cgal; the caller sets the rest of engine and timings.
 AlphaComplex threshold(const Filtration& filtration, const LatticeAlpha& alpha_on_lattice,
                        bool tetrahedra_only);
 

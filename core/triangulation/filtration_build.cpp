@@ -201,6 +201,7 @@ void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetr
   const CancelToken& cancel = context.cancel;
   top->lattice = balls_->lattice;
   top->alpha_on_lattice = std::numeric_limits<double>::infinity();
+  top->engine.of_whole = true;
   top->engine.rests_on_cgal = made_by_cgal(triangulation);
 
   context.report(stage::kClassification, 0);

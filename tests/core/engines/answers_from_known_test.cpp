@@ -11,6 +11,7 @@
 #include "core/engine/engine.hpp"
 #include "core/engines/answers_from_known.hpp"
 #include "core/geometry/alpha.hpp"
+#include "core/triangulation/cgal_triangulation.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/make_triangulation.hpp"
 #include "tests/support/random_balls.hpp"
@@ -25,7 +26,7 @@ class EngineThatKnows : public ::testing::Test {
   EngineThatKnows() {
     Random random(51);
     balls_ = std::make_shared<const BallSet>(testing::random_balls(random, 300, 1000, 50, 100));
-    triangulation_ = std::make_shared<const Triangulation>(make_triangulation(*balls_, 1));
+    triangulation_ = std::make_shared<const Triangulation>(make_cgal_triangulation(*balls_, 1));
     filtration_ = std::make_shared<const Filtration>(balls_, *triangulation_);
   }
 
@@ -48,6 +49,20 @@ class EngineThatKnows : public ::testing::Test {
   std::shared_ptr<const Triangulation> triangulation_;
   std::shared_ptr<const Filtration> filtration_;
 };
+
+// The reference answers from CGAL's own triangulations.
+TEST_F(EngineThatKnows, OfCgalTakesNoOthersResults) {
+  const auto other = std::make_shared<const Triangulation>(make_triangulation(*balls_, 1));
+  const auto filtration = std::make_shared<const Filtration>(balls_, other);
+  for (const bool whole : {false, true}) {
+    KnownResults known{{balls_, other, whole ? filtration : nullptr}, {}, {}};
+    const AlphaComplex found = make_cgal_engine(balls_, {1})->compute({100}, known, {});
+    EXPECT_EQ(found.engine.route, "regular triangulation, filtration, then threshold");
+    EXPECT_TRUE(found.engine.rests_on_cgal);
+    KnownResults same{{balls_, other, whole ? filtration : nullptr}, {}, {}};
+    EXPECT_FALSE(make_cpu_engine(balls_, {1})->compute({100}, same, {}).engine.rests_on_cgal);
+  }
+}
 
 TEST_F(EngineThatKnows, AnswersEveryAlphaByThresholdOfTheFiltration) {
   for (const auto& make : {make_cpu_engine, make_cgal_engine}) {

@@ -171,7 +171,8 @@ TEST_F(ShortOfMemory, TheDeviceMakesTheTriangulationOfWhatIsBeyondTheLimits) {
       const AlphaComplex found = engine_->compute({kAll, tetrahedra_only}, known, {});
       testing::expect_same(found,
                            make_cgal_engine(balls_, {1})->compute({kAll, tetrahedra_only}, {}));
-      EXPECT_EQ(found.engine.rests_on_cgal, !why_not.empty());
+      EXPECT_TRUE(found.engine.of_whole);
+      EXPECT_FALSE(found.engine.rests_on_cgal);
       const std::string all =
           why_not.empty()
               ? "regular triangulation on a device, then threshold (the rest on the CPU: "

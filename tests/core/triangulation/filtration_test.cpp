@@ -254,18 +254,24 @@ TEST(CgalEngine, TimesSetupApart) {
   EXPECT_GE(later.timings.wall_milliseconds, later.timings.stages[0].milliseconds);
 }
 
-// A result that rests on CGAL's triangulation says so, from every engine.
+// A result that was taken from a whole triangulation says so, and also if that was CGAL's.
 TEST(Engines, SayWhatThisRunDid) {
   Random random(25);
   const auto balls =
       std::make_shared<const BallSet>(testing::random_balls(random, 300, 1000, 50, 100));
   const AlphaComplex whole = make_cgal_engine(balls, {1})->compute({100}, {});
   EXPECT_EQ(whole.engine.route, "regular triangulation, filtration, then threshold");
+  EXPECT_TRUE(whole.engine.of_whole);
   EXPECT_TRUE(whole.engine.rests_on_cgal);
+  const AlphaComplex inserted = make_cpu_engine(balls, {1})->compute({1e9}, {});
+  EXPECT_EQ(inserted.engine.route, whole.engine.route);
+  EXPECT_TRUE(inserted.engine.of_whole);
+  EXPECT_FALSE(inserted.engine.rests_on_cgal);
 
   const auto engine = testing::keeping(make_cpu_engine(balls, {1}));
   const AlphaComplex clipped = engine->compute({100}, {});
   EXPECT_EQ(clipped.engine.route, "dual edge clipping");
+  EXPECT_FALSE(clipped.engine.of_whole);
   EXPECT_FALSE(clipped.engine.rests_on_cgal);
   EXPECT_FALSE(compare(clipped, whole).both_rest_on_cgal);
   const AlphaComplex smaller = engine->compute({50}, {});

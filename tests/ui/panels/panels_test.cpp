@@ -181,7 +181,7 @@ TEST(PanelsTest, SpeedsOfDifferentWorkAreNotCompared) {
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("timings.speed"));
   p.state.ours.warm->rebuilt = false;
-  p.state.ours.warm->rests_on_cgal = p.state.cgal.warm->rests_on_cgal = true;
+  p.state.ours.warm->of_whole = p.state.cgal.warm->of_whole = true;
   p.frame(3);
   EXPECT_FALSE(p.rects.contains("timings.speed")) << "the same threshold twice";
 }
@@ -281,8 +281,8 @@ TEST(PanelsTest, AMissingSpeedHasItsReason) {
   s.cgal.cold->rebuilt = true;
   EXPECT_NE(missing_times(s, true)[0].find("No speed-up: CGAL prepared"), std::string::npos);
   s.cgal.cold->rebuilt = false;
-  s.ours.cold->rests_on_cgal = s.cgal.cold->rests_on_cgal = true;
-  EXPECT_NE(missing_times(s, true)[0].find("selected from CGAL's triangulation"),
+  s.ours.cold->of_whole = s.cgal.cold->of_whole = true;
+  EXPECT_NE(missing_times(s, true)[0].find("selected from the triangulation of all"),
             std::string::npos);
 }
 

@@ -46,8 +46,9 @@ std::string incomparable(const ViewState& state, bool cold) {
     return "No speed-up: one engine computed tetrahedra only, the other all simplices.";
   }
   if (ours->same_threshold(*cgal)) {
-    return "No speed-up: in both runs the complex was selected from CGAL's triangulation. Choose "
-           "“Cold” to compare the engines.";
+    return "No speed-up: in both runs the complex was selected from the triangulation of all "
+           "balls. "
+           "Choose “Cold” to compare the engines.";
   }
   return "No speed-up: " + (ours->rebuilt ? state.ours.engine.name : std::string("CGAL")) +
          " prepared its data for later alphas in this run; the other engine reused its own.";

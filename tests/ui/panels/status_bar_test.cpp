@@ -92,12 +92,29 @@ TEST(LastMove, SaysThatTheGpuDidNotMakeTheTriangulation) {
   EXPECT_EQ(last_move(s, &report).front().line(), last_move(s, nullptr).front().line())
       << "there is no GPU";
   report.why_not = "the centres lie in a plane";
+  report.maker = "CGAL";
   const LastMove move = last_move(s, &report).front();
   EXPECT_EQ(move.engine, "dual-edge engine on CPU, 2 threads, triangulation by CGAL");
   EXPECT_NE(move.help.find("The GPU did not make the triangulation of all balls: the centres lie "
                            "in a plane.\n"),
             std::string::npos)
       << move.help;
+  report.by = TriangulationReport::By::insertion;
+  report.maker = "CPU, 2 threads";
+  EXPECT_EQ(last_move(s, &report).front().engine,
+            "dual-edge engine on CPU, 2 threads, triangulation by the CPU");
+}
+
+TEST(LastMove, SaysHowTheCpuSharedTheTriangulation) {
+  TriangulationReport report;
+  report.by = TriangulationReport::By::insertion;
+  report.parts = 1;
+  EXPECT_TRUE(triangulation_sentences(report).empty());
+  report.parts = 2;
+  report.put_off = 6022;
+  EXPECT_EQ(triangulation_sentences(report),
+            std::vector<std::string>{"Balls were inserted in up to 2 parts of space at the same "
+                                     "time, and 6,022 balls were put off to a later turn."});
 }
 
 struct Bar {

@@ -190,7 +190,10 @@ std::vector<LastMove> last_move(const ViewState& state, const TriangulationRepor
                 badge_words(state.badge.state), ""};
   if (!engine.device.empty()) full.engine += " on " + engine.device;
   const bool refused = triangulation != nullptr && !triangulation->why_not.empty();
-  if (refused) full.engine += ", triangulation by " + triangulation->maker;
+  if (refused)
+    full.engine += ", triangulation by " + (triangulation->by == TriangulationReport::By::insertion
+                                                ? std::string("the CPU")
+                                                : triangulation->maker);
   if (moved) full.help = "Last move: " + time + " from the change to the finished picture.\n";
   full.help += full.engine + ": " + engine_time + " for the complex.\n";
   if (cgal.run) {

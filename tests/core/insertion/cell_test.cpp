@@ -136,6 +136,25 @@ TEST(Cell, OfNearlyFlatBallsNeverContradictsIntegers) {
   EXPECT_GT(counts.decided, 50000);
 }
 
+// The determinant of narrow tetrahedra is smaller than the roundings of its terms.
+TEST(Cell, OfNarrowTetrahedraNeverContradictsIntegers) {
+  Random random(63);
+  Counts counts;
+  for (int n = 0; n < 100000; ++n) {
+    const int size = 1 << random_int(random, 10, 28);
+    const auto far = [&] { return random_int(random, -size, size); };
+    const LatticePoint a{far(), far(), far()}, b{-a.x, -a.y, -a.z};
+    const auto near = [&](const LatticePoint& p) {
+      const auto beside = [&] { return random_int(random, -2, 2); };
+      return Ball{{p.x + beside(), p.y + beside(), p.z + beside()},
+                  random_int(random, 1, std::min(size, kMaxLatticeRadius))};
+    };
+    check_tetrahedron({near(a), near(b), near(b), near(a), {{far(), far(), far()}, 1}}, counts);
+  }
+  EXPECT_GT(counts.decided, 1000);
+  EXPECT_GT(counts.undecided, 10000);
+}
+
 // Without a sign of the determinant the cell decides nothing.
 TEST(Cell, WithoutAVolumeDecidesNothing) {
   const int far = kMaxLatticeCoordinate;

@@ -18,7 +18,7 @@ double clipping_cost(const NeighbourMoments& m, bool tetrahedra_only) {
 }
 constexpr std::size_t kCostSamples = 256;
 
-constexpr double kTriangulationCost = 3.5;
+constexpr double kTriangulationCost = 2.2;
 // Costs after the triangulation: ortho-radii of the tetrahedra, or alpha values of all simplices.
 constexpr double kTetrahedraCost = 0.2, kAlphaValuesCost = 4.7;
 double triangulating_cost(const RouteInput& question) {
@@ -27,7 +27,7 @@ double triangulating_cost(const RouteInput& question) {
 }
 // Clipping scales with the threads. The triangulation scales less.
 double triangulating_speed_up(int threads) {
-  return std::pow(threads, 0.75);
+  return std::pow(threads, 0.7);
 }
 
 // False where a search for neighbours would test nearly all balls against all. Clipping is then

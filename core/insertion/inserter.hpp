@@ -34,7 +34,8 @@ enum class Insertion : std::uint8_t {
   no_room        // the store is full
 };
 
-class Inserter {
+// Aligned, so that two threads do not write to one cache line.
+class alignas(128) Inserter {
  public:
   // The balls and the store outlive the inserter.
   Inserter(std::span<const InsertedBall> balls, CellStore& store)

@@ -123,7 +123,7 @@ class InsertedRounds {
 void InsertedRounds::insert_round(std::vector<std::uint32_t> left, std::size_t begin,
                                   std::size_t end) {
   // Of a part with fewer balls, old and new, most cells reach into other parts.
-  constexpr std::size_t kFewestNew = 256, kFewestOld = 512;
+  constexpr std::size_t kFewestNew = 256, kFewestOld = 256;
   constexpr int kTurns = 12;
   for (int turn = 0; turn < kTurns; ++turn) {
     const std::size_t parts =

@@ -28,8 +28,8 @@ Inputs derived_inputs(const Input& input, double solvent_radius_angstrom,
   inputs.atoms =
       std::make_shared<const BallReferences>(input.opened.molecule, input.opened.prepared);
   inputs.alpha_angstrom2 = alpha_angstrom2;
-  // A GPU's first triangulation begins some 0.5 s after it was asked for. CGAL with 16 threads
-  // takes 1 s for this many balls.
+  // A GPU's first triangulation begins some 0.5 s after it was asked for. Two threads take 1 s for
+  // this many balls.
   constexpr std::size_t kWorthAStart = 500'000;
   if (inputs.balls->size() >= kWorthAStart) {
     inputs.triangulation_maker = GpuEngines::of_program().triangulations();

@@ -93,7 +93,7 @@ std::shared_ptr<const GrownTriangulation> GrownTriangulations::at(std::int64_t g
     scene->balls.centres.push_back(wall_->centre);
     scene->balls.radii.push_back(static_cast<std::int32_t>(wall_->radius));
   }
-  scene->triangulation = make_triangulation(scene->balls, 1, context);
+  scene->triangulation = make_triangulation(scene->balls, 0, context);
   if (scene->triangulation.dimension != 3) {
     throw InternalError("The helping balls of a passage are flat.");
   }

@@ -226,7 +226,7 @@ std::optional<Triangulation> triangulate_by_insertion(const BallSet& balls, int 
   InsertionCounts unused;
   InsertionCounts& counted = counts != nullptr ? *counts : unused;
   counted.threads = threads;
-  const InsertionOrder order = insertion_order(balls, coincident_hidden(balls));
+  const InsertionOrder order = insertion_order(balls, coincident_hidden(balls), context.cancel);
   const std::vector<std::size_t> span = spanning_balls(balls, order.balls);
   if (span.size() < 4) return std::nullopt;
   std::array<std::uint32_t, 4> first;
@@ -236,7 +236,7 @@ std::optional<Triangulation> triangulate_by_insertion(const BallSet& balls, int 
   Triangulation result;
   result.dimension = 3;
   set_tetrahedra(balls, rounds, context.cancel, result);
-  set_vertices(balls.size(), result);
+  set_vertices(balls.size(), context.cancel, result);
   return result;
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 #include "core/run/parallel.hpp"
 
@@ -51,13 +53,41 @@ std::uint64_t scattered(std::uint64_t index) {
 }
 
 struct Placed {
-  std::uint64_t key;
+  std::uint32_t round, place;
   BallIndex ball;
+  friend bool operator<(const Placed& a, const Placed& b) {
+    if (a.round != b.round) return a.round < b.round;
+    return a.place != b.place ? a.place < b.place : a.ball < b.ball;
+  }
 };
+
+// Sorts by bucket, one for each round and stretch of the curve, and then each bucket.
+std::vector<Placed> sorted_by_bucket(const std::vector<Placed>& placed, std::uint32_t rounds,
+                                     const CancelToken& cancel) {
+  constexpr int kStretchBits = 12;
+  const auto bucket_of = [](const Placed& p) {
+    return (std::size_t{p.round} << kStretchBits) + (p.place >> (3 * kCurveBits - kStretchBits));
+  };
+  std::vector<std::size_t> first((std::size_t{rounds} << kStretchBits) + 1, 0);
+  for (const Placed& p : placed) ++first[bucket_of(p) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Placed> sorted(placed.size());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (std::size_t n = 0; n < placed.size(); ++n) {
+    if (n % (1 << 16) == 0) cancel.throw_if_cancelled();
+    sorted[next[bucket_of(placed[n])]++] = placed[n];
+  }
+  parallel_many(next.size(), cancel, [&](std::size_t bucket) {
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first[bucket]),
+              sorted.begin() + static_cast<std::ptrdiff_t>(first[bucket + 1]));
+  });
+  return sorted;
+}
 
 }  // namespace
 
-InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& left_out) {
+InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& left_out,
+                               const CancelToken& cancel) {
   constexpr std::size_t kFewest = 256;  // in the first round
   const std::size_t count = balls.size();
   InsertionOrder order;
@@ -70,7 +100,7 @@ InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& le
   const auto width =
       static_cast<std::uint32_t>(std::max({high.x - low.x, high.y - low.y, high.z - low.z}));
   const int shift = std::max(0, static_cast<int>(std::bit_width(width)) - kCurveBits);
-  std::uint64_t last_round = 0;
+  std::uint32_t last_round = 0;
   while (kFewest << (3 * (last_round + 1)) <= count) ++last_round;
 
   std::vector<Placed> placed(count);
@@ -80,18 +110,15 @@ InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& le
       const std::uint32_t place = curve_place({static_cast<std::uint32_t>(p.x - low.x) >> shift,
                                                static_cast<std::uint32_t>(p.y - low.y) >> shift,
                                                static_cast<std::uint32_t>(p.z - low.z) >> shift});
-      const auto early = static_cast<std::uint64_t>(std::countr_zero(scattered(i))) / 3;
-      const std::uint64_t round = last_round - std::min(early, last_round);
-      placed[i] = {round << 32 | place, static_cast<BallIndex>(i)};
+      const auto early = static_cast<std::uint32_t>(std::countr_zero(scattered(i))) / 3;
+      placed[i] = {last_round - std::min(early, last_round), place, static_cast<BallIndex>(i)};
     }
   });
+  cancel.throw_if_cancelled();
   if (!left_out.empty()) std::erase_if(placed, [&](const Placed& p) { return left_out[p.ball]; });
-  std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
-    return a.key != b.key ? a.key < b.key : a.ball < b.ball;
-  });
   order.balls.reserve(placed.size());
-  for (const Placed& p : placed) {
-    while (order.rounds.size() < p.key >> 32) order.rounds.push_back(order.balls.size());
+  for (const Placed& p : sorted_by_bucket(placed, last_round + 1, cancel)) {
+    while (order.rounds.size() < p.round) order.rounds.push_back(order.balls.size());
     order.balls.push_back(p.ball);
   }
   order.rounds.push_back(order.balls.size());

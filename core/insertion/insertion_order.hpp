@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
@@ -18,7 +19,8 @@ struct InsertionOrder {
 };
 
 // The order of the balls that are not marked in `left_out`, which may be empty. It depends on
-// nothing but the balls. Works in the caller's task arena.
-InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& left_out);
+// nothing but the balls. Works in the caller's task arena. Throws Cancelled.
+InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& left_out,
+                               const CancelToken& cancel = {});
 
 }  // namespace alphascope

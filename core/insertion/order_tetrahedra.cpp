@@ -53,11 +53,14 @@ void set_hull(std::vector<HullFacet> facets, const std::vector<OutsideFace>& out
   result.hull = std::move(facets);
 }
 
-void set_vertices(std::size_t balls, Triangulation& result) {
+void set_vertices(std::size_t balls, const CancelToken& cancel, Triangulation& result) {
   std::vector<char> visible(balls, 0);
-  for (const auto& t : result.tetrahedra) {
-    for (const BallIndex i : t) visible[i] = 1;
-  }
+  for_ranges(result.tetrahedra.size(), cancel, [&](std::size_t first, std::size_t end) {
+    for (std::size_t t = first; t != end; ++t) {
+      for (const BallIndex i : result.tetrahedra[t])
+        std::atomic_ref(visible[i]).store(1, std::memory_order_relaxed);
+    }
+  });
   for (std::size_t i = 0; i < balls; ++i)
     (visible[i] ? result.vertices : result.hidden).push_back(static_cast<BallIndex>(i));
 }

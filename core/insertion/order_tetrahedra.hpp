@@ -79,8 +79,8 @@ std::vector<HullFacet> hull_facets(const BallSet& balls, std::vector<OutsideFace
 void set_hull(std::vector<HullFacet> facets, const std::vector<OutsideFace>& outside,
               Triangulation& result);
 
-// Sets vertices and hidden balls from the tetrahedra.
-void set_vertices(std::size_t balls, Triangulation& result);
+// Sets vertices and hidden balls from the tetrahedra. Throws Cancelled.
+void set_vertices(std::size_t balls, const CancelToken& cancel, Triangulation& result);
 
 // The order of tetrahedra while it is made.
 class TetrahedronOrder {

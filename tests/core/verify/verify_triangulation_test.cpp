@@ -55,7 +55,7 @@ Triangulation made_of(const BallSet& balls, const Simplices<4>& tetrahedra) {
   Triangulation result;
   result.dimension = 3;
   set_tetrahedra(balls, all, {}, result);
-  set_vertices(balls.size(), result);
+  set_vertices(balls.size(), {}, result);
   return result;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/run/internal_error.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -34,7 +36,7 @@ std::uint32_t Inserter::begin(std::array<std::uint32_t, 4> balls) {
                   exactly_seen_from(first, balls_[balls[2]]),
                   exactly_seen_from(first, balls_[balls[3]])) < 0)
     std::swap(balls[2], balls[3]);
-  if (!have_room(5)) return Cell::kInfinity;
+  if (!have_room(5)) throw InternalError("There is no room for the first cells.");
   const std::uint32_t inner = take_cell();
   std::copy(balls.begin(), balls.end(), cells_[inner].ball);
   std::uint32_t outer[4];

@@ -3,14 +3,11 @@
 // with the new ball are replaced by those that join it with the faces around them.
 //
 // Several inserters may work on one triangulation at the same time, each for one part of the balls.
-// A cell belongs to a part if at least three of its balls do; the point at infinity belongs to
-// none.
-// - An inserter replaces cells of its own part only. Each face of these has two balls of the part
-// or
-//   more, so a new cell, which has the new ball besides, is of this part again.
-// - It also reads the cells next to those, and sets their neighbour on its own side. Such a cell
-// has
-//   two balls of this part, so it is of no other one, and nobody else changes it.
+// A cell belongs to a part if at least three of its balls do; infinity belongs to no part. An
+// inserter replaces cells of its own part only. Each face of these has two balls of the part or
+// more. So a new cell, which has the new ball besides, is of this part again. The inserter also
+// reads the cells next to those, and sets their neighbour on its own side. Such a cell has two
+// balls of this part, so it is of no other one, and nobody else changes that side of it.
 #pragma once
 
 #include <array>
@@ -48,7 +45,7 @@ class alignas(128) Inserter {
     part_ = part;
   }
 
-  // Makes the first tetrahedron, of four balls that are not in a plane. The store has room for it.
+  // Makes the first tetrahedron, of four balls that are not in a plane, and the cells around it.
   // Returns a cell.
   std::uint32_t begin(std::array<std::uint32_t, 4> balls);
 
@@ -110,7 +107,7 @@ class alignas(128) Inserter {
   static constexpr std::size_t kMostNumbered = 255;
   std::vector<CornerBall> corners_;
   std::vector<std::uint32_t> corner_balls_;
-  // Of each ball, and of infinity as the last: its number among those, from 1. 0 between
+  // Of each ball, and of infinity as the last: its number among those, from 1. All are 0 between
   // insertions.
   std::vector<std::uint8_t> number_of_;
   std::vector<std::array<std::uint32_t, 3>> places_;  // of each face: its balls among the corners

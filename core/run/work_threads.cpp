@@ -3,6 +3,7 @@
 #include "core/run/work_threads.hpp"
 
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -15,6 +16,10 @@ struct WorkThreads::Arena {
 };
 
 namespace {
+
+// oneTBB counts the CPUs of the main thread when it is first used, and keeps the number. OpenGL by
+// Mesa pins that thread to one CPU after the other while it starts. So they are counted before.
+[[maybe_unused]] const int cpus_at_start = tbb::info::default_concurrency();
 
 int most_threads() {
   return static_cast<int>(

@@ -3,10 +3,12 @@
 #include "core/run/work_threads.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <tbb/task_arena.h>
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <future>
 #include <stdexcept>
 #include <thread>
@@ -25,6 +27,25 @@ TEST(WorkThreads, RunsAndTellsWhatWasThrown) {
   threads.run([&] { parallel_each(0, 100u, [&](unsigned i) { sum += i; }); });
   EXPECT_EQ(sum, 4950u);
   EXPECT_THROW(threads.run([] { throw std::runtime_error("no"); }), std::runtime_error);
+}
+
+[[noreturn]] void say_threads_on_one_cpu() {
+  cpu_set_t all, one;
+  sched_getaffinity(0, sizeof all, &all);
+  CPU_ZERO(&one);
+  int cpu = 0;
+  while (!CPU_ISSET(cpu, &all)) ++cpu;
+  CPU_SET(cpu, &one);
+  sched_setaffinity(0, sizeof one, &one);
+  std::exit(WorkThreads().used());
+}
+
+// OpenGL pins the main thread for a moment while the window starts. The count is taken before.
+TEST(WorkThreadsDeathTest, AreThoseOfTheStart) {
+  const auto at_start = static_cast<int>(std::thread::hardware_concurrency());
+  if (at_start < 2) GTEST_SKIP() << "one core";
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a new process
+  EXPECT_EXIT(say_threads_on_one_cpu(), ::testing::ExitedWithCode(at_start), "");
 }
 
 TEST(WorkThreads, SaysHowManyWork) {

@@ -346,9 +346,17 @@ TEST_F(Cli, VerifyProvesTheDefinitionOfTetrahedraAlone) {
   EXPECT_TRUE(contains(outcome.out, ", 0 false"));
 }
 
-// At this alpha the engine uses CGAL's triangulation itself, since its own route has a limit.
+// At this alpha the engine triangulates all balls, since its own route has a limit.
+TEST_F(Cli, VerifyComparesWholeTriangulations) {
+  const Outcome outcome = run("verify '" + cube_.string() + "' --alpha 1e12");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "identical to CGAL")) << outcome.out;
+}
+
+// For balls in a plane the engine uses CGAL's triangulation itself.
 TEST_F(Cli, VerifyDoesNotCompareCgalWithItself) {
-  const std::string large = "verify '" + cube_.string() + "' --alpha 1e12";
+  const fs::path plane = write("plane.xyzr", "0 0 0 1\n3 0 0 1\n0 3 0 1\n4 4 0 1\n");
+  const std::string large = "verify '" + plane.string() + "' --alpha 1e12";
   for (const std::string& only : {std::string(), std::string(" --tetrahedra-only")}) {
     const Outcome outcome = run(large + only);
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;

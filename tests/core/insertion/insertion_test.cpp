@@ -45,7 +45,7 @@ TEST(Insertion, OfHardSetsEqualsCgals) {
 
 // Sets that are large enough for several parts of space.
 std::vector<NamedBalls> many_balls() {
-  const int count = testing::kAddressSanitizer ? 6000 : 20000;
+  const int count = testing::kAddressSanitizer ? 9000 : 20000;
   Random random(52);
   std::vector<NamedBalls> sets;
   sets.push_back({"spread", testing::random_balls(random, count, 500, 1, 30)});

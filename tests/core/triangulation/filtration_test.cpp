@@ -281,11 +281,13 @@ TEST(Engines, SayWhatThisRunDid) {
 
   const AlphaComplex triangulated = engine->compute({1e300}, {});
   EXPECT_EQ(triangulated.engine.route, "regular triangulation, filtration, then threshold");
-  EXPECT_TRUE(compare(triangulated, whole).both_rest_on_cgal);
+  EXPECT_TRUE(triangulated.engine.of_whole);
+  EXPECT_FALSE(compare(triangulated, whole).both_rest_on_cgal);
   const AlphaComplex later = engine->compute({100}, {});
   EXPECT_EQ(later.engine.route, "threshold of the whole filtration");
   EXPECT_TRUE(compare(later, whole).identical());
-  EXPECT_TRUE(compare(later, whole).both_rest_on_cgal);
+  EXPECT_TRUE(later.engine.of_whole);
+  EXPECT_FALSE(compare(later, whole).both_rest_on_cgal);
 }
 
 }  // namespace

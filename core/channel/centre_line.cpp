@@ -55,8 +55,8 @@ Line resampled(const Line& line, double spacing) {
   return result;
 }
 
-RealPoint tangent(const Clearance& clearance, const Line& line, std::size_t n, double spacing) {
-  const double angstrom = std::max(kTangentReach, kTangentShare * clearance.at(line[n]));
+RealPoint tangent(double clearance, const Line& line, std::size_t n, double spacing) {
+  const double angstrom = std::max(kTangentReach, kTangentShare * clearance);
   const auto reach = static_cast<std::size_t>(std::lround(angstrom / spacing));
   const std::size_t low = n > reach ? n - reach : 0, high = std::min(n + reach, line.size() - 1);
   return unit_vector(line[high] - line[low]);
@@ -198,10 +198,16 @@ void cut_ends(const Scene& scene, Line& line) {
 // in the open stay.
 Line ascended(const Scene& scene, const Line& line, double spacing, const AscentLimits& limits) {
   Line result = line;
-  parallel_each(0, line.size(), [&](std::size_t n) {
-    const RealPoint normal = tangent(scene.clearance, line, n, spacing);
-    if (scene.stays(line, n) || scene.cancel.cancelled() || normal == RealPoint{}) return;
-    result[n] = ascend_in_plane(scene.clearance, line[n], normal, limits).place;
+  constexpr std::size_t kTogether = 32;
+  parallel_ranges(0, line.size(), kTogether, [&](std::size_t first, std::size_t last) {
+    ClearanceNearby nearby(scene.clearance);
+    for (std::size_t n = first; n < last && !scene.cancel.cancelled(); ++n) {
+      if (scene.stays(line, n)) continue;
+      const double own = nearby.look_around(line[n], 2 * limits.longest_step_angstrom);
+      const RealPoint normal = tangent(own, line, n, spacing);
+      if (normal == RealPoint{}) continue;
+      result[n] = ascend_in_plane(nearby, line[n], normal, limits).place;
+    }
   });
   scene.cancel.throw_if_cancelled();
   return result;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clearance of points by grids. Balls of similar size share a grid, and a search visits its cells
-// in growing shells.
+// Clearance of points by a tree of boxes.
 #include "core/clearance/clearance.hpp"
 
 #include <algorithm>
@@ -8,153 +7,132 @@
 #include <limits>
 #include <numeric>
 
-#include "core/geometry/alpha.hpp"
-#include "core/geometry/lattice_alpha.hpp"
-
 namespace alphascope {
 namespace {
 
-// Balls of one grid differ by no more than this factor.
-constexpr int kRadiusFactor = 4;
+constexpr std::uint32_t kLeafSize = 8;
+// A path has fewer nodes than this, since halves of 2^32 balls are leaves after 30 steps.
+constexpr std::size_t kMostDepth = 40;
 
-// Visits the slots of the cells (x, y, low_z) to (x, y, high_z) that exist.
-template <class Visit>
-void visit_column(const UniformGrid& grid, int x, int y, int low_z, int high_z,
-                  const Visit& visit) {
-  low_z = std::max(low_z, 0);
-  high_z = std::min(high_z, grid.nz - 1);
-  if (x < 0 || x >= grid.nx || y < 0 || y >= grid.ny || low_z > high_z) return;
-  const std::size_t column = (static_cast<std::size_t>(x) * static_cast<std::size_t>(grid.ny) +
-                              static_cast<std::size_t>(y)) *
-                             static_cast<std::size_t>(grid.nz);
-  const std::uint32_t end = grid.cell_start[column + static_cast<std::size_t>(high_z) + 1];
-  for (std::uint32_t s = grid.cell_start[column + static_cast<std::size_t>(low_z)]; s < end; ++s) {
-    visit(s);
-  }
-}
-
-// The cell of a coordinate. A coordinate outside the grid gets the cell one beyond its border.
-int clamped_cell(double coordinate, double origin, double width, int count) {
-  return static_cast<int>(
-      std::clamp(std::floor((coordinate - origin) / width), -1.0, static_cast<double>(count)));
-}
-
-// Balls by falling radius. Among balls with equal centres only the largest with the lowest index is
-// kept. A million of them would share one cell.
-std::vector<BallIndex> by_falling_radius(const BallSet& balls) {
+// Among balls with equal centres only the largest with the lowest index. A million of them would
+// share one leaf.
+std::vector<BallIndex> outermost_by_centre(const BallSet& balls) {
   std::vector<BallIndex> order(balls.size());
   std::iota(order.begin(), order.end(), BallIndex{0});
-  const auto is_larger = [&](BallIndex a, BallIndex b) {
-    return balls.radii[a] != balls.radii[b] ? balls.radii[a] > balls.radii[b] : a < b;
-  };
   std::sort(order.begin(), order.end(), [&](BallIndex a, BallIndex b) {
-    return balls.centres[a] != balls.centres[b] ? balls.centres[a] < balls.centres[b]
-                                                : is_larger(a, b);
+    if (balls.centres[a] != balls.centres[b]) return balls.centres[a] < balls.centres[b];
+    return balls.radii[a] != balls.radii[b] ? balls.radii[a] > balls.radii[b] : a < b;
   });
   order.erase(
       std::unique(order.begin(), order.end(),
                   [&](BallIndex a, BallIndex b) { return balls.centres[a] == balls.centres[b]; }),
       order.end());
-  std::sort(order.begin(), order.end(), is_larger);
   return order;
+}
+
+// The distance from x to a surface. Lattice units.
+inline double surface_distance(const RealPoint& x, const LatticePoint& centre,
+                               std::int32_t radius) {
+  const double dx = x.x - centre.x, dy = x.y - centre.y, dz = x.z - centre.z;
+  return std::sqrt(dx * dx + dy * dy + dz * dz) - radius;
 }
 
 }  // namespace
 
-// A point in lattice units, and its cell.
-struct Clearance::Query {
-  const Level& level;
-  RealPoint x;
-  int cx, cy, cz;
-
-  Query(const Level& of, const RealPoint& at) : level(of), x(at) {
-    const UniformGrid& g = of.grid;
-    cx = clamped_cell(at.x, g.origin.x, g.cell_width, g.nx);
-    cy = clamped_cell(at.y, g.origin.y, g.cell_width, g.ny);
-    cz = clamped_cell(at.z, g.origin.z, g.cell_width, g.nz);
-  }
-  double distance(std::uint32_t slot) const {
-    const UniformGrid& g = level.grid;
-    const double dx = x.x - g.x[slot], dy = x.y - g.y[slot], dz = x.z - g.z[slot];
-    return std::sqrt(dx * dx + dy * dy + dz * dz) - level.radii[slot];
-  }
-  // Visits all balls in cells whose largest offset from the point's cell, along any axis, is
-  // `shell`.
-  template <class Visit>
-  void visit_shell(int shell, const Visit& visit) const {
-    const UniformGrid& g = level.grid;
-    const int x_end = std::min(shell, g.nx - 1 - cx), y_end = std::min(shell, g.ny - 1 - cy);
-    for (int dx = std::max(-shell, -cx); dx <= x_end; ++dx) {
-      for (int dy = std::max(-shell, -cy); dy <= y_end; ++dy) {
-        if (std::abs(dx) == shell || std::abs(dy) == shell) {
-          visit_column(g, cx + dx, cy + dy, cz - shell, cz + shell, visit);
-        } else {
-          visit_column(g, cx + dx, cy + dy, cz - shell, cz - shell, visit);
-          visit_column(g, cx + dx, cy + dy, cz + shell, cz + shell, visit);
-        }
-      }
-    }
-  }
-  // A lower bound of the distance from the point to any centre in that shell or beyond.
-  double shell_distance(int shell) const {
-    const UniformGrid& g = level.grid;
-    const auto gap = [&](double at, double origin, int cell) {
-      const double inside = at - origin - cell * g.cell_width;
-      return std::min(inside, g.cell_width - inside);
-    };
-    // A point outside the grid may lie beyond its clamped cell. The bound then loses one shell.
-    const double inner = std::min({gap(x.x, g.origin.x, cx), gap(x.y, g.origin.y, cy),
-                                   gap(x.z, g.origin.z, cz), g.cell_width});
-    return (shell - 1) * g.cell_width + std::max(inner, 0.0);
-  }
-  int last_shell() const { return std::max({level.grid.nx, level.grid.ny, level.grid.nz}) + 1; }
-};
-
 Clearance::Clearance(const BallSet& balls) : unit_(balls.lattice.unit_angstrom()) {
-  const std::vector<BallIndex> order = by_falling_radius(balls);
-  for (std::size_t begin = 0; begin < order.size();) {
-    const std::int32_t most = balls.radii[order[begin]];
-    std::size_t end = begin;
-    while (end < order.size() && balls.radii[order[end]] > most / kRadiusFactor) ++end;
-    Level level;
-    level.most_radius = most;
-    level.ball.assign(order.begin() + static_cast<std::ptrdiff_t>(begin),
-                      order.begin() + static_cast<std::ptrdiff_t>(end));
-    BallSet part;
-    part.lattice = balls.lattice;
-    for (const BallIndex i : level.ball) {
-      part.centres.push_back(balls.centres[i]);
-      part.radii.push_back(balls.radii[i]);
+  for (const BallIndex i : outermost_by_centre(balls)) {
+    slots_.push_back({balls.centres[i], balls.radii[i], i});
+  }
+  if (!slots_.empty()) build(0, static_cast<std::uint32_t>(slots_.size()));
+}
+
+// Halves the slots along the longest side of their box.
+void Clearance::build(std::uint32_t first, std::uint32_t end) {
+  const std::size_t own = nodes_.size();
+  Node node{slots_[first].centre, slots_[first].centre, 0, first, end, 0};
+  for (std::uint32_t s = first; s < end; ++s) {
+    const LatticePoint& p = slots_[s].centre;
+    node.low = {std::min(node.low.x, p.x), std::min(node.low.y, p.y), std::min(node.low.z, p.z)};
+    node.high = {std::max(node.high.x, p.x), std::max(node.high.y, p.y),
+                 std::max(node.high.z, p.z)};
+    node.most_radius = std::max(node.most_radius, slots_[s].radius);
+  }
+  nodes_.push_back(node);
+  if (end - first <= kLeafSize) return;
+  const RealPoint size = real_point(node.high) - real_point(node.low);
+  const auto split = [&](std::int32_t LatticePoint::*along) {
+    const std::uint32_t middle = first + (end - first) / 2;
+    std::nth_element(slots_.begin() + first, slots_.begin() + middle, slots_.begin() + end,
+                     [&](const Slot& a, const Slot& b) {
+                       return a.centre.*along != b.centre.*along ? a.centre.*along < b.centre.*along
+                                                                 : a.ball < b.ball;
+                     });
+    build(first, middle);
+    nodes_[own].second = static_cast<std::uint32_t>(nodes_.size());
+    build(middle, end);
+  };
+  if (size.x >= size.y && size.x >= size.z) {
+    split(&LatticePoint::x);
+  } else {
+    split(size.y >= size.z ? &LatticePoint::y : &LatticePoint::z);
+  }
+}
+
+// The square of the distance from x to the box of a node.
+inline double Clearance::square_distance(const RealPoint& x, const Node& node) {
+  const auto beyond = [](double at, std::int32_t low, std::int32_t high) {
+    return std::max(std::max(low - at, at - high), 0.0);
+  };
+  const double dx = beyond(x.x, node.low.x, node.high.x), dy = beyond(x.y, node.low.y, node.high.y),
+               dz = beyond(x.z, node.low.z, node.high.z);
+  return dx * dx + dy * dy + dz * dz;
+}
+
+template <class Visit>
+void Clearance::visit_leaves(const RealPoint& x, const double& most, const Visit& visit) const {
+  if (nodes_.empty()) return;
+  // The slack is above the rounding errors of distances: nothing is skipped because of them.
+  constexpr double kSlack = 1e-14;
+  struct Open {
+    double square;
+    std::uint32_t node;
+  };
+  std::array<Open, kMostDepth> open;
+  std::size_t count = 0;
+  Open next{square_distance(x, nodes_[0]), 0};
+  while (true) {
+    const Node& node = nodes_[next.node];
+    const double radius = node.most_radius;
+    const double reach = (most + radius) + kSlack * (std::fabs(most) + radius);
+    const bool is_in_reach = reach >= 0 && next.square <= (1 + kSlack) * (reach * reach);
+    if (is_in_reach && node.second != 0) {
+      Open near{square_distance(x, nodes_[next.node + 1]), next.node + 1};
+      Open far{square_distance(x, nodes_[node.second]), node.second};
+      if (far.square < near.square) std::swap(near, far);
+      open[count++] = far;
+      next = near;
+      continue;
     }
-    level.grid = make_uniform_grid(part, 0, {});
-    level.radii.reserve(part.size());
-    for (const BallIndex own : level.grid.ball) level.radii.push_back(part.radii[own]);
-    levels_.push_back(std::move(level));
-    begin = end;
+    if (is_in_reach) visit(node);
+    if (count == 0) return;
+    next = open[--count];
   }
 }
 
 Surface Clearance::nearest(const RealPoint& x_angstrom) const {
   const RealPoint x = (1 / unit_) * x_angstrom;
   double best = std::numeric_limits<double>::infinity();
-  BallIndex ball = 0;
-  RealPoint centre;
-  for (const Level& level : levels_) {
-    const Query query(level, x);
-    for (int shell = 0; shell <= query.last_shell(); ++shell) {
-      if (shell > 0 && query.shell_distance(shell) - level.most_radius > best) break;
-      query.visit_shell(shell, [&](std::uint32_t slot) {
-        const double distance = query.distance(slot);
-        const BallIndex index = level.ball[level.grid.ball[slot]];
-        if (distance > best || (distance == best && index > ball)) return;
-        best = distance;
-        ball = index;
-        centre = {static_cast<double>(level.grid.x[slot]), static_cast<double>(level.grid.y[slot]),
-                  static_cast<double>(level.grid.z[slot])};
-      });
+  Slot nearest{};
+  visit_leaves(x, best, [&](const Node& leaf) {
+    for (std::uint32_t s = leaf.first; s < leaf.end; ++s) {
+      const Slot& slot = slots_[s];
+      const double distance = surface_distance(x, slot.centre, slot.radius);
+      if (distance > best || (distance == best && slot.ball > nearest.ball)) continue;
+      best = distance;
+      nearest = slot;
     }
-  }
-  return {best * unit_, ball, unit_vector(x - centre)};
+  });
+  return {best * unit_, nearest.ball, unit_vector(x - real_point(nearest.centre))};
 }
 
 void Clearance::collect(const RealPoint& x_angstrom, double most_angstrom,
@@ -162,34 +140,73 @@ void Clearance::collect(const RealPoint& x_angstrom, double most_angstrom,
   out.clear();
   const RealPoint x = (1 / unit_) * x_angstrom;
   const double most = most_angstrom / unit_;
-  for (const Level& level : levels_) {
-    const UniformGrid& g = level.grid;
-    const double reach = most + level.most_radius;
-    if (!(reach >= 0)) continue;
-    const auto cell = [&](double at, double origin, int count) {
-      return clamped_cell(at, origin, g.cell_width, count);
-    };
-    const Query query(level, x);
-    const int x_end = cell(x.x + reach, g.origin.x, g.nx);
-    const int y_end = cell(x.y + reach, g.origin.y, g.ny);
-    for (int cx = cell(x.x - reach, g.origin.x, g.nx); cx <= x_end; ++cx) {
-      for (int cy = cell(x.y - reach, g.origin.y, g.ny); cy <= y_end; ++cy) {
-        visit_column(
-            g, cx, cy, cell(x.z - reach, g.origin.z, g.nz), cell(x.z + reach, g.origin.z, g.nz),
-            [&](std::uint32_t slot) {
-              const double distance = query.distance(slot);
-              if (distance > most) return;
-              const RealPoint centre{static_cast<double>(g.x[slot]), static_cast<double>(g.y[slot]),
-                                     static_cast<double>(g.z[slot])};
-              out.push_back({distance * unit_, level.ball[g.ball[slot]], unit_vector(x - centre)});
-            });
-      }
+  visit_leaves(x, most, [&](const Node& leaf) {
+    for (std::uint32_t s = leaf.first; s < leaf.end; ++s) {
+      const Slot& slot = slots_[s];
+      const double distance = surface_distance(x, slot.centre, slot.radius);
+      if (distance > most) continue;
+      out.push_back({distance * unit_, slot.ball, unit_vector(x - real_point(slot.centre))});
     }
-  }
+  });
   std::sort(out.begin(), out.end(), [](const Surface& a, const Surface& b) {
     return a.distance_angstrom != b.distance_angstrom ? a.distance_angstrom < b.distance_angstrom
                                                       : a.ball < b.ball;
   });
+}
+
+// Clearance and the distance of each surface change by no more than the distance between two
+// points. So a surface at most value(x) + around from x is at most value(middle) + 2 |x - middle| +
+// around from the middle.
+double ClearanceNearby::look_around(const RealPoint& x_angstrom, double around_angstrom) {
+  constexpr double kRounding = 1e-9, kKeptFor = 0.45;  // Å
+  const double moved = slots_.empty() ? 0 : length(x_angstrom - middle_);
+  const double around = around_angstrom + kRounding;
+  if (!slots_.empty() && value_ + 2 * moved + around <= most_) return at(x_angstrom);
+  const double value = clearance_.at(x_angstrom);
+  middle_ = x_angstrom;
+  value_ = value;
+  most_ = value + around + 2 * kKeptFor;
+  slots_.clear();
+  const RealPoint x = (1 / clearance_.unit_) * x_angstrom;
+  const double most = most_ / clearance_.unit_;
+  clearance_.visit_leaves(x, most, [&](const Clearance::Node& leaf) {
+    for (std::uint32_t s = leaf.first; s < leaf.end; ++s) {
+      const Clearance::Slot& slot = clearance_.slots_[s];
+      if (surface_distance(x, slot.centre, slot.radius) <= most) slots_.push_back(slot);
+    }
+  });
+  return value;
+}
+
+double ClearanceNearby::at(const RealPoint& x_angstrom) const {
+  const RealPoint x = (1 / clearance_.unit_) * x_angstrom;
+  double best = std::numeric_limits<double>::infinity();
+  for (const Clearance::Slot& slot : slots_) {
+    best = std::min(best, surface_distance(x, slot.centre, slot.radius));
+  }
+  return best * clearance_.unit_;
+}
+
+void ClearanceNearby::collect(const RealPoint& x_angstrom, double most_angstrom, std::size_t count,
+                              std::vector<Surface>& out) {
+  out.clear();
+  near_.clear();
+  const RealPoint x = (1 / clearance_.unit_) * x_angstrom;
+  const double most = most_angstrom / clearance_.unit_;
+  for (std::uint32_t s = 0; s < slots_.size(); ++s) {
+    const double distance = surface_distance(x, slots_[s].centre, slots_[s].radius);
+    if (distance <= most) near_.push_back({distance * clearance_.unit_, s});
+  }
+  const auto end = near_.begin() + static_cast<std::ptrdiff_t>(std::min(count, near_.size()));
+  std::partial_sort(near_.begin(), end, near_.end(), [&](const Near& a, const Near& b) {
+    return a.distance_angstrom != b.distance_angstrom ? a.distance_angstrom < b.distance_angstrom
+                                                      : slots_[a.slot].ball < slots_[b.slot].ball;
+  });
+  near_.erase(end, near_.end());
+  for (const Near& near : near_) {
+    const Clearance::Slot& slot = slots_[near.slot];
+    out.push_back({near.distance_angstrom, slot.ball, unit_vector(x - real_point(slot.centre))});
+  }
 }
 
 }  // namespace alphascope

@@ -85,26 +85,34 @@ class BestStep {
 
 Ascent ascend_in_plane(const Clearance& clearance, const RealPoint& x, const RealPoint& normal,
                        const AscentLimits& limits) {
+  ClearanceNearby nearby(clearance);
+  return ascend_in_plane(nearby, x, normal, limits);
+}
+
+Ascent ascend_in_plane(ClearanceNearby& nearby, const RealPoint& x, const RealPoint& normal,
+                       const AscentLimits& limits) {
   constexpr int kMostSteps = 4000;
+  constexpr double kRounding = 1e-9;  // Å
   RealPoint first, second;
   normals_of(normal, first, second);
   Ascent ascent{x, false};
   std::vector<Surface> surfaces;
   std::vector<Slope> slopes;
   double step_length = limits.longest_step_angstrom;
-  double value = clearance.at(x);
+  double value = nearby.look_around(x, 0);
   for (int n = 0; n < kMostSteps; ++n) {
     if (value >= limits.most_clearance_angstrom) return ascent;
     if (length(ascent.place - x) >= limits.farthest_angstrom) return ascent;
-    clearance.collect(ascent.place, value + 2 * step_length + 1e-9, surfaces);
+    // What may be nearest at the end of the step is among these as well.
+    nearby.look_around(ascent.place, 2 * step_length + kRounding);
+    nearby.collect(ascent.place, value + 2 * step_length + kRounding, kMostSurfaces, surfaces);
     slopes.clear();
     for (const Surface& s : surfaces) {
-      if (slopes.size() == kMostSurfaces) break;
       slopes.push_back({s.distance_angstrom, dot(s.away, first), dot(s.away, second)});
     }
     const Step step = BestStep(slopes, step_length).find();
     const RealPoint next = ascent.place + step.x * first + step.y * second;
-    const double risen = step.value > value ? clearance.at(next) : value;
+    const double risen = step.value > value ? nearby.at(next) : value;
     const double rise = risen - value;
     if (rise > 0) {
       ascent.place = next;

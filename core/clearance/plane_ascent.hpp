@@ -25,5 +25,8 @@ struct Ascent {
 // never falls.
 Ascent ascend_in_plane(const Clearance& clearance, const RealPoint& x, const RealPoint& normal,
                        const AscentLimits& limits);
+// The same for one start after another that are near each other.
+Ascent ascend_in_plane(ClearanceNearby& nearby, const RealPoint& x, const RealPoint& normal,
+                       const AscentLimits& limits);
 
 }  // namespace alphascope

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "core/clearance/equal_clearance.hpp"
 #include "core/clearance/plane_ascent.hpp"
@@ -84,6 +86,137 @@ TEST(Clearance, IsTheLeastDistanceToASurface) {
       EXPECT_EQ(surfaces[0].ball, found.ball);
       for (std::size_t k = 1; k < surfaces.size(); ++k) {
         EXPECT_LE(surfaces[k - 1].distance_angstrom, surfaces[k].distance_angstrom);
+      }
+    }
+  }
+}
+
+// The surfaces of all balls that no other ball with the same centre covers, sorted as collect()
+// sorts them.
+std::vector<Surface> all_surfaces(const BallSet& balls, const RealPoint& x_angstrom) {
+  const double unit = balls.lattice.unit_angstrom();
+  const RealPoint x = (1 / unit) * x_angstrom;
+  std::vector<Surface> surfaces;
+  for (BallIndex i = 0; i < balls.size(); ++i) {
+    bool is_covered = false;
+    for (BallIndex k = 0; k < balls.size(); ++k) {
+      if (k == i || balls.centres[k] != balls.centres[i]) continue;
+      is_covered |= balls.radii[k] > balls.radii[i] || (balls.radii[k] == balls.radii[i] && k < i);
+    }
+    if (is_covered) continue;
+    const RealPoint away = x - real_point(balls.centres[i]);
+    surfaces.push_back({unit * (length(away) - balls.radii[i]), i, unit_vector(away)});
+  }
+  std::sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) {
+    return a.distance_angstrom != b.distance_angstrom ? a.distance_angstrom < b.distance_angstrom
+                                                      : a.ball < b.ball;
+  });
+  return surfaces;
+}
+
+void expect_equal(const std::vector<Surface>& found, const std::vector<Surface>& expected,
+                  std::size_t count) {
+  ASSERT_EQ(found.size(), count);
+  for (std::size_t n = 0; n < count; ++n) {
+    EXPECT_EQ(found[n].ball, expected[n].ball) << n;
+    EXPECT_EQ(found[n].distance_angstrom, expected[n].distance_angstrom) << n;
+    EXPECT_EQ(found[n].away, expected[n].away) << n;
+  }
+}
+
+struct SomeBalls {
+  std::string name;
+  BallSet balls;
+  int extent;  // lattice units
+};
+
+// Scattered, clustered, coincident, collinear, distant and unequal balls.
+std::vector<SomeBalls> various_balls(Random& random) {
+  std::vector<SomeBalls> sets;
+  for (const int count : {1, 8, 9, 17, 300}) {
+    sets.push_back({"scattered", testing::random_balls(random, count, 30, 1, 6), 30});
+  }
+  sets.push_back({"dense", testing::random_balls(random, 400, 4, 1, 3), 4});
+  SomeBalls clusters{"clusters", {}, 100000}, line{"line", {}, 500}, far{"far", {}, 500000000};
+  for (int n = 0; n < 200; ++n) {
+    const int at = 90000 * (n % 3 - 1);
+    add_ball(clusters.balls, at + random_int(random, -9, 9), at + random_int(random, -9, 9),
+             -at + random_int(random, -9, 9), random_int(random, 1, 5));
+    add_ball(line.balls, random_int(random, -500, 500), 7, 7, random_int(random, 1, 40));
+    add_ball(far.balls, random_int(random, -500000000, 500000000), random_int(random, 0, 1),
+             random_int(random, -500000000, 500000000), random_int(random, 1, 400000000));
+  }
+  for (SomeBalls* set : {&clusters, &line, &far}) sets.push_back(*set);
+  sets.push_back({"unequal", unequal_balls(random, 300), 45000});
+  return sets;
+}
+
+// Coordinates are whole numbers, so many distances are equal.
+RealPoint random_place(Random& random, const SomeBalls& set, int n) {
+  const int extent = n % 5 == 0 ? 900000000 : n % 5 == 1 ? set.extent / 8 + 1 : set.extent;
+  const double unit = set.balls.lattice.unit_angstrom();
+  return unit * RealPoint{static_cast<double>(random_int(random, -extent, extent)),
+                          static_cast<double>(random_int(random, -extent, extent)),
+                          static_cast<double>(random_int(random, -extent, extent))};
+}
+
+TEST(Clearance, TheTreeFindsExactlyWhatAllBallsGive) {
+  Random random(11);
+  for (const SomeBalls& set : various_balls(random)) {
+    SCOPED_TRACE(set.name + ", " + std::to_string(set.balls.size()));
+    const Clearance clearance(set.balls);
+    const double unit = set.balls.lattice.unit_angstrom();
+    std::vector<Surface> found;
+    for (int n = 0; n < 30; ++n) {
+      RealPoint x = random_place(random, set, n);
+      if (n % 7 == 0) x = unit * real_point(set.balls.centres[n % set.balls.size()]);
+      const std::vector<Surface> expected = all_surfaces(set.balls, x);
+      const Surface nearest = clearance.nearest(x);
+      EXPECT_EQ(nearest.ball, expected[0].ball);
+      EXPECT_EQ(nearest.distance_angstrom, expected[0].distance_angstrom);
+      EXPECT_EQ(nearest.away, expected[0].away);
+      // Up to the surface itself, just not to it, and to all.
+      for (const std::size_t last : {std::size_t{0}, expected.size() / 3, expected.size() - 1}) {
+        const double most = expected[last].distance_angstrom;
+        for (const double limit : {most, std::nextafter(most, -1e300)}) {
+          const auto is_within = [&](const Surface& s) {
+            const RealPoint away = (1 / unit) * x - real_point(set.balls.centres[s.ball]);
+            return length(away) - set.balls.radii[s.ball] <= limit / unit;
+          };
+          const auto count =
+              static_cast<std::size_t>(std::count_if(expected.begin(), expected.end(), is_within));
+          clearance.collect(x, limit, found);
+          expect_equal(found, expected, count);
+        }
+      }
+    }
+  }
+}
+
+TEST(Clearance, NearbyBallsGiveTheSame) {
+  constexpr double kAround = 0.7;
+  Random random(12);
+  for (const SomeBalls& set : various_balls(random)) {
+    if (set.name == "far") continue;
+    SCOPED_TRACE(set.name + ", " + std::to_string(set.balls.size()));
+    const Clearance clearance(set.balls);
+    ClearanceNearby nearby(clearance);
+    std::vector<Surface> found, expected;
+    RealPoint x;
+    for (int n = 0; n < 120; ++n) {
+      const auto step = [&](double size) { return size * random_int(random, -100, 100) / 100.0; };
+      x = n % 50 == 0 ? random_place(random, set, n / 50)
+                      : x + RealPoint{step(0.2), step(0.2), step(0.2)};
+      const double own = nearby.look_around(x, kAround);
+      ASSERT_EQ(own, clearance.at(x));
+      // What is nearest here is at most half as far as the balls around decide.
+      const RealPoint beside =
+          x + (0.999 * kAround / 2) * unit_vector({step(1), step(1), step(1) + 0.001});
+      ASSERT_EQ(nearby.at(beside), clearance.at(beside));
+      for (const std::size_t most : {std::size_t{3}, set.balls.size()}) {
+        nearby.collect(x, own + kAround, most, found);
+        clearance.collect(x, own + kAround, expected);
+        expect_equal(found, expected, std::min(most, expected.size()));
       }
     }
   }

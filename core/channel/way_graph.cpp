@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Builds the graph of empty tetrahedra and finds crossings and routes in it.
+// Builds the graph of empty tetrahedra.
 #include "core/channel/way_graph.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <utility>
 
-#include "core/clearance/equal_clearance.hpp"
 #include "core/predicates/exact_alpha.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
 
-constexpr std::uint32_t kNothing = ~std::uint32_t{0};
+enum WayKind : std::uint8_t { kWayFull, kWayInside, kWayOutside };
 
 // A place outside all balls, far enough away to change nothing near them.
 LatticePoint beside(const BallSet& balls) {
@@ -90,194 +90,154 @@ bool WayAxis::stays_near_axis(const RealPoint& from, const RealPoint& to) const 
   return is_near(place(begin)) && is_near(place(end));
 }
 
+// Face k of tetrahedron `from` is face `back` of tetrahedron `to`; indices of the triangulation.
+struct WayGraph::OpenFace {
+  std::uint32_t from, to;
+  std::uint8_t k, back;
+  float power, gap_angstrom;
+  double ring_angstrom;  // WayRing::clearance_angstrom; -1 if ways do not cross there
+};
+
 WayGraph::WayGraph(const BallSet& balls, const Envelope& envelope, const RunContext& context)
-    : balls_(balls) {
+    : balls_(balls), way_cost_{} {
   const PassageEnds ends{beside(balls), {}, {}};
   scene_ = GrownTriangulations(balls, ends).at(0, context);
   space_.emplace(scene_->balls, scene_->triangulation);
-  const std::size_t count = scene_->triangulation.tetrahedra.size();
-  kind_.assign(count, Kind::full);
-  corner_.resize(count);
+  const Simplices<4>& tetrahedra = scene_->triangulation.tetrahedra;
+  const std::size_t count = tetrahedra.size();
   const double unit = balls.lattice.unit_angstrom();
+  std::vector<std::uint8_t> kinds(count, kWayFull);
+  std::vector<RealPoint> corners(count);
+  std::vector<float> powers(count);  // square lattice units
+  parallel_many(count, context.cancel, [&](std::size_t n) {
+    const auto t = static_cast<std::uint32_t>(n);
+    if (!space_->is_empty(t)) return;
+    corners[t] = unit * space_->corner(t);
+    kinds[t] = envelope.holds(corners[t]) ? kWayInside : kWayOutside;
+    powers[t] = ortho_radius_rounded(scene_->balls, tetrahedra[t]);
+  });
+  const std::vector<OpenFace> open = open_faces(kinds, powers, context.cancel);
+  std::vector<std::uint32_t> number(count, kNothing);
+  for (const OpenFace& face : open) number[face.from] = number[face.to] = 0;
   for (std::uint32_t t = 0; t < count; ++t) {
-    if (t % 4096 == 0) context.cancel.throw_if_cancelled();
-    if (!space_->is_empty(t)) continue;
-    corner_[t] = unit * space_->corner(t);
-    kind_[t] = envelope.holds(corner_[t]) ? Kind::inside : Kind::outside;
+    if (number[t] == kNothing) continue;
+    number[t] = static_cast<std::uint32_t>(original_.size());
+    original_.push_back(t);
+    corner_.push_back(corners[t]);
+    is_outside_.push_back(kinds[t] == kWayOutside);
   }
-  set_widths(context.cancel);
+  // By falling power, then as listed. Bits of floats that are not negative rise with these.
+  std::vector<std::uint64_t> order(open.size());
+  for (std::size_t n = 0; n < open.size(); ++n) {
+    order[n] = std::uint64_t{~std::bit_cast<std::uint32_t>(open[n].power)} << 32 | n;
+  }
+  std::sort(order.begin(), order.end());
+  links_.resize(original_.size());
+  faces_.reserve(open.size());
+  for (const std::uint64_t entry : order) {
+    const OpenFace& face = open[static_cast<std::uint32_t>(entry)];
+    const std::uint32_t a = number[face.from], b = number[face.to];
+    const auto own = static_cast<std::uint32_t>(faces_.size());
+    links_[a][face.k] = {b, own, face.power, face.gap_angstrom};
+    links_[b][face.back] = {a, own, face.power, face.gap_angstrom};
+    faces_.push_back({a, b, face.power});
+    if (face.ring_angstrom >= 0) rings_.push_back({own, face.ring_angstrom, 0});
+  }
+  double widest = 0;
+  for (auto ring = rings_.rbegin(); ring != rings_.rend(); ++ring) {
+    ring->widest_angstrom = widest = std::max(widest, ring->clearance_angstrom);
+  }
+  constexpr double kLeast = 0.1, kEnough = 10;  // Å
+  way_cost_ = {static_cast<double>(balls.lattice.nearest_units(kLeast)),
+               static_cast<double>(balls.lattice.nearest_units(kEnough)),
+               static_cast<BallIndex>(scene_->original.size())};
+  costs_ = std::vector<std::atomic<double>>(faces_.size());
 }
 
-double WayGraph::clearance_at_gap(const std::array<BallIndex, 3>& triangle,
-                                  RealPoint* place) const {
-  if (triangle[2] >= scene_->original.size()) return -1;
-  const EqualClearance gap =
-      equal_clearance(balls_, {scene_->original[triangle[0]], scene_->original[triangle[1]],
-                               scene_->original[triangle[2]]});
-  if (!gap.found) return -1;
-  if (place != nullptr) *place = gap.place_angstrom;
-  return gap.clearance_angstrom;
+EqualClearance WayGraph::gap_of(const std::array<BallIndex, 3>& triangle) const {
+  if (triangle[2] >= scene_->original.size()) return {};
+  return equal_clearance(balls_, {scene_->original[triangle[0]], scene_->original[triangle[1]],
+                                  scene_->original[triangle[2]]});
 }
 
-// Visits each face once, from the tetrahedron of the lower index.
-void WayGraph::set_widths(const CancelToken& cancel) {
+EqualClearance WayGraph::gap_at(std::uint32_t tetrahedron, std::size_t link) const {
+  return gap_of(space_->face(original_[tetrahedron], link));
+}
+
+std::size_t WayGraph::link_to(std::uint32_t from, std::uint32_t to) const {
+  std::size_t k = 0;
+  while (links_[from][k].to != to) ++k;
+  return k;
+}
+
+// Visits each face once, from the tetrahedron of the lower index. The list is in their order.
+std::vector<WayGraph::OpenFace> WayGraph::open_faces(const std::vector<std::uint8_t>& kinds,
+                                                     const std::vector<float>& powers,
+                                                     const CancelToken& cancel) const {
   const auto& neighbours = scene_->triangulation.neighbours;
   const double unit = balls_.lattice.unit_angstrom();
-  const WayWidth width{[&](const std::array<BallIndex, 3>& triangle) {
-                         const double gap = clearance_at_gap(triangle, nullptr);
-                         return gap < 0 ? std::nullopt : std::optional(gap / unit);
+  const auto known_width = [&](const EqualClearance& gap) {
+    return gap.found && gap.clearance_angstrom >= 0;
+  };
+  const WayWidth width{[&](const std::array<BallIndex, 3>& triangle) -> std::optional<double> {
+                         const EqualClearance gap = gap_of(triangle);
+                         if (!known_width(gap)) return std::nullopt;
+                         return gap.clearance_angstrom / unit;
                        },
                        0, static_cast<BallIndex>(scene_->original.size())};
-  const auto power_of = [&](std::uint32_t t) {
-    return ortho_radius_rounded(scene_->balls, scene_->triangulation.tetrahedra[t]);
-  };
-  width_.assign(kind_.size(), {kShut, kShut, kShut, kShut});
-  power_ = width_;
-  is_gap_.assign(kind_.size(), {false, false, false, false});
-  for (std::uint32_t t = 0; t < kind_.size(); ++t) {
-    if (t % 4096 == 0) cancel.throw_if_cancelled();
-    if (kind_[t] == Kind::full) continue;
-    for (std::size_t k = 0; k < 4; ++k) {
+  const auto add_faces = [&](std::uint32_t t, std::vector<OpenFace>& out) {
+    if (kinds[t] == kWayFull) return;
+    for (std::uint8_t k = 0; k < 4; ++k) {
       const Neighbour across = neighbours[t][k];
-      if (across.is_hull() || across.index() < t || kind_[across.index()] == Kind::full) continue;
+      if (across.is_hull() || across.index() < t || kinds[across.index()] == kWayFull) continue;
       // Ways end at the first tetrahedron outside, so faces between two of them are not needed.
-      if (kind_[t] == Kind::outside && kind_[across.index()] == Kind::outside) continue;
-      if (!space_->is_open(t, k)) continue;
-      const auto here = static_cast<float>(unit * space_->width_across(t, k, width));
-      const bool gap = space_->is_ringed_gap(t, k);
-      const float power = space_->is_gap(t, k)
-                              ? ortho_radius_rounded(scene_->balls, space_->face(t, k))
-                              : std::min(power_of(t), power_of(across.index()));
-      std::size_t back = 0;
-      while (neighbours[across.index()][back] != Neighbour::tetrahedron(t)) ++back;
-      width_[t][k] = width_[across.index()][back] = std::max(here, 0.0F);
-      power_[t][k] = power_[across.index()][back] = std::max(power, 0.0F);
-      is_gap_[t][k] = is_gap_[across.index()][back] = gap;
+      if (kinds[t] == kWayOutside && kinds[across.index()] == kWayOutside) continue;
+      OpenFace face{t, across.index(), k, 0, 0, std::numeric_limits<float>::infinity(), -1};
+      if (space_->is_gap(t, k)) {
+        if (!space_->is_open(t, k)) continue;
+        face.power = ortho_radius_rounded(scene_->balls, space_->face(t, k));
+        const auto wide = static_cast<float>(unit * space_->width_across(t, k, width));
+        face.gap_angstrom = std::max(wide, 0.0F);
+        const EqualClearance gap = gap_of(space_->face(t, k));
+        if (known_width(gap) && space_->is_ringed_gap(t, k)) {
+          face.ring_angstrom = gap.clearance_angstrom;
+        }
+      } else {
+        face.power = std::min(powers[t], powers[across.index()]);
+      }
+      if (!(face.power > 0)) face.power = 0;  // also for -0
+      while (neighbours[across.index()][face.back] != Neighbour::tetrahedron(t)) ++face.back;
+      out.push_back(face);
     }
-  }
-}
-
-// Tests the whole segment between both corners, because they can be far apart.
-bool WayGraph::may_pass(std::uint32_t from, std::uint32_t to) const {
-  return axis_->stays_near_axis(corner_[from], corner_[to]);
-}
-
-// Dijkstra's search inwards from both sides at once. Each tetrahedron gets the label of the side
-// from which the larger sphere reaches it. A crossing is a face where both labels meet.
-std::vector<WayCrossing> WayGraph::crossings(const WayAxis& axis, const CancelToken& cancel) {
-  using Entry = std::pair<float, std::uint32_t>;
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  constexpr std::int8_t kNowhere = 2;  // no step may lead into this zone
-  const auto& neighbours = scene_->triangulation.neighbours;
-  std::priority_queue<Entry> open;
-  std::vector<float> widest(kind_.size(), kShut);
-  axis_ = axis;
-  zone_.assign(kind_.size(), kNowhere);
-  label_.assign(kind_.size(), 0);
-  for (std::uint32_t t = 0; t < kind_.size(); ++t) {
-    if (kind_[t] == Kind::outside) {
-      zone_[t] = label_[t] = static_cast<std::int8_t>(axis.side(corner_[t]));
-      widest[t] = kInfinity;
-      open.push({kInfinity, t});
-    } else if (kind_[t] == Kind::inside) {
-      const int zone = axis.zone(corner_[t]);
-      if (zone != 0 || axis.is_near(corner_[t])) zone_[t] = static_cast<std::int8_t>(zone);
-    }
-  }
-  const auto leads = [&](std::uint32_t t, std::size_t k) {
-    if (width_[t][k] < 0) return false;
-    const std::uint32_t to = neighbours[t][k].index();
-    return zone_[to] != kNowhere && may_pass(t, to);
   };
-  for (std::size_t steps = 0; !open.empty(); ++steps) {
-    if (steps % 4096 == 0) cancel.throw_if_cancelled();
-    const auto [own, t] = open.top();
-    open.pop();
-    if (own < widest[t]) continue;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!leads(t, k)) continue;
-      const std::uint32_t to = neighbours[t][k].index();
-      const float next = std::min(own, power_[t][k]);
-      if (next <= widest[to]) continue;
-      widest[to] = next;
-      label_[to] = label_[t];
-      open.push({next, to});
+  constexpr std::size_t kPart = 4096;
+  std::vector<std::vector<OpenFace>> parts((kinds.size() + kPart - 1) / kPart);
+  parallel_each(0, parts.size(), [&](std::size_t n) {
+    cancel.throw_if_cancelled();
+    const std::size_t end = std::min((n + 1) * kPart, kinds.size());
+    for (std::size_t t = n * kPart; t < end; ++t) {
+      add_faces(static_cast<std::uint32_t>(t), parts[n]);
     }
-  }
-  std::vector<WayCrossing> found;
-  for (std::uint32_t t = 0; t < kind_.size(); ++t) {
-    if (label_[t] != -1) continue;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!is_gap_[t][k] || !leads(t, k)) continue;
-      WayCrossing crossing;
-      crossing.below = t;
-      crossing.power = power_[t][k];
-      crossing.above = neighbours[t][k].index();
-      if (label_[crossing.above] != 1) continue;
-      crossing.width_angstrom = clearance_at_gap(space_->face(t, k), &crossing.place_angstrom);
-      if (crossing.width_angstrom >= 0) found.push_back(crossing);
-    }
-  }
-  std::stable_sort(found.begin(), found.end(), [](const WayCrossing& a, const WayCrossing& b) {
-    return a.width_angstrom > b.width_angstrom;
   });
-  return found;
+  std::vector<OpenFace> faces;
+  std::size_t count = 0;
+  for (const std::vector<OpenFace>& part : parts) count += part.size();
+  faces.reserve(count);
+  for (std::vector<OpenFace>& part : parts) {
+    faces.insert(faces.end(), part.begin(), part.end());
+    part = {};
+  }
+  return faces;
 }
 
-std::vector<std::uint32_t> WayGraph::way_out(std::uint32_t from, float power,
-                                             const CancelToken& cancel) const {
-  using Entry = std::pair<double, std::uint32_t>;
-  constexpr double kLeast = 0.1, kEnough = 10;  // Å, as for a channel's curve
-  const Lattice& lattice = balls_.lattice;
-  const WayCost cost{static_cast<double>(lattice.nearest_units(kLeast)),
-                     static_cast<double>(lattice.nearest_units(kEnough)),
-                     static_cast<BallIndex>(scene_->original.size())};
-  const auto& neighbours = scene_->triangulation.neighbours;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  std::vector<double> least(kind_.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::uint32_t> before(kind_.size(), kNothing);
-  least[from] = 0;
-  open.push({0, from});
-  for (std::size_t steps = 0; !open.empty(); ++steps) {
-    if (steps % 1024 == 0) cancel.throw_if_cancelled();
-    const auto [own, t] = open.top();
-    open.pop();
-    if (own > least[t]) continue;
-    if (kind_[t] == Kind::outside) {
-      std::vector<std::uint32_t> way{t};
-      while (before[way.back()] != kNothing) way.push_back(before[way.back()]);
-      std::reverse(way.begin(), way.end());
-      return way;
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (width_[t][k] < 0) continue;
-      const std::uint32_t to = neighbours[t][k].index();
-      if (label_[to] != label_[from] || !may_pass(t, to)) continue;
-      if (power_[t][k] < power) continue;
-      const double next = own + space_->cost_across(t, k, cost);
-      if (next >= least[to]) continue;
-      least[to] = next;
-      before[to] = t;
-      open.push({next, to});
-    }
+double WayGraph::cost_across(std::uint32_t tetrahedron, std::size_t link) const {
+  std::atomic<double>& known = costs_[links_[tetrahedron][link].face];
+  double cost = known.load(std::memory_order_relaxed);
+  if (cost == 0) {
+    cost = space_->cost_across(original_[tetrahedron], link, way_cost_);
+    known.store(cost, std::memory_order_relaxed);
   }
-  return {};
-}
-
-WayGraph::Route WayGraph::route(const WayCrossing& crossing, const CancelToken& cancel) const {
-  Route route{way_out(crossing.below, crossing.power, cancel),
-              way_out(crossing.above, crossing.power, cancel), crossing.width_angstrom};
-  for (const auto* way : {&route.below, &route.above}) {
-    for (std::size_t n = 1; n < way->size(); ++n) {
-      const auto& neighbours = scene_->triangulation.neighbours[(*way)[n - 1]];
-      std::size_t k = 0;
-      while (neighbours[k] != Neighbour::tetrahedron((*way)[n])) ++k;
-      if (!space_->is_gap((*way)[n - 1], k)) continue;
-      route.width_angstrom =
-          std::min(route.width_angstrom, static_cast<double>(width_[(*way)[n - 1]][k]));
-    }
-  }
-  return route;
+  return cost;
 }
 
 }  // namespace alphascope

@@ -4,15 +4,19 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/channel/envelope.hpp"
 #include "core/clearance/empty_space.hpp"
+#include "core/clearance/equal_clearance.hpp"
 #include "core/clearance/grown_triangulation.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
@@ -50,63 +54,75 @@ class WayAxis {
   std::vector<double> near_;  // Å, for each slab: the distance up to which is_near() holds
 };
 
-// A triangle at which a way is narrowest by power distance, with the tetrahedra on both sides.
-struct WayCrossing {
-  double width_angstrom = 0;  // clearance there
-  float power = 0;
-  RealPoint place_angstrom;
-  std::uint32_t below = 0, above = 0;
+// An open triangle between tetrahedra `a` < `b` of a graph.
+struct WayFace {
+  std::uint32_t a, b;
+  // The power distance (square lattice units) across it. It orders ways as K does. Orders by power
+  // and by clearance differ where radii differ.
+  float power;
 };
 
+// An open triangle where ways may cross: a ring of balls surrounds it, and it alone closes the way
+// as the balls grow.
+struct WayRing {
+  std::uint32_t face;         // index in WayGraph::faces()
+  double clearance_angstrom;  // of the triangle
+  double widest_angstrom;     // the largest clearance of this triangle and all later ones
+};
+
+// The tetrahedra that a way can pass, with the open faces between them. They have numbers of their
+// own, in the triangulation's order.
 class WayGraph {
  public:
   // `balls` must be on a lattice that passage_digits() allows, and outlive this object.
   WayGraph(const BallSet& balls, const Envelope& envelope, const RunContext& context);
 
-  // The crossings of the axis, the widest first. On both sides of a crossing the molecule lets a
-  // larger sphere out. A ring of balls surrounds it, and its triangle alone closes it as the balls
-  // grow.
-  std::vector<WayCrossing> crossings(const WayAxis& axis, const CancelToken& cancel);
-
-  // A way from the outside below to the outside above. All tetrahedra but the first and last are
-  // within the envelope.
-  struct Route {
-    std::vector<std::uint32_t> below, above;  // each from the crossing on
-    double width_angstrom = 0;                // least clearance, at the crossing or elsewhere
+  static constexpr std::uint32_t kNothing = ~std::uint32_t{0};
+  // A face as seen from one of its tetrahedra. `to` is kNothing where no way leads through.
+  struct Link {
+    std::uint32_t to = kNothing;
+    std::uint32_t face = 0;  // index in faces()
+    float power = 0;
+    // The clearance (Å) if a way across is narrowest on the face.
+    float gap_angstrom = std::numeric_limits<float>::infinity();
   };
-  // The route through a crossing of the last call of crossings(). It is the way of least ∫ dl /
-  // clearance² that is nowhere narrower by power distance than the crossing.
-  Route route(const WayCrossing& crossing, const CancelToken& cancel) const;
 
-  const RealPoint& corner(std::uint32_t tetrahedron) const { return corner_[tetrahedron]; }
-  bool is_outside(std::uint32_t tetrahedron) const { return kind_[tetrahedron] == Kind::outside; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(corner_.size()); }
+  const RealPoint& corner(std::uint32_t tetrahedron) const { return corner_[tetrahedron]; }  // Å
+  // Returns whether it is outside the envelope. Ways end there.
+  bool is_outside(std::uint32_t tetrahedron) const { return is_outside_[tetrahedron]; }
+  const std::array<Link, 4>& links(std::uint32_t tetrahedron) const { return links_[tetrahedron]; }
+  // The link from one tetrahedron to another beside it.
+  std::size_t link_to(std::uint32_t from, std::uint32_t to) const;
+
+  // Sorted by falling power. Equal powers have a fixed order.
+  const std::vector<WayFace>& faces() const { return faces_; }
+  // In the order of faces().
+  const std::vector<WayRing>& rings() const { return rings_; }
+  EqualClearance gap_at(std::uint32_t tetrahedron, std::size_t link) const;
+  // ∫ dl / clearance² across a face, as for a channel's curve. It is computed once. Several threads
+  // may call this.
+  double cost_across(std::uint32_t tetrahedron, std::size_t link) const;
 
  private:
-  enum class Kind : std::uint8_t { full, inside, outside };
-  static constexpr float kShut = -1;
+  struct OpenFace;
 
-  void set_widths(const CancelToken& cancel);
-  double clearance_at_gap(const std::array<BallIndex, 3>& triangle, RealPoint* place) const;
-  bool may_pass(std::uint32_t from, std::uint32_t to) const;
-  std::vector<std::uint32_t> way_out(std::uint32_t from, float power,
-                                     const CancelToken& cancel) const;
+  std::vector<OpenFace> open_faces(const std::vector<std::uint8_t>& kinds,
+                                   const std::vector<float>& powers,
+                                   const CancelToken& cancel) const;
+  EqualClearance gap_of(const std::array<BallIndex, 3>& triangle) const;
 
   const BallSet& balls_;
   std::shared_ptr<const GrownTriangulation> scene_;
   std::optional<EmptySpace> space_;
-  std::vector<Kind> kind_;
-  std::vector<RealPoint> corner_;  // Å; only for tetrahedra that are not full
-  // For each face the clearance (Å) and the power distance (square lattice units) across it. kShut:
-  // no way leads through. The power distance orders ways as K does. The two orders differ where
-  // radii differ.
-  std::vector<std::array<float, 4>> width_, power_;
-  std::vector<std::array<bool, 4>> is_gap_;
-
-  // The axis of the last call of crossings().
-  std::optional<WayAxis> axis_;
-  std::vector<std::int8_t> zone_;  // WayAxis::zone(); for tetrahedra outside: WayAxis::side()
-  // For each tetrahedron the side to which its widest way out leads: -1 below, 1 above, 0 none.
-  std::vector<std::int8_t> label_;
+  std::vector<std::uint32_t> original_;  // of each tetrahedron its index in the triangulation
+  std::vector<RealPoint> corner_;
+  std::vector<bool> is_outside_;
+  std::vector<std::array<Link, 4>> links_;
+  std::vector<WayFace> faces_;
+  std::vector<WayRing> rings_;
+  WayCost way_cost_;
+  mutable std::vector<std::atomic<double>> costs_;  // of each face; 0 is not known yet
 };
 
 }  // namespace alphascope

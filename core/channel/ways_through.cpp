@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
@@ -15,10 +16,12 @@
 #include "core/channel/envelope.hpp"
 #include "core/channel/passage.hpp"
 #include "core/channel/way_graph.hpp"
+#include "core/channel/way_search.hpp"
 #include "core/clearance/clearance.hpp"
 #include "core/clearance/grown_triangulation.hpp"
 #include "core/geometry/alpha.hpp"
 #include "core/geometry/principal_axes.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -38,9 +41,8 @@ struct Range {
 
 Range range_of(const BallSet& balls, const RealPoint& axis) {
   Range range;
-  for (const LatticePoint& p : balls.centres) {
-    range.add(balls.lattice.unit_angstrom() * dot(axis, real_point(p)));
-  }
+  const double unit = balls.lattice.unit_angstrom();
+  for (const LatticePoint& p : balls.centres) range.add(unit * dot(axis, real_point(p)));
   return range;
 }
 
@@ -48,11 +50,13 @@ struct Candidate {
   std::size_t part = 0;
   RealPoint axis;
   WayCrossing crossing;
-  WayGraph::Route route;
+  WayRoute route;
   std::vector<std::uint32_t> tetrahedra;  // of the route, within the envelope; ascending
   // Share of the whole along the axis; length from corner to corner, Å.
   double share = 0, length = 0;
 };
+
+constexpr double kRounded = 0.01;  // Å, the rounding of the order of ways
 
 class Finder {
  public:
@@ -68,11 +72,12 @@ class Finder {
 
  private:
   std::vector<RealPoint> axes_of(std::size_t part) const;  // whole_axes_, and the part's own
-  void look_along(std::size_t part, const RealPoint& axis);
+  double least_width() const;
+  std::vector<Candidate> look_along(std::size_t part, const RealPoint& axis) const;
   bool is_too_narrow(const WayCrossing& crossing) const;
   void add(Candidate candidate);
-  Candidate candidate(std::size_t part, const WayAxis& way, const WayCrossing& crossing) const;
-  static bool are_beside(const WayCrossing& a, const WayCrossing& b);
+  Candidate candidate(std::size_t part, const WayAxis& way, const WayCrossing& crossing,
+                      WaySearch& search) const;
   static bool are_one(const Candidate& a, const Candidate& b);
   static bool is_better(const Candidate& a, const Candidate& b);
   std::vector<RealPoint> curve_to(const RealPoint& place, const std::vector<std::uint32_t>& way,
@@ -85,6 +90,7 @@ class Finder {
   Clearance clearance_;
   Envelope envelope_;
   const RunContext& context_;
+  const RunContext quiet_{context_.cancel, {}};  // for lines, which several threads make
   WayGraph graph_;
   std::vector<RealPoint> whole_axes_ = pore_axes(in_order(balls_, parts_[0]));
   std::vector<Candidate> found_;
@@ -104,13 +110,13 @@ std::vector<RealPoint> Finder::axes_of(std::size_t part) const {
   return axes;
 }
 
-Candidate Finder::candidate(std::size_t part, const WayAxis& way,
-                            const WayCrossing& crossing) const {
+Candidate Finder::candidate(std::size_t part, const WayAxis& way, const WayCrossing& crossing,
+                            WaySearch& search) const {
   Candidate result;
   result.part = part;
   result.axis = way.axis();
   result.crossing = crossing;
-  result.route = graph_.route(crossing, context_.cancel);
+  result.route = search.route(crossing, context_.cancel);
   Range range;
   for (const auto* side : {&result.route.below, &result.route.above}) {
     RealPoint last = crossing.place_angstrom;
@@ -127,12 +133,6 @@ Candidate Finder::candidate(std::size_t part, const WayAxis& way,
   const Range whole = range_of(balls_, result.axis);
   if (whole.length() > 0) result.share = range.within(whole).length() / whole.length();
   return result;
-}
-
-// Returns whether both are in one passage, beside each other.
-bool Finder::are_beside(const WayCrossing& a, const WayCrossing& b) {
-  constexpr double kNear = 3;  // Å
-  return length(a.place_angstrom - b.place_angstrom) < kNear;
 }
 
 bool Finder::are_one(const Candidate& a, const Candidate& b) {
@@ -155,12 +155,23 @@ bool Finder::is_better(const Candidate& a, const Candidate& b) {
 // Returns whether so many wider ways are known already that the list has no room for this crossing,
 // nor for any narrower one.
 bool Finder::is_too_narrow(const WayCrossing& crossing) const {
-  constexpr double kRounded = 0.01;  // Å, the rounding of the order
   const auto wider = std::count_if(found_.begin(), found_.end(), [&](const Candidate& known) {
     return known.share >= WayCover::kWholeShare &&
            known.route.width_angstrom > crossing.width_angstrom + kRounded;
   });
   return static_cast<std::size_t>(wider) >= kMostWays;
+}
+
+// A width (Å) below which crossings are too narrow, now and whatever is found later. A known way
+// gives way only to one at most kRounded narrower.
+double Finder::least_width() const {
+  std::vector<double> widths;
+  for (const Candidate& known : found_) {
+    if (known.share >= WayCover::kWholeShare) widths.push_back(known.route.width_angstrom);
+  }
+  if (widths.size() < kMostWays) return 0;
+  std::nth_element(widths.begin(), widths.begin() + kMostWays - 1, widths.end(), std::greater<>());
+  return widths[kMostWays - 1] - 3 * kRounded;
 }
 
 // Adds a candidate to found_, unless are_one() says that it is one with a known way. Of two such
@@ -174,18 +185,16 @@ void Finder::add(Candidate candidate) {
   found_.push_back(std::move(candidate));
 }
 
-void Finder::look_along(std::size_t part, const RealPoint& axis) {
+// The candidates of one search, the widest crossings first.
+std::vector<Candidate> Finder::look_along(std::size_t part, const RealPoint& axis) const {
   constexpr std::size_t kMostTried = 12;
   const WayAxis way(balls_, parts_[part], axis);
-  std::vector<WayCrossing> tried;
-  for (const WayCrossing& crossing : graph_.crossings(way, context_.cancel)) {
-    if (tried.size() == kMostTried || is_too_narrow(crossing)) break;
-    const auto is_beside = [&](const WayCrossing& other) { return are_beside(other, crossing); };
-    if (std::any_of(tried.begin(), tried.end(), is_beside)) continue;
-    tried.push_back(crossing);
-    Candidate next = candidate(part, way, crossing);
-    if (!next.route.below.empty() && !next.route.above.empty()) add(std::move(next));
+  WaySearch search(graph_, way, kMostTried, least_width(), context_.cancel);
+  std::vector<Candidate> tried;
+  for (const WayCrossing& crossing : search.crossings()) {
+    tried.push_back(candidate(part, way, crossing, search));
   }
+  return tried;
 }
 
 // The curve from the bottleneck outwards, until it is wider than the end radius.
@@ -222,7 +231,7 @@ Channel Finder::channel_of(const Candidate& candidate) const {
       curve_to(crossing.place_angstrom, candidate.route.below, channel.end_radius_angstrom);
   std::reverse(cut.before.begin(), cut.before.end());
   cut.after = curve_to(crossing.place_angstrom, candidate.route.above, channel.end_radius_angstrom);
-  set_channel_line(clearance_, envelope_, cut, false, false, channel, context_);
+  set_channel_line(clearance_, envelope_, cut, false, false, channel, quiet_);
   for (std::size_t n = 0; n < channel.samples.size(); ++n) {
     if (channel.samples[n].radius_angstrom < channel.narrowest().radius_angstrom) {
       channel.bottleneck = n;
@@ -262,17 +271,39 @@ WayThrough Finder::finished(const Candidate& candidate) const {
   return way;
 }
 
+// Searches run in parallel, a few at a time. Their candidates are added in the order of parts and
+// axes. The first searches are those of the whole: what they find makes the others shorter.
 WaysThrough Finder::find() {
+  constexpr std::size_t kAtATime = 8;
+  struct Look {
+    std::size_t part;
+    RealPoint axis;
+    std::vector<Candidate> tried;
+  };
   WaysThrough result;
   const std::size_t parts = std::min(parts_.size(), kMostParts);
   result.parts_left_out = parts_.size() - parts;
+  std::vector<Look> looks;
   for (std::size_t part = 0; part < parts; ++part) {
-    for (const RealPoint& axis : axes_of(part)) look_along(part, axis);
-    context_.report(kWaysStage, static_cast<double>(part + 1) / static_cast<double>(parts));
+    for (const RealPoint& axis : axes_of(part)) looks.push_back({part, axis, {}});
+  }
+  for (std::size_t first = 0, end = whole_axes_.size(); first < looks.size();
+       first = end, end = std::min(first + kAtATime, looks.size())) {
+    parallel_each(first, end, [&](std::size_t n) {
+      looks[n].tried = look_along(looks[n].part, looks[n].axis);
+    });
+    for (std::size_t n = first; n < end; ++n) {
+      for (Candidate& next : std::exchange(looks[n].tried, {})) {
+        if (is_too_narrow(next.crossing)) break;
+        if (!next.route.below.empty() && !next.route.above.empty()) add(std::move(next));
+      }
+    }
+    context_.report(kWaysStage, static_cast<double>(end) / static_cast<double>(looks.size()));
   }
   std::stable_sort(found_.begin(), found_.end(), is_better);
   found_.resize(std::min(found_.size(), kMostWays));
-  for (const Candidate& candidate : found_) result.ways.push_back(finished(candidate));
+  result.ways.resize(found_.size());
+  parallel_each(0, found_.size(), [&](std::size_t n) { result.ways[n] = finished(found_[n]); });
   return result;
 }
 

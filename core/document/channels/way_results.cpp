@@ -196,8 +196,9 @@ const Definition<FoundWays>& found_ways() {
        .key = [](const Inputs& in) { return in.atoms ? key_of_balls(in) : Key{}; },
        .memory =
            [](const Inputs& in) {
-             // Bytes for corners and widths of all tetrahedra, beside the triangulation.
-             constexpr std::uint64_t kWays = 2'000'000, kBytesOfBall = 700;
+             // Bytes for the graph of tetrahedra and for searches at once, beside the
+             // triangulation.
+             constexpr std::uint64_t kWays = 2'000'000, kBytesOfBall = 2'000;
              return MemoryNeed{kWays, triangulation_memory(in.balls->size()).peak +
                                           kBytesOfBall * in.balls->size() + kWays};
            }},

@@ -196,6 +196,7 @@ std::vector<std::uint32_t> WaySearch::way_out(std::uint32_t from, float power,
     for (std::size_t k = 0; k < 4; ++k) {
       const WayGraph::Link& link = graph_.links(t)[k];
       if (link.to == WayGraph::kNothing || link.power < power) continue;
+      if (least_[link.to] <= own) continue;
       if (label_[link.to] != label_[from] || !may_pass(t, link.to)) continue;
       const double next = own + graph_.cost_across(t, k);
       if (next < least_[link.to]) reach(link.to, t, next);

@@ -158,14 +158,15 @@ void Clearance::collect(const RealPoint& x_angstrom, double most_angstrom,
 // points. So a surface at most value(x) + around from x is at most value(middle) + 2 |x - middle| +
 // around from the middle.
 double ClearanceNearby::look_around(const RealPoint& x_angstrom, double around_angstrom) {
-  constexpr double kRounding = 1e-9, kKeptFor = 0.45;  // Å
+  constexpr double kRounding = 1e-9, kKeptFor = 0.45, kBeside = 1;  // Å
   const double moved = slots_.empty() ? 0 : length(x_angstrom - middle_);
   const double around = around_angstrom + kRounding;
   if (!slots_.empty() && value_ + 2 * moved + around <= most_) return at(x_angstrom);
-  const double value = clearance_.at(x_angstrom);
+  // Of balls from a place beside it, the nearest is not much farther away than the nearest of all.
+  const bool is_beside = !slots_.empty() && moved <= kBeside;
+  const double upper = is_beside ? at(x_angstrom) : clearance_.at(x_angstrom);
   middle_ = x_angstrom;
-  value_ = value;
-  most_ = value + around + 2 * kKeptFor;
+  most_ = upper + around + 2 * kKeptFor;
   slots_.clear();
   const RealPoint x = (1 / clearance_.unit_) * x_angstrom;
   const double most = most_ / clearance_.unit_;
@@ -175,7 +176,8 @@ double ClearanceNearby::look_around(const RealPoint& x_angstrom, double around_a
       if (surface_distance(x, slot.centre, slot.radius) <= most) slots_.push_back(slot);
     }
   });
-  return value;
+  value_ = at(x_angstrom);
+  return value_;
 }
 
 double ClearanceNearby::at(const RealPoint& x_angstrom) const {

@@ -72,7 +72,12 @@ class BestStep {
     const double cx = a.gx - c.gx, cy = a.gy - c.gy, cc = c.value - a.value;
     const double determinant = bx * cy - by * cx;
     if (determinant == 0) return;
-    const double x = (bc * cy - by * cc) / determinant, y = (bx * cc - bc * cx) / determinant;
+    const double over_x = bc * cy - by * cc, over_y = bx * cc - bc * cx;
+    // Most corners are out of reach. Those that are so beyond rounding need no division.
+    constexpr double kBeyond = 1 + 1e-9;
+    const double reach = longest_ * determinant;
+    if (over_x * over_x + over_y * over_y > kBeyond * (reach * reach)) return;
+    const double x = over_x / determinant, y = over_y / determinant;
     if (x * x + y * y <= longest_ * longest_) try_step(x, y);
   }
 

@@ -132,7 +132,8 @@ TEST(WaySearch, FindsTheCrossingsOfDijkstrasSearch) {
     const WayGraph graph(balls, envelope, {});
     std::vector<BallIndex> part(balls.size());
     std::iota(part.begin(), part.end(), BallIndex{0});
-    for (const RealPoint& along : {RealPoint{0, 0, 1}, RealPoint{1, 0, 0}, RealPoint{0.6, 0.8, 0}}) {
+    for (const RealPoint& along :
+         {RealPoint{0, 0, 1}, RealPoint{1, 0, 0}, RealPoint{0.6, 0.8, 0}}) {
       SCOPED_TRACE(count);
       const WayAxis axis(balls, part, along);
       const std::vector<WayCrossing> expected = crossings_of(graph, axis);
@@ -147,9 +148,9 @@ TEST(WaySearch, FindsTheCrossingsOfDijkstrasSearch) {
       const double least = expected[expected.size() / 2].width_angstrom;
       const std::vector<WayCrossing> wide = WaySearch(graph, axis, 100000, least, {}).crossings();
       const auto is_wide = [&](const WayCrossing& c) { return c.width_angstrom >= least; };
-      expect_first(wide, expected,
-                   static_cast<std::size_t>(
-                       std::count_if(expected.begin(), expected.end(), is_wide)));
+      expect_first(
+          wide, expected,
+          static_cast<std::size_t>(std::count_if(expected.begin(), expected.end(), is_wide)));
     }
   }
   EXPECT_GT(seen, 40u);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -18,31 +17,33 @@ constexpr double kUnreached = std::numeric_limits<double>::infinity();
 // Sets of joined tetrahedra.
 class JoinedTetrahedra {
  public:
-  explicit JoinedTetrahedra(std::uint32_t count) : parent_(count), next_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-    std::iota(next_.begin(), next_.end(), 0u);
+  explicit JoinedTetrahedra(std::uint32_t count) : nodes_(count) {
+    for (std::uint32_t t = 0; t < count; ++t) nodes_[t] = {t, t};
   }
   std::uint32_t first_of(std::uint32_t t) {
-    while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
+    while (nodes_[t].parent != t) t = nodes_[t].parent = nodes_[nodes_[t].parent].parent;
     return t;
   }
   // Joins the sets of two different first tetrahedra.
   void join(std::uint32_t first, std::uint32_t second) {
-    parent_[std::max(first, second)] = std::min(first, second);
-    std::swap(next_[first], next_[second]);
+    nodes_[std::max(first, second)].parent = std::min(first, second);
+    std::swap(nodes_[first].next, nodes_[second].next);
   }
   template <class Visit>
   void visit_all(std::uint32_t t, const Visit& visit) const {
     std::uint32_t other = t;
     do {
       visit(other);
-      other = next_[other];
+      other = nodes_[other].next;
     } while (other != t);
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint32_t> next_;  // in a circle through all of a set
+  struct Node {
+    std::uint32_t parent;
+    std::uint32_t next;  // in a circle through all of a set
+  };
+  std::vector<Node> nodes_;
 };
 
 }  // namespace

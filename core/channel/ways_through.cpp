@@ -77,7 +77,7 @@ class Finder {
   bool is_too_narrow(const WayCrossing& crossing) const;
   void add(Candidate candidate);
   Candidate candidate(std::size_t part, const WayAxis& way, const WayCrossing& crossing,
-                      WaySearch& search) const;
+                      const Range& whole, WaySearch& search) const;
   static bool are_one(const Candidate& a, const Candidate& b);
   static bool is_better(const Candidate& a, const Candidate& b);
   std::vector<RealPoint> curve_to(const RealPoint& place, const std::vector<std::uint32_t>& way,
@@ -110,8 +110,9 @@ std::vector<RealPoint> Finder::axes_of(std::size_t part) const {
   return axes;
 }
 
+// `whole` is the range of all centres along the axis.
 Candidate Finder::candidate(std::size_t part, const WayAxis& way, const WayCrossing& crossing,
-                            WaySearch& search) const {
+                            const Range& whole, WaySearch& search) const {
   Candidate result;
   result.part = part;
   result.axis = way.axis();
@@ -130,7 +131,6 @@ Candidate Finder::candidate(std::size_t part, const WayAxis& way, const WayCross
     }
   }
   std::sort(result.tetrahedra.begin(), result.tetrahedra.end());
-  const Range whole = range_of(balls_, result.axis);
   if (whole.length() > 0) result.share = range.within(whole).length() / whole.length();
   return result;
 }
@@ -190,9 +190,10 @@ std::vector<Candidate> Finder::look_along(std::size_t part, const RealPoint& axi
   constexpr std::size_t kMostTried = 12;
   const WayAxis way(balls_, parts_[part], axis);
   WaySearch search(graph_, way, kMostTried, least_width(), context_.cancel);
+  const Range whole = range_of(balls_, axis);
   std::vector<Candidate> tried;
   for (const WayCrossing& crossing : search.crossings()) {
-    tried.push_back(candidate(part, way, crossing, search));
+    tried.push_back(candidate(part, way, crossing, whole, search));
   }
   return tried;
 }

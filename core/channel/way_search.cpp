@@ -97,7 +97,7 @@ bool WaySearch::may_pass(std::uint32_t from, std::uint32_t to) const {
 // whose label comes from the wider way is first, so one tetrahedron between both sides counts to
 // the wider one. The sweep ends when no face that is left can be among the crossings asked for.
 void WaySearch::sweep(std::size_t most, double least_angstrom, const CancelToken& cancel) {
-  constexpr std::size_t kOften = 4096;
+  constexpr std::size_t kOften = 1024;
   struct Entry {
     std::uint32_t from, to;
   };
@@ -149,7 +149,9 @@ void WaySearch::sweep(std::size_t most, double least_angstrom, const CancelToken
 
 // Returns whether crossings no wider than this change nothing about the widest ones.
 bool WaySearch::is_settled(std::size_t most, double later_angstrom) const {
-  if (crossings_.size() < most) return false;
+  const auto is_wider = [&](const WayCrossing& c) { return c.width_angstrom > later_angstrom; };
+  const auto wider = std::count_if(crossings_.begin(), crossings_.end(), is_wider);
+  if (static_cast<std::size_t>(wider) < most) return false;
   const std::vector<WayCrossing> widest = widest_apart(most);
   return widest.size() == most && widest.back().width_angstrom > later_angstrom;
 }

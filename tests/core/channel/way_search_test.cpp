@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <queue>
@@ -18,7 +19,6 @@ namespace alphascope {
 namespace {
 
 using testing::add_ball;
-using testing::add_ring;
 using testing::no_balls;
 using testing::Random;
 using testing::random_int;
@@ -116,9 +116,11 @@ void expect_first(const std::vector<WayCrossing>& found, const std::vector<WayCr
 // A block of loose balls of different sizes, with holes.
 BallSet loose_block(Random& random, int count) {
   BallSet balls = no_balls();
+  const double larger = std::cbrt(std::max(1.0, count / 400.0));
+  const int width = static_cast<int>(12000 * larger), height = static_cast<int>(16000 * larger);
   for (int n = 0; n < count; ++n) {
-    add_ball(balls, random_int(random, -12000, 12000), random_int(random, -12000, 12000),
-             random_int(random, -16000, 16000), random_int(random, 1000, 2300));
+    add_ball(balls, random_int(random, -width, width), random_int(random, -width, width),
+             random_int(random, -height, height), random_int(random, 1000, 2300));
   }
   return balls;
 }
@@ -126,7 +128,7 @@ BallSet loose_block(Random& random, int count) {
 TEST(WaySearch, FindsTheCrossingsOfDijkstrasSearch) {
   Random random(21);
   std::size_t seen = 0;
-  for (const int count : {60, 200, 350, 500}) {
+  for (const int count : {60, 200, 350, 500, 3000}) {
     const BallSet balls = loose_block(random, count);
     const Envelope envelope(balls);
     const WayGraph graph(balls, envelope, {});

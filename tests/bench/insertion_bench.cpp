@@ -3,8 +3,6 @@
 //   alphascope_insertion_bench RUNS THREADS[,THREADS...] FILE.balls[:SOLVENT]...
 // Times are medians in ms, from balls to a triangulation in order, after one run to warm up.
 // Results are compared byte by byte.
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -15,19 +13,15 @@
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "tests/bench/read_balls.hpp"
+#include "tests/bench/times.hpp"
 
 using namespace alphascope;
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double milliseconds(Clock::time_point from) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
-}
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
+using bench::Clock;
+using bench::median;
+using bench::milliseconds;
 
 // Returns whether both results are the same.
 bool time_set(const std::string& name, const BallSet& balls, int threads, int runs) {

@@ -26,6 +26,7 @@
 #include "gpu/measure/gpu_measure.hpp"
 #include "gpu/measure/union_measurer.hpp"
 #include "tests/bench/read_balls.hpp"
+#include "tests/bench/times.hpp"
 
 namespace {
 
@@ -40,10 +41,7 @@ struct Options {
   std::vector<std::string> files;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
+using bench::median;
 double milliseconds_of(const std::function<void()>& what) {
   const auto start = std::chrono::steady_clock::now();
   what();

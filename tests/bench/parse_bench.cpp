@@ -6,7 +6,6 @@
 // take turns, so a machine that slows down affects both. Times are CPU times of all threads of the
 // process, so other users of the machine matter little. All work is on one thread but the hash of
 // large unpacked files.
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -24,15 +23,13 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/text_files/text_file.hpp"
+#include "tests/bench/times.hpp"
 
 namespace {
 
 using namespace alphascope;
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
+using bench::median;
 
 double cpu_milliseconds() {
   timespec time{};

@@ -5,7 +5,6 @@
 // Times are medians in ms, from balls in host memory to a triangulation in host memory, after two
 // runs to warm up. CGAL runs once for each number of threads.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -16,19 +15,15 @@
 #include "core/wrapping/seed.hpp"
 #include "gpu/wrapping/triangulator.hpp"
 #include "tests/bench/read_balls.hpp"
+#include "tests/bench/times.hpp"
 
 using namespace alphascope;
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double milliseconds(Clock::time_point from) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
-}
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
+using bench::Clock;
+using bench::median;
+using bench::milliseconds;
 
 constexpr std::size_t kMostCompared = 4'000'000;
 

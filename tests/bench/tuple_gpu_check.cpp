@@ -5,7 +5,6 @@
 // the CPU's dual-edge engine byte for byte. Counters must equal those of the CPU's tuple engine,
 // and repeated runs each other. For each file, times of the stages are printed for every switch.
 // Exit code 1 when anything differs, 2 without a device.
-#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <random>
@@ -17,6 +16,7 @@
 #include "gpu/gpu_engine.hpp"
 #include "gpu/tuples/tuple_engine.hpp"
 #include "tests/bench/read_balls.hpp"
+#include "tests/bench/times.hpp"
 
 using namespace alphascope;
 
@@ -145,10 +145,7 @@ void check_small_sets() {
   std::printf("small sets: %d comparisons, %d differences\n", compared, failures);
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
+using bench::median;
 
 // Medians of the whole answer as its caller waits for it, and the stages of the last run.
 void time_one(const std::string& name, const Balls& balls, double alpha, bool only,

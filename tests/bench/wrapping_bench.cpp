@@ -17,6 +17,7 @@
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/wrapping/wrapping.hpp"
 #include "tests/bench/read_balls.hpp"
+#include "tests/bench/times.hpp"
 
 using namespace alphascope;
 
@@ -24,10 +25,7 @@ namespace {
 
 using Tetrahedra = std::vector<std::array<BallIndex, 4>>;
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
+using bench::median;
 
 // Returns whether the result is CGAL's.
 bool time_set(const std::string& name, const BallSet& balls, double alpha, int runs) {

@@ -226,7 +226,8 @@ std::optional<Triangulation> triangulate_by_insertion(const BallSet& balls, int 
   InsertionCounts unused;
   InsertionCounts& counted = counts != nullptr ? *counts : unused;
   counted.threads = threads;
-  const InsertionOrder order = insertion_order(balls, coincident_hidden(balls), context.cancel);
+  const InsertionOrder order =
+      insertion_order(balls, coincident_hidden(balls, context.cancel), context.cancel);
   const std::vector<std::size_t> span = spanning_balls(balls, order.balls);
   if (span.size() < 4) return std::nullopt;
   std::array<std::uint32_t, 4> first;

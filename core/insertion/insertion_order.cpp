@@ -69,12 +69,18 @@ std::vector<Placed> sorted_by_bucket(const std::vector<Placed>& placed, std::uin
     return (std::size_t{p.round} << kStretchBits) + (p.place >> (3 * kCurveBits - kStretchBits));
   };
   std::vector<std::size_t> first((std::size_t{rounds} << kStretchBits) + 1, 0);
-  for (const Placed& p : placed) ++first[bucket_of(p) + 1];
+  const auto look_at_times = [&](std::size_t n) {
+    if (n % (1 << 16) == 0) cancel.throw_if_cancelled();
+  };
+  for (std::size_t n = 0; n < placed.size(); ++n) {
+    look_at_times(n);
+    ++first[bucket_of(placed[n]) + 1];
+  }
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<Placed> sorted(placed.size());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (std::size_t n = 0; n < placed.size(); ++n) {
-    if (n % (1 << 16) == 0) cancel.throw_if_cancelled();
+    look_at_times(n);
     sorted[next[bucket_of(placed[n])]++] = placed[n];
   }
   parallel_many(next.size(), cancel, [&](std::size_t bucket) {
@@ -105,6 +111,7 @@ InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& le
 
   std::vector<Placed> placed(count);
   parallel_ranges(0, count, 1024, [&](std::size_t first, std::size_t end) {
+    if (cancel.cancelled()) return;
     for (std::size_t i = first; i != end; ++i) {
       const LatticePoint& p = balls.centres[i];
       const std::uint32_t place = curve_place({static_cast<std::uint32_t>(p.x - low.x) >> shift,

@@ -25,14 +25,14 @@ std::uint64_t centre_hash(const LatticePoint& p) {
 // centre are in the same group. The table of a group with some thousand balls fits the cache.
 class HashGroups {
  public:
-  explicit HashGroups(const std::vector<LatticePoint>& centres)
+  HashGroups(const std::vector<LatticePoint>& centres, const CancelToken& cancel)
       : centres_(centres), runs_((centres.size() + kRun - 1) / kRun) {
     while (bits_ < kMostBits && kGroup << bits_ < centres.size()) ++bits_;
     places_.resize(runs_ * count());
     members_.resize(centres.size());
-    for_runs([&](BallIndex, std::size_t& place) { ++place; });
+    for_runs(cancel, [&](BallIndex, std::size_t& place) { ++place; });
     start_groups();
-    for_runs([&](BallIndex i, std::size_t& place) { members_[place++] = i; });
+    for_runs(cancel, [&](BallIndex i, std::size_t& place) { members_[place++] = i; });
   }
 
   std::size_t count() const { return std::size_t{1} << bits_; }
@@ -47,10 +47,11 @@ class HashGroups {
   static constexpr int kMostBits = 12;  // at most half a byte of places_ for each ball
 
   // Divides the balls into runs of kRun, which run in parallel. Calls visit(ball, place) for each
-  // ball, where `place` is the counter of the ball's run and group.
+  // ball, where `place` is the counter of the ball's run and group. Throws Cancelled.
   template <class Visit>
-  void for_runs(const Visit& visit) {
+  void for_runs(const CancelToken& cancel, const Visit& visit) {
     parallel_each(0, runs_, [&](std::size_t run) {
+      if (cancel.cancelled()) return;
       const std::size_t end = std::min(centres_.size(), (run + 1) * kRun);
       for (std::size_t i = run * kRun; i < end; ++i) {
         // Groups use the upper bits of the hash, because the tables use the lower ones.
@@ -58,6 +59,7 @@ class HashGroups {
         visit(static_cast<BallIndex>(i), places_[run * count() + group]);
       }
     });
+    cancel.throw_if_cancelled();
   }
   // Turns each counter from a number of balls into the place of the first of these balls in
   // members_.
@@ -107,13 +109,15 @@ void hide_in_group(const BallSet& balls, const HashGroups& groups, std::size_t g
 
 }  // namespace
 
-std::vector<bool> coincident_hidden(const BallSet& balls) {
+std::vector<bool> coincident_hidden(const BallSet& balls, const CancelToken& cancel) {
   if (balls.size() == 0) return {};
-  const HashGroups groups(balls.centres);
+  const HashGroups groups(balls.centres, cancel);
   tbb::concurrent_vector<BallIndex> found;
   parallel_each(0, groups.count(), [&](std::size_t group) {
+    if (cancel.cancelled()) return;
     hide_in_group(balls, groups, group, [&](BallIndex i) { found.push_back(i); });
   });
+  cancel.throw_if_cancelled();
   if (found.empty()) return {};
   std::vector<bool> hidden(balls.size(), false);
   for (const BallIndex i : found) hidden[i] = true;

@@ -3,7 +3,6 @@
 #include "core/insertion/cell_store.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "core/complex/count_limits.hpp"
 

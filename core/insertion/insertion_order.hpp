@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order in which balls are inserted: in rounds, each of which spreads over all space and has
-// eight times as many balls as those before it together. In a round the balls follow a Hilbert
+// The order in which balls are inserted. It has rounds, each of which spreads over all space. After
+// a round there are eight times as many balls as before it. In a round the balls follow a Hilbert
 // curve, so each is near the one before (N. Amenta, S. Choi, G. Rote, Incremental constructions con
 // BRIO, SoCG 2003).
 #pragma once

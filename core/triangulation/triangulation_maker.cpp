@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/geometry/ball_set.hpp"
-#include "core/run/stage_timer.hpp"
 #include "core/triangulation/make_triangulation.hpp"
 
 namespace alphascope {

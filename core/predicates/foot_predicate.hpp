@@ -31,6 +31,27 @@ ALPHASCOPE_HOST_DEVICE inline int edge_foot_cut(const LiftedInt& j, const Lifted
   return edge_foot_cut_exact(j, m);
 }
 
+// The same for all edges of triangle ijk, each with the ball that it lacks: cut[0] is of edge jk,
+// cut[1] of ik, cut[2] of ij. 0 where doubles do not decide. `jk` is the vector from j to k. It and
+// both arguments must be within kBracketLimit. So all but the products and differences is exact.
+ALPHASCOPE_HOST_DEVICE inline void edge_foot_cuts_filtered(const LiftedVector<double>& j,
+                                                           const LiftedVector<double>& k,
+                                                           const Vector3<double>& jk,
+                                                           signed char (&cut)[3]) {
+  const auto side = [](double a, double b) -> signed char {
+    const double difference = a - b, error = 3 * kUnitRoundoff * (std::fabs(a) + std::fabs(b));
+    return difference > error ? 1 : difference < -error ? -1 : 0;
+  };
+  const double length_j = dot(j, j), length_k = dot(k, k), length_jk = dot(jk, jk);
+  const double both = dot(j, k);
+  // Seen from j, i and k have these c.
+  const double i_from_j = length_j + (length_j - j.c);
+  const double k_from_j = length_jk + ((k.c - length_k) - (j.c - length_j));
+  cut[2] = side(both * j.c, k.c * length_j);
+  cut[1] = side(both * k.c, j.c * length_k);
+  cut[0] = side((length_j - both) * k_from_j, i_from_j * length_jk);
+}
+
 // Sign of 2 d_m·x - c_m at the foot x of triangle ijk: x = v × n / (2 |n|²), v = c_j d_k - c_k d_j,
 // n = d_j × d_k. Bits: 3-term sums of 31 + 160, and 63 + 128.
 ALPHASCOPE_HOST_DEVICE inline int triangle_foot_cut_filtered(const LiftedVector<double>& j,

@@ -61,6 +61,8 @@ class Filtration {
  private:
   void build(const Triangulation& triangulation, Simplices<4> tetrahedra,
              const RunContext& context);
+  // For a triangulation below dimension 3.
+  void fill_flat(const Triangulation& triangulation, const RunContext& context, AlphaComplex& top);
 
   std::shared_ptr<const BallSet> balls_;
   std::shared_ptr<const AlphaComplex> top_;

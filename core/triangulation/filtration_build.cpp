@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Building a filtration: alpha values of all simplices of a triangulation, and the levels at which
-// their classes change.
+// Building a filtration: of a complex, of a triangulation below dimension 3, or by
+// fill_filtration().
 #include <cmath>
 #include <limits>
 #include <span>
@@ -15,6 +15,7 @@
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/filtration.hpp"
+#include "core/triangulation/filtration_parts.hpp"
 #include "core/triangulation/memory_need.hpp"
 #include "core/triangulation/triangulation_report.hpp"
 
@@ -195,6 +196,23 @@ Filtration::Filtration(std::shared_ptr<const BallSet> balls,
   shared_bytes_ = tetrahedra.size_bytes();
 }
 
+void Filtration::fill_flat(const Triangulation& triangulation, const RunContext& context,
+                           AlphaComplex& top) {
+  const CancelToken& cancel = context.cancel;
+  const SimplexCount count = simplex_count(triangulation);
+  top.triangles.simplices = triangulation.triangles;
+  levels_.triangles =
+      build_dimension<3>(*balls_, {top.tetrahedra}, count.triangles, cancel, top.triangles);
+  context.report(stage::kClassification, 0.4);
+  top.edges.simplices = triangulation.edges;
+  levels_.edges = build_dimension<2>(*balls_, {top.triangles, &levels_.triangles}, count.edges,
+                                     cancel, top.edges);
+  top.vertices.simplices.reserve(count.vertices);
+  for (const BallIndex vertex : triangulation.vertices) top.vertices.simplices.push_back({vertex});
+  levels_.vertices = build_dimension<1>(*balls_, {top.edges, &levels_.edges}, count.vertices,
+                                        cancel, top.vertices);
+}
+
 void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetrahedra,
                        const RunContext& context) {
   const auto top = std::make_shared<AlphaComplex>();
@@ -205,27 +223,11 @@ void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetr
   top->engine.rests_on_cgal = made_by_cgal(triangulation);
 
   context.report(stage::kClassification, 0);
-  SimplexList<4>& tetrahedra = top->tetrahedra;
-  tetrahedra.simplices = std::move(all_tetrahedra);
-  tetrahedra.alpha_values.resize(tetrahedra.size());
-  tetrahedra.classes.assign(tetrahedra.size(), SimplexClass::interior);
-  parallel_many(tetrahedra.size(), cancel, [&](std::size_t n) {
-    tetrahedra.alpha_values[n] = ortho_radius_rounded(*balls_, tetrahedra.simplices[n]);
-  });
-
-  const SimplexCount count = simplex_count(triangulation);
-  context.report(stage::kClassification, 0.2);
-  top->triangles.simplices = triangulation.triangles;
-  levels_.triangles =
-      build_dimension<3>(*balls_, {tetrahedra}, count.triangles, cancel, top->triangles);
-  context.report(stage::kClassification, 0.6);
-  top->edges.simplices = triangulation.edges;
-  levels_.edges = build_dimension<2>(*balls_, {top->triangles, &levels_.triangles}, count.edges,
-                                     cancel, top->edges);
-  top->vertices.simplices.reserve(count.vertices);
-  for (const BallIndex vertex : triangulation.vertices) top->vertices.simplices.push_back({vertex});
-  levels_.vertices = build_dimension<1>(*balls_, {top->edges, &levels_.edges}, count.vertices,
-                                        cancel, top->vertices);
+  if (triangulation.dimension == 3) {
+    fill_filtration(*balls_, triangulation, std::move(all_tetrahedra), context, *top, levels_);
+  } else {
+    fill_flat(triangulation, context, *top);
+  }
   hash_steps_ = HashStepsByDimension(*top, cancel);
   top_ = top;
 }

@@ -6,63 +6,11 @@
 #include <atomic>
 #include <vector>
 
-#include "core/predicates/exact_alpha.hpp"
-#include "core/predicates/flow_predicate.hpp"
 #include "core/run/parallel.hpp"
+#include "core/triangulation/tetrahedron_flow.hpp"
 
 namespace alphascope {
 namespace {
-
-// One tetrahedron, with its balls lifted from the first one.
-class Tetrahedron {
- public:
-  Tetrahedron(const BallSet& balls, const std::array<BallIndex, 4>& simplex)
-      : balls_(balls), simplex_(simplex), weight_(balls.weight(simplex[0])) {
-    for (std::size_t n = 0; n < 3; ++n) v_[n] = lifted_vector(balls, simplex[0], simplex[n + 1]);
-    if (!within_bracket_limit(v_[0]) || !within_bracket_limit(v_[1]) ||
-        !within_bracket_limit(v_[2])) {
-      return;
-    }
-    const TetrahedronCentre centre = tetrahedron_centre(
-        lifted_as<double>(v_[0]), lifted_as<double>(v_[1]), lifted_as<double>(v_[2]));
-    rho_ = tetrahedron_rho(centre, static_cast<double>(weight_));
-    flow_sides_filtered(centre, beyond_);
-  }
-
-  float alpha_value() const {
-    float rounded = 0;
-    if (round_bracket(rho_, &rounded)) return rounded;
-    return round_exact(exact_tetrahedron_rho(v_[0], v_[1], v_[2], weight_));
-  }
-
-  // The faces through which it flows out, as bits of Flow::marks. Counts exact ties in `tied`.
-  std::uint8_t flow(FlowTies ties, std::atomic<std::size_t>& tied) const {
-    unsigned faces = 0;
-    for (unsigned k = 0; k < 4; ++k) {
-      if (beyond_[k] > 0 || (beyond_[k] == 0 && flows_exactly(k, ties, tied))) faces |= 1u << k;
-    }
-    return static_cast<std::uint8_t>(faces);
-  }
-
- private:
-  bool flows_exactly(unsigned k, FlowTies ties, std::atomic<std::size_t>& tied) const {
-    const BallIndex i = simplex_[k == 0 ? 1 : 0];
-    const LiftedInt a = lifted_vector(balls_, i, simplex_[k < 2 ? 2 : 1]),
-                    b = lifted_vector(balls_, i, simplex_[k < 3 ? 3 : 2]),
-                    m = lifted_vector(balls_, i, simplex_[k]);
-    const int side = flow_side_exact(a, b, m);
-    if (side != 0) return side > 0;
-    ++tied;
-    return tied_flow(a, b, m, ties);
-  }
-
-  const BallSet& balls_;
-  const std::array<BallIndex, 4>& simplex_;
-  const std::int64_t weight_;
-  LiftedInt v_[3];
-  Bracket rho_{0, HUGE_VAL};
-  signed char beyond_[4] = {0, 0, 0, 0};
-};
 
 // Marks the tetrahedra from which a flow path leads to a start. It goes against the flow, face by
 // face.
@@ -124,9 +72,11 @@ Flow make_flow(const BallSet& balls, const Triangulation& triangulation, FlowTie
   flow.alpha_values.resize(count);
   std::atomic<std::size_t> tied = 0;
   parallel_many(count, cancel, [&](std::size_t t) {
-    const Tetrahedron tetrahedron(balls, triangulation.tetrahedra[t]);
+    const TetrahedronFlow tetrahedron(balls, triangulation.tetrahedra[t]);
     flow.alpha_values[t] = tetrahedron.alpha_value();
-    flow.marks[t] = tetrahedron.flow(ties, tied);
+    std::size_t tied_here = 0;
+    flow.marks[t] = tetrahedron.flow(ties, tied_here);
+    if (tied_here > 0) tied += tied_here;
   });
   flow.ties = tied;
   const auto faces = [&](std::uint32_t t) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the triangles and edges of a triangulation from its tetrahedra, sorted by their first ball
-// in parallel.
+// Makes the triangles and edges of a triangulation from its tetrahedra, ball by ball in parallel.
 #include "core/triangulation/incidence.hpp"
 
 #include <algorithm>
@@ -38,23 +37,13 @@ class Buckets {
   std::vector<std::uint32_t> first_, next_;
 };
 
-// A triangle, recorded by the lower one of its tetrahedra: by the corner of the tetrahedron that it
-// lacks. Records are in buckets by the triangle's first ball.
+// A triangle in the list of its first ball: the lower one of its tetrahedra, and the corner of that
+// one which it lacks.
 struct TriangleRecord {
   std::uint64_t rest;  // the second ball, then the third
   std::uint32_t tetrahedron, corner;
   bool operator<(const TriangleRecord& other) const { return rest < other.rest; }
 };
-
-// Visits the triangles of which t is the lower tetrahedron, or the only one. So each triangle is
-// visited once.
-template <class Visit>
-void for_own_triangles(const Triangulation& triangulation, std::size_t t, const Visit& visit) {
-  for (std::uint32_t k = 0; k < 4; ++k) {
-    const Neighbour across = triangulation.neighbours[t][k];
-    if (across.is_hull() || t < across.index()) visit(k);
-  }
-}
 
 TriangleRecord triangle_record(const std::array<BallIndex, 4>& balls, std::uint32_t tetrahedron,
                                std::uint32_t corner) {
@@ -62,37 +51,71 @@ TriangleRecord triangle_record(const std::array<BallIndex, 4>& balls, std::uint3
   return {second << 32 | third, tetrahedron, corner};
 }
 
-// Collects distinct balls in place. There are few, and each occurs many times.
+// Distinct balls with their places in ascending order. There are few, and each is added many times.
 class DistinctBalls {
  public:
-  using Place = ResultArray<BallIndex>::iterator;
-  explicit DistinctBalls(Place begin) : begin_(begin), end_(begin) {}
-
-  // Adds a ball. Overwrites the array at `begin`, but only items that were added before.
+  void clear() {
+    for (const std::size_t at : taken_) entries_[at].ball = kNone;
+    taken_.clear();
+    balls_.clear();
+  }
   void add(BallIndex ball) {
-    // A linear search is faster than sorting later, unless there are very many balls.
-    constexpr std::ptrdiff_t kWorthALook = 48;
-    if (end_ - begin_ < kWorthALook && std::find(begin_, end_, ball) != end_) return;
-    *end_++ = ball;
+    Entry& at = entry(ball);
+    if (at.ball == ball) return;
+    take(at, ball);
+    balls_.push_back(ball);
+    if (2 * balls_.size() > entries_.size()) grow();
   }
-  // Sorts the balls and returns their number.
-  std::uint32_t sort() {
-    std::sort(begin_, end_);
-    return static_cast<std::uint32_t>(std::unique(begin_, end_) - begin_);
+  void sort() {
+    std::sort(balls_.begin(), balls_.end());
+    for (std::uint32_t place = 0; place < balls_.size(); ++place)
+      entry(balls_[place]).place = place;
   }
+  // The balls, in ascending order after sort().
+  const std::vector<BallIndex>& balls() const { return balls_; }
+  // Of a ball that was added before sort().
+  std::uint32_t place(BallIndex ball) { return entry(ball).place; }
 
  private:
-  const Place begin_;
-  Place end_;
+  static constexpr BallIndex kNone = ~BallIndex{0};
+  struct Entry {
+    BallIndex ball = kNone;
+    std::uint32_t place = 0;
+  };
+
+  // The entry of a ball, or a free one. Half of the entries are free.
+  Entry& entry(BallIndex ball) {
+    std::size_t at = ball * 0x9e3779b1u >> shift_;
+    while (entries_[at].ball != ball && entries_[at].ball != kNone) at = (at + 1) % entries_.size();
+    return entries_[at];
+  }
+  void take(Entry& at, BallIndex ball) {
+    at.ball = ball;
+    taken_.push_back(static_cast<std::size_t>(&at - entries_.data()));
+  }
+  void grow() {
+    entries_.assign(2 * entries_.size(), {});
+    --shift_;
+    taken_.clear();
+    for (const BallIndex ball : balls_) take(entry(ball), ball);
+  }
+
+  int shift_ = 32 - 7;
+  std::vector<Entry> entries_ = std::vector<Entry>(std::size_t{1} << 7);
+  std::vector<std::size_t> taken_;  // entries
+  std::vector<BallIndex> balls_;
 };
 
+// Simplices of dimension 3 and 2 are in lexicographic order. So those whose first ball is `v` are
+// next to each other. A face that lacks this first ball belongs to the list of a higher ball, which
+// is told of it.
 class IncidenceMaker {
  public:
   IncidenceMaker(const Triangulation& triangulation, const CancelToken& cancel)
       : triangulation_(triangulation),
         cancel_(cancel),
         balls_(std::size_t{triangulation.vertices.back()} + 1),
-        triangles_by_ball_(balls_) {}
+        first_triangle_(balls_ + 1, 0) {}
 
   Incidence make() {
     make_triangles();
@@ -101,31 +124,51 @@ class IncidenceMaker {
   }
 
  private:
+  // A triangle is recorded by the lower one of its tetrahedra, or the only one.
+  bool records(std::size_t t, std::size_t corner) const {
+    const Neighbour across = triangulation_.neighbours[t][corner];
+    return across.is_hull() || t < across.index();
+  }
+
   void make_triangles() {
     const Simplices<4>& tetrahedra = triangulation_.tetrahedra;
-    const auto for_records = [&](const auto& visit) {
-      parallel_many(tetrahedra.size(), cancel_, [&](std::size_t t) {
-        for_own_triangles(triangulation_, t, [&](std::uint32_t corner) {
-          visit(tetrahedra[t][corner == 0 ? 1 : 0], static_cast<std::uint32_t>(t), corner);
-        });
-      });
-    };
-    for_records([&](BallIndex first, auto...) { triangles_by_ball_.count(first, 1); });
-    triangles_by_ball_.end_counting();
-    ResultArray<TriangleRecord> records(triangles_by_ball_.things());
-    for_records([&](BallIndex first, std::uint32_t t, std::uint32_t corner) {
-      records[triangles_by_ball_.place_for(first)] = triangle_record(tetrahedra[t], t, corner);
-    });
-    result_.triangles.resize(records.size());
-    result_.tetrahedra_of_triangle.resize(records.size());
-    result_.triangles_of_tetrahedron.resize(tetrahedra.size());
+    const std::vector<std::uint32_t> first_tetrahedron = starts(tetrahedra);
+    Buckets told(balls_);  // tetrahedra that record the triangle without their first ball
     for_balls([&](std::size_t v) {
-      const std::uint32_t begin = triangles_by_ball_.begin(v), end = triangles_by_ball_.end(v);
-      std::sort(records.begin() + begin, records.begin() + end);
-      for (std::uint32_t f = begin; f < end; ++f) {
-        set_triangle(f, static_cast<BallIndex>(v), records[f]);
+      std::uint32_t own = 0;
+      for (std::uint32_t t = first_tetrahedron[v]; t < first_tetrahedron[v + 1]; ++t) {
+        for (std::size_t k = 1; k < 4; ++k) own += records(t, k);
+        if (records(t, 0)) told.count(tetrahedra[t][1], 1);
+      }
+      first_triangle_[v + 1] = own;
+    });
+    told.end_counting();
+    ResultArray<std::uint32_t> teller(told.things());
+    parallel_many(tetrahedra.size(), cancel_, [&](std::size_t t) {
+      if (records(t, 0)) teller[told.place_for(tetrahedra[t][1])] = static_cast<std::uint32_t>(t);
+    });
+    for (std::size_t v = 0; v < balls_; ++v)
+      first_triangle_[v + 1] += first_triangle_[v] + told.end(v) - told.begin(v);
+    result_.triangles.resize(first_triangle_.back());
+    result_.tetrahedra_of_triangle.resize(first_triangle_.back());
+    result_.triangles_of_tetrahedron.resize(tetrahedra.size());
+    parallel_ranges(0, balls_, kBalls, [&](std::size_t first, std::size_t end) {
+      std::vector<TriangleRecord> of_ball;
+      for (std::size_t v = first; v != end && !cancel_.cancelled(); ++v) {
+        of_ball.clear();
+        for (std::uint32_t t = first_tetrahedron[v]; t < first_tetrahedron[v + 1]; ++t) {
+          for (std::uint32_t k = 1; k < 4; ++k) {
+            if (records(t, k)) of_ball.push_back(triangle_record(tetrahedra[t], t, k));
+          }
+        }
+        for (std::uint32_t n = told.begin(v); n < told.end(v); ++n)
+          of_ball.push_back(triangle_record(tetrahedra[teller[n]], teller[n], 0));
+        std::sort(of_ball.begin(), of_ball.end());
+        for (std::uint32_t n = 0; n < of_ball.size(); ++n)
+          set_triangle(first_triangle_[v] + n, static_cast<BallIndex>(v), of_ball[n]);
       }
     });
+    cancel_.throw_if_cancelled();
   }
 
   void set_triangle(std::uint32_t f, BallIndex first, const TriangleRecord& record) {
@@ -142,61 +185,72 @@ class IncidenceMaker {
     result_.triangles_of_tetrahedron[across.index()][k] = f;
   }
 
-  // Makes the edges. Triangle abc gives edges from a to b and c, and from b to c.
+  // Triangle abc has edges from a to b and c, and one from b to c, of which b is told.
   void make_edges() {
     const Simplices<3>& triangles = result_.triangles;
-    Buckets ends(balls_);  // upper ends of the edges of each ball, with repetitions
+    Buckets told(balls_);
     parallel_many(triangles.size(), cancel_,
-                  [&](std::size_t f) { ends.count(triangles[f][1], 1); });
-    for (std::size_t v = 0; v < balls_; ++v) {
-      ends.count(static_cast<BallIndex>(v),
-                 2 * (triangles_by_ball_.end(v) - triangles_by_ball_.begin(v)));
-    }
-    ends.end_counting();
-    ResultArray<BallIndex> end_of(ends.things());
+                  [&](std::size_t f) { told.count(triangles[f][1], 1); });
+    told.end_counting();
+    ResultArray<std::uint32_t> teller(told.things());
     parallel_many(triangles.size(), cancel_, [&](std::size_t f) {
-      end_of[ends.place_for(triangles[f][1])] = triangles[f][2];
+      teller[told.place_for(triangles[f][1])] = static_cast<std::uint32_t>(f);
     });
-    Buckets edges(balls_);
-    for_balls([&](std::size_t v) {
-      DistinctBalls distinct(end_of.begin() + ends.begin(v));
-      const std::uint32_t first = triangles_by_ball_.begin(v), last = triangles_by_ball_.end(v);
-      const std::uint32_t told = ends.end(v) - ends.begin(v) - 2 * (last - first);
-      for (std::uint32_t n = 0; n < told; ++n) distinct.add(end_of[ends.begin(v) + n]);
-      for (std::uint32_t f = first; f < last; ++f) {
-        distinct.add(triangles[f][1]);
-        distinct.add(triangles[f][2]);
+    // Upper ends of the edges of each ball, which lie where there is room for all that were named.
+    ResultArray<BallIndex> end_of(2 * triangles.size() + told.things());
+    const auto room_of = [&](std::size_t v) {
+      return 2 * std::size_t{first_triangle_[v]} + told.begin(v);
+    };
+    std::vector<std::uint32_t> first_edge(balls_ + 1, 0);
+    result_.edges_of_triangle.resize(triangles.size());
+    parallel_ranges(0, balls_, kBalls, [&](std::size_t first, std::size_t end) {
+      DistinctBalls distinct;
+      for (std::size_t v = first; v != end && !cancel_.cancelled(); ++v) {
+        distinct.clear();
+        const std::uint32_t begin = first_triangle_[v], last = first_triangle_[v + 1];
+        for (std::uint32_t f = begin; f < last; ++f) {
+          distinct.add(triangles[f][1]);
+          distinct.add(triangles[f][2]);
+        }
+        for (std::uint32_t n = told.begin(v); n < told.end(v); ++n)
+          distinct.add(triangles[teller[n]][2]);
+        distinct.sort();
+        // For now, edges have their numbers among those of their ball.
+        for (std::uint32_t f = begin; f < last; ++f) {
+          result_.edges_of_triangle[f][1] = distinct.place(triangles[f][2]);
+          result_.edges_of_triangle[f][2] = distinct.place(triangles[f][1]);
+        }
+        for (std::uint32_t n = told.begin(v); n < told.end(v); ++n)
+          result_.edges_of_triangle[teller[n]][0] = distinct.place(triangles[teller[n]][2]);
+        std::copy(distinct.balls().begin(), distinct.balls().end(), end_of.begin() + room_of(v));
+        first_edge[v + 1] = static_cast<std::uint32_t>(distinct.balls().size());
       }
-      edges.count(static_cast<BallIndex>(v), distinct.sort());
     });
-    edges.end_counting();
-    result_.edges.resize(edges.things());
+    cancel_.throw_if_cancelled();
+    for (std::size_t v = 0; v < balls_; ++v) first_edge[v + 1] += first_edge[v];
+    result_.edges.resize(first_edge.back());
     for_balls([&](std::size_t v) {
-      std::uint32_t from = ends.begin(v);
-      for (std::uint32_t e = edges.begin(v); e < edges.end(v); ++e) {
+      std::size_t from = room_of(v);
+      for (std::uint32_t e = first_edge[v]; e < first_edge[v + 1]; ++e)
         result_.edges[e] = {static_cast<BallIndex>(v), end_of[from++]};
-      }
     });
-    set_edges_of_triangles(edges);
+    parallel_many(triangles.size(), cancel_, [&](std::size_t f) {
+      auto& edges = result_.edges_of_triangle[f];
+      edges[0] += first_edge[triangles[f][1]];
+      edges[1] += first_edge[triangles[f][0]];
+      edges[2] += first_edge[triangles[f][0]];
+    });
   }
 
-  void set_edges_of_triangles(const Buckets& edges) {
-    // The index of edge ab; `from` is the first candidate among the edges of a.
-    const auto edge = [&](BallIndex a, BallIndex b, std::uint32_t from) {
-      const auto begin = result_.edges.begin() + from, end = result_.edges.begin() + edges.end(a);
-      const auto before = [b](const std::array<BallIndex, 2>& e) { return e[1] < b; };
-      // For few edges counting is faster, since it has no branch to predict.
-      constexpr std::ptrdiff_t kFew = 24;
-      const auto skipped = end - begin <= kFew ? std::count_if(begin, end, before)
-                                               : std::partition_point(begin, end, before) - begin;
-      return from + static_cast<std::uint32_t>(skipped);
-    };
-    result_.edges_of_triangle.resize(result_.triangles.size());
-    parallel_many(result_.triangles.size(), cancel_, [&](std::size_t f) {
-      const auto [a, b, c] = result_.triangles[f];
-      const std::uint32_t ab = edge(a, b, edges.begin(a));
-      result_.edges_of_triangle[f] = {edge(b, c, edges.begin(b)), edge(a, c, ab + 1), ab};
+  // For each ball, the first tetrahedron whose first ball is not lower.
+  std::vector<std::uint32_t> starts(const Simplices<4>& tetrahedra) const {
+    std::vector<std::uint32_t> first(balls_ + 1, static_cast<std::uint32_t>(tetrahedra.size()));
+    parallel_many(tetrahedra.size(), cancel_, [&](std::size_t t) {
+      const BallIndex before = t == 0 ? 0 : tetrahedra[t - 1][0] + 1;
+      for (BallIndex v = before; v <= tetrahedra[t][0]; ++v)
+        first[v] = static_cast<std::uint32_t>(t);
     });
+    return first;
   }
 
   template <class Body>
@@ -204,10 +258,12 @@ class IncidenceMaker {
     parallel_many(balls_, cancel_, body);
   }
 
+  static constexpr std::size_t kBalls = 64;  // that one thread takes at once
+
   const Triangulation& triangulation_;
   const CancelToken& cancel_;
-  const std::size_t balls_;  // balls after the last vertex are hidden
-  Buckets triangles_by_ball_;
+  const std::size_t balls_;                    // balls after the last vertex are hidden
+  std::vector<std::uint32_t> first_triangle_;  // of each ball
   Incidence result_;
 };
 

@@ -27,8 +27,9 @@ constexpr std::uint64_t bytes_of_simplex(std::uint64_t balls) {
 }
 constexpr std::uint64_t kLevels = 2 * sizeof(float);  // from where on regular, and interior
 
-// Bytes while faces are grouped: the list with its levels; the cofaces around each vertex; and the
-// groups of faces in memory at a time, with their positions in the list.
+// Bytes while the faces of a triangulation below dimension 3 are grouped: the list with its levels;
+// the cofaces around each vertex; and the groups of faces in memory at a time, with their positions
+// in the list.
 std::uint64_t bytes_while_grouping(std::uint64_t faces, std::uint64_t cofaces,
                                    std::uint64_t vertices, std::uint64_t balls) {
   constexpr std::uint64_t kIndex = sizeof(std::uint32_t);
@@ -40,16 +41,38 @@ std::uint64_t bytes_while_grouping(std::uint64_t faces, std::uint64_t cofaces,
   return (around + 2 * vertices) * kIndex + groups + faces * (bytes_of_simplex(balls) + kLevels);
 }
 
+// Bytes while a filtration is made of a triangulation of dimension 3, beside what it holds in the
+// end: Incidence and what it is made of, then what cofaces tell their faces. The lists of one
+// dimension after the other are complete.
+std::uint64_t peak_of_solid(const SimplexCount& c) {
+  constexpr std::uint64_t kIndex = sizeof(std::uint32_t), kTold = 3 * kIndex;
+  const std::uint64_t tetrahedra = c.tetrahedra * sizeof(std::array<BallIndex, 4>);
+  const std::uint64_t lists_of_tetrahedra = c.tetrahedra * bytes_of_simplex(4);
+  const std::uint64_t triangles = c.triangles * (bytes_of_simplex(3) + kLevels);
+  const std::uint64_t edges = c.edges * (bytes_of_simplex(2) + kLevels);
+  // Indices of triangles' balls, tetrahedra and edges; while edges are found, those who tell of
+  // edges and the ends of these.
+  const std::uint64_t incidence = c.triangles * (3 + 2 + 3) * kIndex + c.tetrahedra * 4 * kIndex;
+  const std::uint64_t ends = c.triangles * (1 + 3) * kIndex;
+  return std::max(
+      {tetrahedra + incidence + ends,
+       lists_of_tetrahedra + c.tetrahedra + incidence - c.triangles * 3 * kIndex + triangles +
+           c.edges * 2 * kIndex,
+       lists_of_tetrahedra + triangles + c.triangles * 3 * kIndex + edges + c.edges * kTold,
+       lists_of_tetrahedra + triangles + edges +
+           c.vertices * (bytes_of_simplex(1) + kLevels + kTold)});
+}
+
 MemoryNeed need(const SimplexCount& c) {
   const std::uint64_t tetrahedra = c.tetrahedra * bytes_of_simplex(4);
   const std::uint64_t triangles = c.triangles * (bytes_of_simplex(3) + kLevels);
   const std::uint64_t edges = c.edges * (bytes_of_simplex(2) + kLevels);
   const std::uint64_t vertices = c.vertices * (bytes_of_simplex(1) + kLevels);
-  const std::uint64_t peak = std::max(
-      {tetrahedra + bytes_while_grouping(c.triangles, c.tetrahedra, c.vertices, 3),
-       tetrahedra + triangles + bytes_while_grouping(c.edges, c.triangles, c.vertices, 2),
-       tetrahedra + triangles + edges + bytes_while_grouping(c.vertices, c.edges, c.vertices, 1)});
-  return {tetrahedra + triangles + edges + vertices, peak};
+  const std::uint64_t held = tetrahedra + triangles + edges + vertices;
+  if (c.tetrahedra > 0) return {held, peak_of_solid(c)};
+  return {held,
+          std::max(triangles + bytes_while_grouping(c.edges, c.triangles, c.vertices, 2),
+                   triangles + edges + bytes_while_grouping(c.vertices, c.edges, c.vertices, 1))};
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <climits>
 
 #include "core/complex/face_class.hpp"
+#include "core/geometry/ordered_bits.hpp"
 #include "gpu/dual_edge/dual_edge_block.cuh"
-#include "gpu/dual_edge/ordered_bits.cuh"
 
 namespace alphascope::gpu {
 

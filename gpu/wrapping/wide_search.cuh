@@ -3,7 +3,7 @@
 // searches the tree level by level.
 #pragma once
 
-#include "gpu/dual_edge/ordered_bits.cuh"
+#include "core/geometry/ordered_bits.hpp"
 #include "gpu/wrapping/tree_search.cuh"
 
 namespace alphascope::gpu {

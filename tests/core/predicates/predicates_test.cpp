@@ -95,6 +95,19 @@ void check_filters(const BallSet& balls, Seen& seen) {
     ++seen.filtered;
     ASSERT_EQ(edge, edge_foot_cut_exact(v[1], v[4]));
   }
+  const LiftedInt back = lifted_vector(balls, 1, 0), between = lifted_vector(balls, 1, 4);
+  if (within_bracket_limit(between)) {
+    const auto jk = as_double(between);
+    signed char cut[3];
+    edge_foot_cuts_filtered(as_double(v[1]), as_double(v[4]), {jk.x, jk.y, jk.z}, cut);
+    const int exact[3] = {edge_foot_cut_exact(between, back), edge_foot_cut_exact(v[4], v[1]),
+                          edge_foot_cut_exact(v[1], v[4])};
+    for (int n = 0; n < 3; ++n) {
+      if (cut[n] == 0) continue;
+      ++seen.filtered;
+      ASSERT_EQ(cut[n], exact[n]) << "edge without ball " << n;
+    }
+  }
   const int triangle =
       triangle_foot_cut_filtered(as_double(v[1]), as_double(v[2]), as_double(v[4]));
   if (triangle != 0 && independent(balls, 3)) {

@@ -13,6 +13,7 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/reference/reference.hpp"
+#include "core/geometry/ball_set.hpp"
 #include "core/read/read_molecule.hpp"
 #include "core/selection/prepare_balls.hpp"
 #include "core/triangulation/make_triangulation.hpp"

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The simplices of a triangulation of dimension 3 with their alpha values and levels.
+#pragma once
+
+#include "core/complex/alpha_complex.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/triangulation/filtration.hpp"
+
+namespace alphascope {
+
+// Makes all but the hash steps of a filtration: fills the four lists of `top`, and the levels.
+// `tetrahedra` are those of the triangulation. Works in the caller's task arena. The result does
+// not depend on the number of threads. Throws Cancelled.
+void fill_filtration(const BallSet& balls, const Triangulation& triangulation,
+                     Simplices<4> tetrahedra, const RunContext& context, AlphaComplex& top,
+                     ClassLevelsByDimension& levels);
+
+}  // namespace alphascope

@@ -3,6 +3,8 @@
 // changes a bit.
 #include "core/cavity/cavity_measures.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -76,12 +78,15 @@ class CavityMeasurer {
   std::vector<CavityMeasures> measure() {
     number_tetrahedra();
     std::vector<CavityMeasures> measures(cavities_.size());
-    std::vector<WideFixedSum> area_of_ball(ground_.balls->size());
-    for (std::size_t c = 0; c < cavities_.size(); ++c) {
-      sum_tetrahedra(c, area_of_ball, measures[c]);
-    }
-    parallel_many(cavities_.size(), cancel_,
-                  [&](std::size_t c) { measure_mouths(cavities_[c], measures[c]); });
+    // Between cavities all sums of a thread are 0.
+    tbb::enumerable_thread_specific<std::vector<WideFixedSum>> area_of_ball(
+        [&] { return std::vector<WideFixedSum>(ground_.balls->size()); });
+    parallel_each(0, cavities_.size(), [&](std::size_t c) {
+      if (cancel_.cancelled()) return;
+      sum_tetrahedra(c, area_of_ball.local(), measures[c]);
+      measure_mouths(cavities_[c], measures[c]);
+    });
+    cancel_.throw_if_cancelled();
     return measures;
   }
 

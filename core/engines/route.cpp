@@ -20,7 +20,7 @@ constexpr std::size_t kCostSamples = 256;
 
 constexpr double kTriangulationCost = 2.2;
 // Costs after the triangulation: ortho-radii of the tetrahedra, or alpha values of all simplices.
-constexpr double kTetrahedraCost = 0.2, kAlphaValuesCost = 4.7;
+constexpr double kTetrahedraCost = 0.2, kAlphaValuesCost = 3;
 double triangulating_cost(const RouteInput& question) {
   return (question.has_triangulation ? 0 : kTriangulationCost) +
          (question.tetrahedra_only ? kTetrahedraCost : kAlphaValuesCost);

@@ -141,9 +141,9 @@ class FiltrationMaker {
         while (incidence_.triangles_of_tetrahedron[t][k] != f) ++k;
         attached = attached || (attached_to_[t] >> k & 1) != 0;
       }
-      list.alpha_values[f] =
-          face_value(attached ? 0 : kUnattached, levels.regular_from,
-                     [&] { return ortho_radius_rounded(balls_, list.simplices[f]); });
+      list.alpha_values[f] = face_value(attached ? 0 : kUnattached, levels.regular_from, [&] {
+        return ortho_radius_rounded(balls_, list.simplices[f]);
+      });
       set_levels(f, levels, list, levels_.triangles);
     });
     // Edges do not need what triangles needed.

@@ -43,10 +43,9 @@ void write_list(const char* name, const SimplexList<N>& list, const AlphaComplex
 
 }  // namespace
 
-void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
-                        const ComplexHeader& header, AtomicFile& file, const RunContext& context) {
-  TextWriter text(file, context.cancel);
-  text << "alphascope-complex 1";
+void write_header_and_balls(std::string_view format, const ComplexHeader& header,
+                            const BallSet& balls, TextWriter& text) {
+  text << format;
   text.end_line();
   for (const auto& [key, value] : header) {
     text << key << " ";
@@ -64,6 +63,12 @@ void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
     text.lattice(balls.radii[i], digits);
     text.end_line();
   }
+}
+
+void write_complex_text(const BallSet& balls, const AlphaComplex& complex,
+                        const ComplexHeader& header, AtomicFile& file, const RunContext& context) {
+  TextWriter text(file, context.cancel);
+  write_header_and_balls("alphascope-complex 1", header, balls, text);
   const auto section = [&](const char* name, const auto& list, double share) {
     context.report("writing", share);
     write_list(name, list, complex, text);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,10 +13,16 @@ namespace alphascope {
 class AtomicFile;
 struct AlphaComplex;
 struct BallSet;
+class TextWriter;
 struct RunContext;
 
 // The provenance of the complex: one line "key value" each, in this order.
 using ComplexHeader = std::vector<std::pair<std::string, std::string>>;
+
+// Writes the first line, which names the format; the header; and the section of balls. For the
+// formats of complexes as text.
+void write_header_and_balls(std::string_view format, const ComplexHeader& header,
+                            const BallSet& balls, TextWriter& text);
 
 // `balls` are those of which the complex was computed, with the solvent radius. Does not commit the
 // file. Throws WriteError and Cancelled.

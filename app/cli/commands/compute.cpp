@@ -24,6 +24,7 @@
 #include "core/complex/own_dimension.hpp"
 #include "core/document/settings/request_columns.hpp"
 #include "core/molecule/molecule.hpp"
+#include "core/write/write_filtration.hpp"
 
 namespace alphascope::cli {
 namespace {
@@ -32,7 +33,7 @@ struct ComputeOptions {
   InputFiles files;
   InputOptions input;
   Request request;
-  std::string json, csv, out;
+  std::string json, csv, out, filtration;
 };
 
 // A row of the CSV.
@@ -258,6 +259,8 @@ ExitCode run_compute(const ComputeOptions& options) {
   const Request& request = options.request;
   FilesCommand command(options.files, options.input, open_options(options.input, context),
                        {options.json, options.csv, options.out});
+  AtomicFile* const filtration =
+      command.outputs.add("--filtration", options.filtration, Outputs::kText);
   const bool print = command.shown(), table_only = command.many || command.each_model;
   ResultTable table(command.files, command.many, command.each_model);
   EngineCache engines(&make_engine);
@@ -267,6 +270,10 @@ ExitCode run_compute(const ComputeOptions& options) {
       const InOwnDimension own(*result.balls, result.complex);
       write_complex_text(*result.balls, own.complex(), complex_header(input, result), *command.out,
                          context);
+    }
+    if (filtration) {
+      write_filtration_text(result.balls, result.complex, complex_header(input, result),
+                            *filtration, context);
     }
     clear_progress();
     if (print && table_only) table.print(file, input, result);
@@ -288,9 +295,16 @@ OptionCommand table_of_compute(ComputeOptions& options) {
           output("--csv",
                  "Counts and provenance, one row for each file and model; - for standard output",
                  options.csv),
-          output("--out", "All simplices with their alpha values, as text", options.out)});
+          output("--out", "All simplices with their alpha values, as text", options.out),
+          output("--filtration",
+                 "All simplices in the order in which a growing alpha reaches them, as text, with "
+                 "the alphas from which they are regular and interior",
+                 options.filtration)});
   command.check = [&options] {
     require_files(options.files);
+    if (!options.filtration.empty() && options.request.tetrahedra_only) {
+      throw UsageError("--filtration needs all simplices; leave out --tetrahedra-only");
+    }
     require_tuple_engine(options.request);
   };
   return command;

@@ -30,8 +30,8 @@ struct Command {
 // The quickest command for each kind of output, or all that write files.
 std::vector<Command> commands() {
   std::vector<Command> all{{{"compute", "cube.xyzr", "--alpha", "1", "--out", "o.alpha", "--csv",
-                             "o.csv", "--json", "o.json"},
-                            {"o.alpha", "o.csv", "o.json"}},
+                             "o.csv", "--json", "o.json", "--filtration", "o.txt"},
+                            {"o.alpha", "o.csv", "o.json", "o.txt"}},
                            {{"export", "cube.xyzr", "--alpha", "1", "-o", "o.pml"},
                             {"o.pml", "o-balls.pqr", "o-boundary.obj"}}};
   if (!all_faults()) return all;

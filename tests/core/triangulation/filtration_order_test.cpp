@@ -61,7 +61,8 @@ std::vector<Simplex> expected_order(const BallSet& balls, std::size_t& of_one_fl
   std::vector<Simplex> order;
   for (std::size_t n = 0; n < all.size(); ++n) {
     if (n > 0 && all[n - 1].first != all[n].first)
-      of_one_float += testing::nearest_float(all[n - 1].first) == testing::nearest_float(all[n].first);
+      of_one_float +=
+          testing::nearest_float(all[n - 1].first) == testing::nearest_float(all[n].first);
     order.push_back(all[n].second);
   }
   return order;
@@ -74,8 +75,8 @@ TEST(FiltrationOrder, IsThatOfExactValues) {
     // A distant ball, whose simplices have values of one float; and small lattices with many ties.
     BallSet far = testing::random_balls(random, 7, 2, 1, 2);
     testing::add_ball(far, 500000000 - round, 12, 7, 1);
-    for (const BallSet& balls :
-         {far, testing::random_balls(random, 9, 4, 1, 3), testing::random_balls(random, 9, 50, 5, 20)})
+    for (const BallSet& balls : {far, testing::random_balls(random, 9, 4, 1, 3),
+                                 testing::random_balls(random, 9, 50, 5, 20)})
       ASSERT_EQ(order_of(balls), expected_order(balls, of_one_float)) << "round " << round;
   }
   EXPECT_GT(of_one_float, 60u);

@@ -108,9 +108,7 @@ inline bool Inserter::in_conflict(const Cell& cell, const InsertedBall& m) const
 // back to a cell.
 Inserter::Walk Inserter::walk(const InsertedBall& m, std::uint32_t& at) {
   if (cells_[at].at_infinity() && !in_conflict(cells_[at], m)) {
-    const std::uint32_t inside = cells_[at].across[3] / 4;
-    if (!is_mine(cells_[inside])) return Walk::foreign;
-    at = inside;
+    at = cells_[at].across[3] / 4;
   }
   int from = 4;  // the corner opposite the face that was crossed
   while (true) {
@@ -140,18 +138,19 @@ Inserter::Walk Inserter::walk(const InsertedBall& m, std::uint32_t& at) {
           continue;
       }
       ends = false;
-      if (is_mine(cells_[cell.across[n] / 4])) way = n;
+      if (hold(cell, 2, n)) way = n;
     }
     if (ends) return Walk::no_conflict;
-    if (way == 4) return Walk::foreign;
+    if (way == 4) return Walk::in_use;
     ++turn_;
     from = static_cast<int>(cell.across[way] % 4);
     at = cell.across[way] / 4;
+    if (held_.size() > kMostOnWalk) release_all_but(cells_[at]);
   }
 }
 
-// Collects the cells in conflict and the faces around them. False, and no mark is left, when that
-// takes cells of other parts.
+// Collects the cells in conflict and the faces around them. False, and no mark is left, when others
+// hold balls of these cells.
 bool Inserter::find_cavity(const InsertedBall& m, std::uint32_t first) {
   Cell* const cells = cells_;
   // The cells next to it are looked at later, when they have come from memory.
@@ -163,6 +162,7 @@ bool Inserter::find_cavity(const InsertedBall& m, std::uint32_t first) {
   };
   cavity_.clear();
   faces_.clear();
+  if (!hold(cells[first], 3)) return false;
   take(4 * first);
   for (std::size_t n = 0; n < cavity_.size(); ++n) {
     // Each cell but the first was entered across the face opposite one of its corners.
@@ -176,7 +176,7 @@ bool Inserter::find_cavity(const InsertedBall& m, std::uint32_t first) {
       const Cell& next = cells[across / 4];
       if (next.state == Cell::kInCavity) continue;
       if (found[k].is_certain() ? found[k].value > 0 : exactly_in_conflict(next, m)) {
-        if (!is_mine(next)) {
+        if (!hold(next, 3)) {
           for (const std::uint32_t c : cavity_) cells[c / 4].state = Cell::kUsed;
           return false;
         }
@@ -331,28 +331,71 @@ void Inserter::fill_cavity(std::uint32_t ball) {
 
 std::uint32_t Inserter::cell_near(std::uint32_t ball, std::uint32_t cell) {
   cells_ = store_.data();
-  const std::uint8_t* const parts = std::exchange(part_of_, nullptr);
   walk(balls_[ball], cell);
-  part_of_ = parts;
   return cell;
 }
 
-Insertion Inserter::insert(std::uint32_t ball, std::uint32_t& cell) {
-  const InsertedBall& m = balls_[ball];
+bool Inserter::begin_sharing(Claims& claims, std::uint8_t number, std::uint32_t cell) {
   cells_ = store_.data();
+  claims_ = &claims;
+  number_ = number;
+  return hold(cells_[cell], 2);
+}
+
+void Inserter::end_sharing() {
+  for (const std::uint32_t ball : held_) claims_->release(ball);
+  held_.clear();
+  claims_ = nullptr;
+}
+
+bool Inserter::hold(const Cell& cell, int count, int but) {
+  if (claims_ == nullptr) return true;
+  for (int k = 0; k < 4; ++k) {
+    if (k != but && cell.ball[k] != Cell::kInfinity) count -= claims_->has(number_, cell.ball[k]);
+  }
+  for (int k = 0; k < 4 && count > 0; ++k) {
+    if (k != but && cell.ball[k] != Cell::kInfinity) count -= claim(cell.ball[k]);
+  }
+  return count <= 0;
+}
+
+bool Inserter::claim(std::uint32_t ball) {
+  if (!claims_->claim(number_, ball)) return false;
+  held_.push_back(ball);
+  return true;
+}
+
+void Inserter::release_all_but(const Cell& cell) {
+  std::erase_if(held_, [&](std::uint32_t ball) {
+    if (std::find(cell.ball, cell.ball + 4, ball) != cell.ball + 4) return false;
+    claims_->release(ball);
+    return true;
+  });
+}
+
+Insertion Inserter::insert(std::uint32_t ball, std::uint32_t& cell) {
+  cells_ = store_.data();
+  const Insertion result = insert_from(ball, cell);
+  if (claims_ != nullptr) release_all_but(cells_[cell]);
+  return result;
+}
+
+Insertion Inserter::insert_from(std::uint32_t ball, std::uint32_t& cell) {
+  const InsertedBall& m = balls_[ball];
   switch (walk(m, cell)) {
-    case Walk::foreign:
-      return Insertion::out_of_reach;
+    case Walk::in_use:
+      return Insertion::in_use;
     case Walk::no_conflict:
       return Insertion::hidden;
     case Walk::conflict:
       break;
   }
-  if (!find_cavity(m, cell)) return Insertion::foreign;
+  if (!find_cavity(m, cell)) return Insertion::in_use;
   if (!have_room(faces_.size())) {
     for (const std::uint32_t c : cavity_) cells_[c].state = Cell::kUsed;
     return Insertion::no_room;
   }
+  if (claims_ != nullptr && !claim(ball)) throw InternalError("A new ball is held already.");
   fill_cavity(ball);
   cell = new_cells_[0];
   cavity_.clear();

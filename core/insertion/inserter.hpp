@@ -2,12 +2,12 @@
 // Adds balls to a triangulation, one after another (Bowyer, Watson): the cells that are in conflict
 // with the new ball are replaced by those that join it with the faces around them.
 //
-// Several inserters may work on one triangulation at the same time, each for one part of the balls.
-// A cell belongs to a part if at least three of its balls do; infinity belongs to no part. An
-// inserter replaces cells of its own part only. Each face of these has two balls of the part or
-// more. So a new cell, which has the new ball besides, is of this part again. The inserter also
-// reads the cells next to those, and sets their neighbour on its own side. Such a cell has two
-// balls of this part, so it is of no other one, and nobody else changes that side of it.
+// Several inserters may work on one triangulation at the same time. Each claims balls, and nobody
+// can claim infinity. An inserter reads a cell only while it holds two of the cell's balls, and
+// replaces it only while it holds three. So nobody replaces a cell that another one reads. It
+// crosses a face only while it holds two of the face's balls, and sets the neighbour there only
+// then. No two inserters can hold two balls of one face. Each face of a replaced cell has two balls
+// that are held. So a new cell, which has the new ball besides, has three.
 #pragma once
 
 #include <array>
@@ -19,6 +19,7 @@
 
 #include "core/insertion/cell.hpp"
 #include "core/insertion/cell_store.hpp"
+#include "core/insertion/claims.hpp"
 
 namespace alphascope {
 
@@ -26,9 +27,8 @@ enum class Insertion : std::uint8_t {
   added,
   hidden,
   // Nothing has changed:
-  out_of_reach,  // the walk to the ball would leave the part
-  foreign,       // the ball is in conflict with cells of other parts
-  no_room        // the store is full
+  in_use,  // another inserter holds balls that are needed
+  no_room  // the store is full
 };
 
 // Aligned, so that two threads do not write to one cache line.
@@ -38,24 +38,22 @@ class alignas(128) Inserter {
   Inserter(std::span<const InsertedBall> balls, CellStore& store)
       : balls_(balls.data()), store_(store), number_of_(balls.size() + 1, 0) {}
 
-  // From now on the inserter uses the cells of one part. `part_of` has the part of each ball in the
-  // triangulation and of each to come; null: all are of the same part.
-  void use_part(const std::uint8_t* part_of, std::uint8_t part) {
-    part_of_ = part_of;
-    part_ = part;
-  }
-
   // Makes the first tetrahedron, of four balls that are not in a plane, and the cells around it.
   // Returns a cell.
   std::uint32_t begin(std::array<std::uint32_t, 4> balls);
 
-  // Adds a ball. `cell` is one of this part near it, and becomes another one.
-  Insertion insert(std::uint32_t ball, std::uint32_t& cell);
-
-  // A cell of any part, found by a walk from another one. Only while nobody changes cells.
+  // A cell near a ball, found by a walk from another one. Only while no inserter has claims.
   std::uint32_t cell_near(std::uint32_t ball, std::uint32_t cell);
-  bool is_used(std::uint32_t cell) const { return store_.data()[cell].state == Cell::kUsed; }
-  bool is_of_part(std::uint32_t cell) const { return is_mine(store_.data()[cell]); }
+
+  // From now on others may change the triangulation, too. The next ball is inserted from this cell,
+  // of which the inserter claims balls; false if it cannot. Numbers are those of Claims.
+  bool begin_sharing(Claims& claims, std::uint8_t number, std::uint32_t cell);
+  // Gives all claims back. The inserter is the only one from now on.
+  void end_sharing();
+
+  // Adds a ball. `cell` is one near it, and becomes another one. While the triangulation is shared,
+  // it is the one from the call before. The inserter holds two of its balls.
+  Insertion insert(std::uint32_t ball, std::uint32_t& cell);
 
  private:
   // A face around the cavity: with the new ball first, its balls make a cell.
@@ -63,15 +61,14 @@ class alignas(128) Inserter {
     std::uint32_t balls[3];
     std::uint32_t outside;  // as in Cell::across
   };
-  enum class Walk : std::uint8_t { conflict, no_conflict, foreign };
+  enum class Walk : std::uint8_t { conflict, no_conflict, in_use };
 
-  bool is_mine(const Cell& cell) const {
-    if (part_of_ == nullptr) return true;
-    int mine = 0;
-    for (const std::uint32_t ball : cell.ball)
-      mine += ball != Cell::kInfinity && part_of_[ball] == part_;
-    return mine >= 3;
-  }
+  // Whether the inserter holds so many balls of a cell. If not, it claims more first. The ball at
+  // one corner may be left out.
+  bool hold(const Cell& cell, int count, int but = 4);
+  bool claim(std::uint32_t ball);
+  // Gives claims back, but not those on balls of a cell.
+  void release_all_but(const Cell& cell);
   // By how much a ball is in conflict with a cell, and the error of that.
   struct Conflict {
     double value, error;
@@ -80,6 +77,7 @@ class alignas(128) Inserter {
   Conflict conflict(const Cell& cell, const InsertedBall& m) const;
   bool in_conflict(const Cell& cell, const InsertedBall& m) const;
   bool exactly_in_conflict(const Cell& cell, const InsertedBall& m) const;
+  Insertion insert_from(std::uint32_t ball, std::uint32_t& cell);
   Walk walk(const InsertedBall& m, std::uint32_t& cell);
   bool find_cavity(const InsertedBall& m, std::uint32_t first);
   bool have_room(std::size_t cells);
@@ -93,8 +91,10 @@ class alignas(128) Inserter {
   const InsertedBall* const balls_;
   CellStore& store_;
   Cell* cells_ = nullptr;
-  const std::uint8_t* part_of_ = nullptr;
-  std::uint8_t part_ = 0;
+  Claims* claims_ = nullptr;  // null: there is no other inserter
+  std::uint8_t number_ = 0;
+  static constexpr std::size_t kMostOnWalk = 16;
+  std::vector<std::uint32_t> held_;  // balls
 
   std::vector<std::uint32_t> free_;
   CellBlock fresh_;

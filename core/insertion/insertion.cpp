@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inserts round after round. A large round is shared out: space is cut into parts, and each part
-// gets a thread. Balls whose cells reach into another part are put off, and space is cut anew. The
-// rest is inserted on one thread.
+// Inserts round after round. A large round is shared out among inserters, one for a thread. Balls
+// that need what another inserter holds are put off to the next turn. The rest of a round is
+// inserted on one thread.
 #include "core/insertion/insertion.hpp"
 
 #include <algorithm>
@@ -14,10 +14,11 @@
 
 #include "core/complex/count_limits.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/insertion/claims.hpp"
 #include "core/insertion/inserter.hpp"
 #include "core/insertion/insertion_order.hpp"
 #include "core/insertion/order_tetrahedra.hpp"
-#include "core/insertion/parts.hpp"
+#include "core/insertion/stretches.hpp"
 #include "core/neighbours/coincident.hpp"
 #include "core/predicates/spanning_balls.hpp"
 #include "core/run/parallel.hpp"
@@ -35,7 +36,8 @@ class InsertedRounds {
         context_(context),
         counts_(counts),
         balls_(order.balls.size()),
-        store_(8 * order.balls.size() + 4096) {
+        store_(8 * order.balls.size() + 4096),
+        claims_(order.balls.size()) {
     parallel_ranges(0, balls_.size(), 4096, [&](std::size_t first, std::size_t end) {
       for (std::size_t n = first; n != end; ++n) {
         const BallIndex i = order_.balls[n];
@@ -57,7 +59,7 @@ class InsertedRounds {
       std::erase_if(round, [&](std::uint32_t ball) {
         return std::find(first.begin(), first.end(), ball) != first.end();
       });
-      insert_round(std::move(round), begin, end);
+      insert_round(std::move(round), begin);
       begin = end;
     }
   }
@@ -81,19 +83,19 @@ class InsertedRounds {
   }
 
  private:
-  // `left`: the balls of a round, places in the order between `begin` and `end`.
-  void insert_round(std::vector<std::uint32_t> left, std::size_t begin, std::size_t end);
+  // `left`: the balls of a round, places in the order. All before `begin` are inserted.
+  void insert_round(std::vector<std::uint32_t> left, std::size_t begin);
   // Returns the balls that are left.
-  std::vector<std::uint32_t> insert_in_parts(std::vector<std::uint32_t> left, std::size_t parts,
-                                             int turn, std::size_t end);
-  struct Part {
-    std::vector<std::uint32_t> balls;
-    std::vector<std::uint32_t> starts;        // a cell near every kStride-th ball, or kInfinity
-    std::uint32_t cell = Cell::kInfinity;     // one of the part, if known
+  std::vector<std::uint32_t> insert_together(const std::vector<std::uint32_t>& left,
+                                             std::size_t inserters);
+  struct Share {
+    std::uint32_t cell = 0;  // from which the inserter goes on
+    bool has_begun = false;
     std::vector<std::uint32_t> put_off = {};  // balls
   };
-  void find_starts(Inserter& inserter, Part& part);
-  bool insert_part(Inserter& inserter, Part& part);
+  // Returns whether there was room for all cells.
+  bool insert_share(const std::vector<std::uint32_t>& balls, Stretches& stretches, std::size_t own,
+                    Share& share);
   void insert_one_by_one(const std::vector<std::uint32_t>& balls);
   // Counts balls that were inserted, and throws Cancelled.
   void went_on(std::size_t balls) {
@@ -104,7 +106,6 @@ class InsertedRounds {
                       static_cast<double>(done) / static_cast<double>(balls_.size()));
   }
 
-  static constexpr std::size_t kStride = 32;
   static constexpr std::size_t kStep = 512;  // balls between looks at the cancel token
 
   const InsertionOrder& order_;
@@ -114,23 +115,23 @@ class InsertedRounds {
   const std::thread::id caller_ = std::this_thread::get_id();
   std::vector<InsertedBall> balls_;  // in the order of insertion
   CellStore store_;
+  Claims claims_;
   std::vector<std::unique_ptr<Inserter>> inserters_;
-  std::vector<std::uint8_t> part_of_;
   std::uint32_t last_ = 0;  // a cell that is used
   std::atomic<std::size_t> done_{0};
 };
 
-void InsertedRounds::insert_round(std::vector<std::uint32_t> left, std::size_t begin,
-                                  std::size_t end) {
-  // Of a part with fewer balls, old and new, most cells reach into other parts.
-  constexpr std::size_t kFewestNew = 256, kFewestOld = 256;
+void InsertedRounds::insert_round(std::vector<std::uint32_t> left, std::size_t begin) {
+  // With fewer balls, old and new, inserters meet too often.
+  constexpr std::size_t kFewestNew = 64, kFewestOld = 64;
   constexpr int kTurns = 12;
+  const std::size_t end = begin + left.size();
   for (int turn = 0; turn < kTurns; ++turn) {
-    const std::size_t parts =
-        std::min({threads_, left.size() / kFewestNew, begin / kFewestOld, Parts::kMost});
-    if (parts < 2) break;
-    const std::size_t before = left.size();
-    left = insert_in_parts(std::move(left), parts, turn, end);
+    const std::size_t before = left.size(),
+                      inserters = std::min({threads_, before / kFewestNew,
+                                            (end - before) / kFewestOld, Claims::kMostInserters});
+    if (inserters < 2) break;
+    left = insert_together(left, inserters);
     if (left.size() > before - before / 8) break;
   }
   counts_.one_by_one += left.size();
@@ -139,82 +140,60 @@ void InsertedRounds::insert_round(std::vector<std::uint32_t> left, std::size_t b
 
 void InsertedRounds::insert_one_by_one(const std::vector<std::uint32_t>& balls) {
   Inserter& inserter = *inserters_[0];
-  inserter.use_part(nullptr, 0);
   for (std::size_t n = 0; n < balls.size(); ++n) {
     if (n % kStep == 0) went_on(std::min(kStep, balls.size() - n));
     while (inserter.insert(balls[n], last_) == Insertion::no_room) store_.double_room();
   }
 }
 
-// While nobody changes cells.
-void InsertedRounds::find_starts(Inserter& inserter, Part& part) {
-  std::uint32_t cell = last_;
-  for (std::size_t n = 0; n < part.balls.size(); n += kStride) {
-    cell = inserter.cell_near(part.balls[n], cell);
-    part.starts.push_back(inserter.is_of_part(cell) ? cell : Cell::kInfinity);
-    if (part.cell == Cell::kInfinity) part.cell = part.starts.back();
-  }
-}
-
-// Returns whether there was room for all cells.
-bool InsertedRounds::insert_part(Inserter& inserter, Part& part) {
-  if (part.cell == Cell::kInfinity) {
-    part.put_off = part.balls;
-    return true;
-  }
-  bool room = true;
-  std::size_t before = 0;
-  for (std::size_t n = 0; n < part.balls.size(); ++n) {
-    if (n % kStep == 0) {
-      const std::size_t inserted = n - part.put_off.size();
-      went_on(inserted - before);
-      before = inserted;
-    }
-    Insertion result = inserter.insert(part.balls[n], part.cell);
-    // A cell of this part is replaced by others of it.
-    if (const std::uint32_t start = part.starts[n / kStride];
-        result == Insertion::out_of_reach && start != Cell::kInfinity && inserter.is_used(start)) {
-      part.cell = start;
-      result = inserter.insert(part.balls[n], part.cell);
-    }
-    if (result == Insertion::added || result == Insertion::hidden) continue;
-    part.put_off.push_back(part.balls[n]);
-    room = room && result != Insertion::no_room;
-  }
-  return room;
-}
-
-std::vector<std::uint32_t> InsertedRounds::insert_in_parts(std::vector<std::uint32_t> left,
-                                                           std::size_t parts, int turn,
-                                                           std::size_t end) {
-  counts_.parts = std::max(counts_.parts, parts);
-  while (inserters_.size() < parts)
+std::vector<std::uint32_t> InsertedRounds::insert_together(const std::vector<std::uint32_t>& left,
+                                                           std::size_t inserters) {
+  counts_.inserters = std::max(counts_.inserters, inserters);
+  while (inserters_.size() < inserters)
     inserters_.push_back(std::make_unique<Inserter>(balls_, store_));
-  const Parts space(parts, turn, balls_, left);
-  part_of_.resize(balls_.size());
-  parallel_ranges(0, end, 4096, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n != last; ++n) part_of_[n] = space.part_of(balls_[n]);
-  });
-
-  std::vector<Part> shares(parts);
-  for (const std::uint32_t ball : left) shares[part_of_[ball]].balls.push_back(ball);
-  parallel_each(0, parts, [&](std::size_t p) {
-    inserters_[p]->use_part(part_of_.data(), static_cast<std::uint8_t>(p));
-    find_starts(*inserters_[p], shares[p]);
-  });
-  context_.cancel.throw_if_cancelled();
-  std::atomic<bool> full{false};
-  parallel_each(0, parts, [&](std::size_t p) {
-    if (!insert_part(*inserters_[p], shares[p])) full = true;
-  });
-  if (full) store_.double_room();
-  left.clear();
-  for (Part& part : shares) {
-    if (part.cell != Cell::kInfinity) last_ = part.cell;
-    left.insert(left.end(), part.put_off.begin(), part.put_off.end());
+  Stretches stretches(left.size(), inserters);
+  std::vector<Share> shares(inserters);
+  for (std::size_t i = 0; i < inserters; ++i) {
+    last_ = inserters_[0]->cell_near(left[stretches.left(i).begin], last_);
+    shares[i].cell = last_;
   }
-  counts_.put_off += left.size();
-  return left;
+  for (std::size_t i = 0; i < inserters; ++i) {
+    shares[i].has_begun = inserters_[i]->begin_sharing(claims_, static_cast<std::uint8_t>(i + 1),
+                                                       shares[i].cell);
+  }
+  std::atomic<bool> full{false};
+  parallel_each(0, inserters, [&](std::size_t i) {
+    if (shares[i].has_begun && !insert_share(left, stretches, i, shares[i])) full = true;
+  });
+  std::vector<std::uint32_t> put_off;
+  for (std::size_t i = 0; i < inserters; ++i) {
+    inserters_[i]->end_sharing();
+    if (shares[i].has_begun) last_ = shares[i].cell;
+    put_off.insert(put_off.end(), shares[i].put_off.begin(), shares[i].put_off.end());
+  }
+  counts_.put_off += put_off.size();
+  std::sort(put_off.begin(), put_off.end());  // along the curve
+  if (full) store_.double_room();
+  return put_off;
+}
+
+bool InsertedRounds::insert_share(const std::vector<std::uint32_t>& balls, Stretches& stretches,
+                                  std::size_t own, Share& share) {
+  constexpr std::uint32_t kAtOnce = 64;
+  Inserter& inserter = *inserters_[own];
+  bool room = true;
+  while (true) {
+    const Stretches::Range range = stretches.take(own, kAtOnce);
+    if (range.empty()) return room;
+    const std::size_t before = share.put_off.size();
+    for (std::uint32_t n = range.begin; n != range.end; ++n) {
+      const Insertion result = inserter.insert(balls[n], share.cell);
+      if (result == Insertion::added || result == Insertion::hidden) continue;
+      share.put_off.push_back(balls[n]);
+      room = room && result != Insertion::no_room;
+    }
+    went_on(range.end - range.begin - (share.put_off.size() - before));
+  }
 }
 
 }  // namespace

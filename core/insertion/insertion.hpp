@@ -14,7 +14,7 @@ struct BallSet;
 // How balls were inserted.
 struct InsertionCounts {
   int threads = 1;
-  std::size_t parts = 1;         // of space, at the same time, at most
+  std::size_t inserters = 1;     // at the same time, at most
   std::uint64_t put_off = 0;     // insertions that were begun and put off
   std::uint64_t one_by_one = 0;  // balls that were inserted on one thread
 };

@@ -46,10 +46,10 @@ bool time_set(const std::string& name, const BallSet& balls, int threads, int ru
   const bool equal = by_cgal.dimension < 3 || by_insertion == by_cgal;
   std::printf(
       "%s %s, threads %d: balls %zu, tetrahedra %zu, hidden %zu: insertion %.2f ms, CGAL "
-      "%.2f ms (%.2f); parts %zu, put off %llu, one by one %llu\n",
+      "%.2f ms (%.2f); inserters %zu, put off %llu, one by one %llu\n",
       equal ? "ok  " : "DIFF", name.c_str(), threads, balls.size(), by_cgal.tetrahedra.size(),
       by_cgal.hidden.size(), median(ours), median(theirs), median(theirs) / median(ours),
-      counts.parts, static_cast<unsigned long long>(counts.put_off),
+      counts.inserters, static_cast<unsigned long long>(counts.put_off),
       static_cast<unsigned long long>(counts.one_by_one));
   std::fflush(stdout);
   return equal;

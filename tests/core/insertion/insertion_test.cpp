@@ -43,7 +43,7 @@ TEST(Insertion, OfHardSetsEqualsCgals) {
   EXPECT_GT(flat, 10u);
 }
 
-// Sets that are large enough for several parts of space.
+// Sets that are large enough for several inserters.
 std::vector<NamedBalls> many_balls() {
   const int count = testing::kAddressSanitizer ? 9000 : 20000;
   Random random(52);
@@ -76,7 +76,7 @@ std::vector<NamedBalls> many_balls() {
   return sets;
 }
 
-TEST(Insertion, InPartsEqualsCgals) {
+TEST(Insertion, TogetherEqualsCgals) {
   std::uint64_t put_off = 0;
   for (const NamedBalls& set : many_balls()) {
     const Triangulation expected = make_cgal_triangulation(set.balls, 1);
@@ -84,7 +84,7 @@ TEST(Insertion, InPartsEqualsCgals) {
       InsertionCounts counts;
       const auto found = triangulate_by_insertion(set.balls, threads, {}, &counts);
       EXPECT_TRUE(*found == expected) << set.name << ", threads " << threads;
-      EXPECT_GT(counts.parts, 1u) << set.name;
+      EXPECT_GT(counts.inserters, 1u) << set.name;
       put_off += counts.put_off;
     }
   }

@@ -123,7 +123,7 @@ class InsertedRounds {
 
 void InsertedRounds::insert_round(std::vector<std::uint32_t> left, std::size_t begin) {
   // With fewer balls, old and new, inserters meet too often.
-  constexpr std::size_t kFewestNew = 64, kFewestOld = 64;
+  constexpr std::size_t kFewestNew = 32, kFewestOld = 32;
   constexpr int kTurns = 12;
   const std::size_t end = begin + left.size();
   for (int turn = 0; turn < kTurns; ++turn) {

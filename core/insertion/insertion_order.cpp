@@ -94,7 +94,7 @@ std::vector<Placed> sorted_by_bucket(const std::vector<Placed>& placed, std::uin
 
 InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& left_out,
                                const CancelToken& cancel) {
-  constexpr std::size_t kFewest = 256;  // in the first round
+  constexpr std::size_t kFewest = 64;  // in the first round
   const std::size_t count = balls.size();
   InsertionOrder order;
   if (count == 0) return order;

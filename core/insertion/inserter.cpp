@@ -145,7 +145,7 @@ Inserter::Walk Inserter::walk(const InsertedBall& m, std::uint32_t& at) {
     ++turn_;
     from = static_cast<int>(cell.across[way] % 4);
     at = cell.across[way] / 4;
-    if (held_.size() > kMostOnWalk) release_all_but(cells_[at]);
+    if (held_.size() > kMostHeld) release_all_but(cells_[at]);
   }
 }
 
@@ -376,7 +376,8 @@ void Inserter::release_all_but(const Cell& cell) {
 Insertion Inserter::insert(std::uint32_t ball, std::uint32_t& cell) {
   cells_ = store_.data();
   const Insertion result = insert_from(ball, cell);
-  if (claims_ != nullptr) release_all_but(cells_[cell]);
+  // The next ball needs many of the same claims.
+  if (result == Insertion::in_use || held_.size() > kMostHeld) release_all_but(cells_[cell]);
   return result;
 }
 

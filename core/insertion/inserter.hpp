@@ -93,7 +93,7 @@ class alignas(128) Inserter {
   Cell* cells_ = nullptr;
   Claims* claims_ = nullptr;  // null: there is no other inserter
   std::uint8_t number_ = 0;
-  static constexpr std::size_t kMostOnWalk = 16;
+  static constexpr std::size_t kMostHeld = 64;  // of claims that may be needed no more
   std::vector<std::uint32_t> held_;  // balls
 
   std::vector<std::uint32_t> free_;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <numeric>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/complex/count_limits.hpp"
@@ -48,17 +49,15 @@ class InsertedRounds {
     });
   }
 
-  // `first`: places in the order of four balls that are not in a plane.
-  void insert_all(const std::array<std::uint32_t, 4>& first) {
+  // The first four balls are not in a plane.
+  void insert_all() {
     inserters_.push_back(std::make_unique<Inserter>(balls_, store_));
-    last_ = inserters_[0]->begin(first);
-    std::size_t begin = 0;
+    last_ = inserters_[0]->begin({0, 1, 2, 3});
+    std::size_t begin = 4;
     for (const std::size_t end : order_.rounds) {
+      if (end <= begin) continue;
       std::vector<std::uint32_t> round(end - begin);
       std::iota(round.begin(), round.end(), static_cast<std::uint32_t>(begin));
-      std::erase_if(round, [&](std::uint32_t ball) {
-        return std::find(first.begin(), first.end(), ball) != first.end();
-      });
       insert_round(std::move(round), begin);
       begin = end;
     }
@@ -113,7 +112,7 @@ class InsertedRounds {
   const RunContext& context_;
   InsertionCounts& counts_;
   const std::thread::id caller_ = std::this_thread::get_id();
-  std::vector<InsertedBall> balls_;  // in the order of insertion
+  ResultArray<InsertedBall> balls_;  // in the order of insertion
   CellStore store_;
   Claims claims_;
   std::vector<std::unique_ptr<Inserter>> inserters_;
@@ -149,8 +148,11 @@ void InsertedRounds::insert_one_by_one(const std::vector<std::uint32_t>& balls) 
 std::vector<std::uint32_t> InsertedRounds::insert_together(const std::vector<std::uint32_t>& left,
                                                            std::size_t inserters) {
   counts_.inserters = std::max(counts_.inserters, inserters);
-  while (inserters_.size() < inserters)
-    inserters_.push_back(std::make_unique<Inserter>(balls_, store_));
+  const std::size_t there = inserters_.size();
+  inserters_.resize(std::max(there, inserters));
+  parallel_each(there, inserters_.size(), [&](std::size_t i) {
+    inserters_[i] = std::make_unique<Inserter>(balls_, store_);
+  });
   Stretches stretches(left.size(), inserters);
   std::vector<Share> shares(inserters);
   for (std::size_t i = 0; i < inserters; ++i) {
@@ -205,14 +207,13 @@ std::optional<Triangulation> triangulate_by_insertion(const BallSet& balls, int 
   InsertionCounts unused;
   InsertionCounts& counted = counts != nullptr ? *counts : unused;
   counted.threads = threads;
-  const InsertionOrder order =
+  InsertionOrder order =
       insertion_order(balls, coincident_hidden(balls, context.cancel), context.cancel);
   const std::vector<std::size_t> span = spanning_balls(balls, order.balls);
   if (span.size() < 4) return std::nullopt;
-  std::array<std::uint32_t, 4> first;
-  std::copy(span.begin(), span.end(), first.begin());
+  for (std::size_t n = 0; n < 4; ++n) std::swap(order.balls[n], order.balls[span[n]]);
   InsertedRounds rounds(balls, order, threads, context, counted);
-  rounds.insert_all(first);
+  rounds.insert_all();
   Triangulation result;
   result.dimension = 3;
   set_tetrahedra(balls, rounds, context.cancel, result);

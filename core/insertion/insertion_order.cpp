@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -62,33 +63,39 @@ struct Placed {
 };
 
 // Sorts by bucket, one for each round and stretch of the curve, and then each bucket.
-std::vector<Placed> sorted_by_bucket(const std::vector<Placed>& placed, std::uint32_t rounds,
-                                     const CancelToken& cancel) {
-  constexpr int kStretchBits = 12;
-  const auto bucket_of = [](const Placed& p) {
+class Buckets {
+ public:
+  Buckets(const ResultArray<Placed>& placed, std::uint32_t rounds, const CancelToken& cancel)
+      : first_((std::size_t{rounds} << kStretchBits) + 1, 0), sorted_(placed.size()) {
+    parallel_many(placed.size(), cancel,
+                  [&](std::size_t n) { raise(first_[bucket_of(placed[n]) + 1]); });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    parallel_many(placed.size(), cancel, [&](std::size_t n) {
+      sorted_[raise(next[bucket_of(placed[n])])] = placed[n];
+    });
+    parallel_many(next.size(), cancel, [&](std::size_t bucket) {
+      std::sort(sorted_.begin() + first_[bucket], sorted_.begin() + first_[bucket + 1]);
+    });
+  }
+
+  const ResultArray<Placed>& sorted() const { return sorted_; }
+  std::size_t end(std::uint32_t round) const {
+    return first_[(std::size_t{round} + 1) << kStretchBits];
+  }
+
+ private:
+  static constexpr int kStretchBits = 12;
+  static std::size_t bucket_of(const Placed& p) {
     return (std::size_t{p.round} << kStretchBits) + (p.place >> (3 * kCurveBits - kStretchBits));
-  };
-  std::vector<std::size_t> first((std::size_t{rounds} << kStretchBits) + 1, 0);
-  const auto look_at_times = [&](std::size_t n) {
-    if (n % (1 << 16) == 0) cancel.throw_if_cancelled();
-  };
-  for (std::size_t n = 0; n < placed.size(); ++n) {
-    look_at_times(n);
-    ++first[bucket_of(placed[n]) + 1];
   }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Placed> sorted(placed.size());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (std::size_t n = 0; n < placed.size(); ++n) {
-    look_at_times(n);
-    sorted[next[bucket_of(placed[n])]++] = placed[n];
+  // Returns the number before.
+  static std::uint32_t raise(std::uint32_t& number) {
+    return std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed);
   }
-  parallel_many(next.size(), cancel, [&](std::size_t bucket) {
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first[bucket]),
-              sorted.begin() + static_cast<std::ptrdiff_t>(first[bucket + 1]));
-  });
-  return sorted;
-}
+  std::vector<std::uint32_t> first_;  // of each bucket
+  ResultArray<Placed> sorted_;
+};
 
 }  // namespace
 
@@ -109,7 +116,7 @@ InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& le
   std::uint32_t last_round = 0;
   while (kFewest << (3 * (last_round + 1)) <= count) ++last_round;
 
-  std::vector<Placed> placed(count);
+  ResultArray<Placed> placed(count);
   parallel_ranges(0, count, 1024, [&](std::size_t first, std::size_t end) {
     if (cancel.cancelled()) return;
     for (std::size_t i = first; i != end; ++i) {
@@ -123,12 +130,12 @@ InsertionOrder insertion_order(const BallSet& balls, const std::vector<bool>& le
   });
   cancel.throw_if_cancelled();
   if (!left_out.empty()) std::erase_if(placed, [&](const Placed& p) { return left_out[p.ball]; });
-  order.balls.reserve(placed.size());
-  for (const Placed& p : sorted_by_bucket(placed, last_round + 1, cancel)) {
-    while (order.rounds.size() < p.round) order.rounds.push_back(order.balls.size());
-    order.balls.push_back(p.ball);
-  }
-  order.rounds.push_back(order.balls.size());
+  const Buckets buckets(placed, last_round + 1, cancel);
+  for (std::uint32_t round = 0; round <= last_round; ++round)
+    order.rounds.push_back(buckets.end(round));
+  order.balls.resize(placed.size());
+  parallel_many(placed.size(), cancel,
+                [&](std::size_t n) { order.balls[n] = buckets.sorted()[n].ball; });
   return order;
 }
 

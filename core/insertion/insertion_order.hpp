@@ -8,13 +8,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/complex/simplices.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/cancel_token.hpp"
 
 namespace alphascope {
 
 struct InsertionOrder {
-  std::vector<BallIndex> balls;     // each one once
+  ResultArray<BallIndex> balls;     // each one once
   std::vector<std::size_t> rounds;  // the end of each round
 };
 

@@ -145,7 +145,7 @@ Inserter::Walk Inserter::walk(const InsertedBall& m, std::uint32_t& at) {
     ++turn_;
     from = static_cast<int>(cell.across[way] % 4);
     at = cell.across[way] / 4;
-    if (held_.size() > kMostHeld) release_all_but(cells_[at]);
+    if (held_.size() > kMostHeld) release_all_but(at);
   }
 }
 
@@ -365,9 +365,10 @@ bool Inserter::claim(std::uint32_t ball) {
   return true;
 }
 
-void Inserter::release_all_but(const Cell& cell) {
+void Inserter::release_all_but(std::uint32_t cell) {
+  const std::uint32_t(&kept)[4] = cells_[cell].ball;
   std::erase_if(held_, [&](std::uint32_t ball) {
-    if (std::find(cell.ball, cell.ball + 4, ball) != cell.ball + 4) return false;
+    if (std::find(kept, kept + 4, ball) != kept + 4) return false;
     claims_->release(ball);
     return true;
   });
@@ -377,7 +378,7 @@ Insertion Inserter::insert(std::uint32_t ball, std::uint32_t& cell) {
   cells_ = store_.data();
   const Insertion result = insert_from(ball, cell);
   // The next ball needs many of the same claims.
-  if (result == Insertion::in_use || held_.size() > kMostHeld) release_all_but(cells_[cell]);
+  if (result == Insertion::in_use || held_.size() > kMostHeld) release_all_but(cell);
   return result;
 }
 

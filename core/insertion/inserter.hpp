@@ -48,6 +48,8 @@ class alignas(128) Inserter {
   // From now on others may change the triangulation, too. The next ball is inserted from this cell,
   // of which the inserter claims balls; false if it cannot. Numbers are those of Claims.
   bool begin_sharing(Claims& claims, std::uint8_t number, std::uint32_t cell);
+  // Gives claims back, but not those on balls of a cell, from which it can go on.
+  void release_all_but(std::uint32_t cell);
   // Gives all claims back. The inserter is the only one from now on.
   void end_sharing();
 
@@ -67,8 +69,6 @@ class alignas(128) Inserter {
   // one corner may be left out.
   bool hold(const Cell& cell, int count, int but = 4);
   bool claim(std::uint32_t ball);
-  // Gives claims back, but not those on balls of a cell.
-  void release_all_but(const Cell& cell);
   // By how much a ball is in conflict with a cell, and the error of that.
   struct Conflict {
     double value, error;
@@ -94,7 +94,7 @@ class alignas(128) Inserter {
   Claims* claims_ = nullptr;  // null: there is no other inserter
   std::uint8_t number_ = 0;
   static constexpr std::size_t kMostHeld = 64;  // of claims that may be needed no more
-  std::vector<std::uint32_t> held_;  // balls
+  std::vector<std::uint32_t> held_;             // balls
 
   std::vector<std::uint32_t> free_;
   CellBlock fresh_;

@@ -150,9 +150,8 @@ std::vector<std::uint32_t> InsertedRounds::insert_together(const std::vector<std
   counts_.inserters = std::max(counts_.inserters, inserters);
   const std::size_t there = inserters_.size();
   inserters_.resize(std::max(there, inserters));
-  parallel_each(there, inserters_.size(), [&](std::size_t i) {
-    inserters_[i] = std::make_unique<Inserter>(balls_, store_);
-  });
+  parallel_each(there, inserters_.size(),
+                [&](std::size_t i) { inserters_[i] = std::make_unique<Inserter>(balls_, store_); });
   Stretches stretches(left.size(), inserters);
   std::vector<Share> shares(inserters);
   for (std::size_t i = 0; i < inserters; ++i) {
@@ -160,8 +159,8 @@ std::vector<std::uint32_t> InsertedRounds::insert_together(const std::vector<std
     shares[i].cell = last_;
   }
   for (std::size_t i = 0; i < inserters; ++i) {
-    shares[i].has_begun = inserters_[i]->begin_sharing(claims_, static_cast<std::uint8_t>(i + 1),
-                                                       shares[i].cell);
+    shares[i].has_begun =
+        inserters_[i]->begin_sharing(claims_, static_cast<std::uint8_t>(i + 1), shares[i].cell);
   }
   std::atomic<bool> full{false};
   parallel_each(0, inserters, [&](std::size_t i) {
@@ -186,7 +185,7 @@ bool InsertedRounds::insert_share(const std::vector<std::uint32_t>& balls, Stret
   bool room = true;
   while (true) {
     const Stretches::Range range = stretches.take(own, kAtOnce);
-    if (range.empty()) return room;
+    if (range.empty()) break;
     const std::size_t before = share.put_off.size();
     for (std::uint32_t n = range.begin; n != range.end; ++n) {
       const Insertion result = inserter.insert(balls[n], share.cell);
@@ -196,6 +195,8 @@ bool InsertedRounds::insert_share(const std::vector<std::uint32_t>& balls, Stret
     }
     went_on(range.end - range.begin - (share.put_off.size() - before));
   }
+  inserter.release_all_but(share.cell);
+  return room;
 }
 
 }  // namespace

@@ -71,9 +71,8 @@ class Buckets {
                   [&](std::size_t n) { raise(first_[bucket_of(placed[n]) + 1]); });
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    parallel_many(placed.size(), cancel, [&](std::size_t n) {
-      sorted_[raise(next[bucket_of(placed[n])])] = placed[n];
-    });
+    parallel_many(placed.size(), cancel,
+                  [&](std::size_t n) { sorted_[raise(next[bucket_of(placed[n])])] = placed[n]; });
     parallel_many(next.size(), cancel, [&](std::size_t bucket) {
       std::sort(sorted_.begin() + first_[bucket], sorted_.begin() + first_[bucket + 1]);
     });

@@ -57,8 +57,8 @@ class Stretches {
     while (true) {
       const Range all = unpacked(before);
       const std::uint32_t count = std::min(most, length(all));
-      const Range taken = first ? Range{all.begin, all.begin + count}
-                                : Range{all.end - count, all.end};
+      const Range taken =
+          first ? Range{all.begin, all.begin + count} : Range{all.end - count, all.end};
       const Range rest = first ? Range{taken.end, all.end} : Range{all.begin, taken.begin};
       if (range.compare_exchange_weak(before, packed(rest))) return taken;
     }

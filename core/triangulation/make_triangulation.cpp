@@ -27,7 +27,7 @@ Triangulation make_triangulation(const BallSet& balls, int threads, const RunCon
   Triangulation result = made ? *std::move(made) : make_cgal_triangulation(balls, threads, context);
   report.by = made ? By::insertion : By::cgal;
   report.maker = made ? cpu_text(counts.threads) : "CGAL";
-  report.parts = counts.inserters;
+  report.inserters = counts.inserters;
   report.put_off = counts.put_off;
   timer.lap(stage::kTriangulation);
   timer.finish();

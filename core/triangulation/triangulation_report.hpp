@@ -23,7 +23,7 @@ struct TriangulationReport {
   std::string why_not;
   StageTimes timings;
   // Of insertion only (InsertionCounts).
-  std::size_t parts = 0;
+  std::size_t inserters = 0;
   std::uint64_t put_off = 0;
   // Of a device only.
   std::uint64_t known = 0;       // tetrahedra with which wrapping began

@@ -80,7 +80,7 @@ TEST(Insertion, TogetherEqualsCgals) {
   std::uint64_t put_off = 0;
   for (const NamedBalls& set : many_balls()) {
     const Triangulation expected = make_cgal_triangulation(set.balls, 1);
-    for (const int threads : {2, 7, 16}) {
+    for (const int threads : {2, 3, 7, 16}) {
       InsertionCounts counts;
       const auto found = triangulate_by_insertion(set.balls, threads, {}, &counts);
       EXPECT_TRUE(*found == expected) << set.name << ", threads " << threads;
@@ -88,7 +88,7 @@ TEST(Insertion, TogetherEqualsCgals) {
       put_off += counts.put_off;
     }
   }
-  EXPECT_GT(put_off, 1000u);
+  EXPECT_GT(put_off, 100u);
 }
 
 // Two lines of balls: each pair of neighbours on the one makes a tetrahedron with each on the

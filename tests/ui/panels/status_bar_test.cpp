@@ -108,13 +108,13 @@ TEST(LastMove, SaysThatTheGpuDidNotMakeTheTriangulation) {
 TEST(LastMove, SaysHowTheCpuSharedTheTriangulation) {
   TriangulationReport report;
   report.by = TriangulationReport::By::insertion;
-  report.parts = 1;
+  report.inserters = 1;
   EXPECT_TRUE(triangulation_sentences(report).empty());
-  report.parts = 2;
+  report.inserters = 2;
   report.put_off = 6022;
   EXPECT_EQ(triangulation_sentences(report),
-            std::vector<std::string>{"Balls were inserted in up to 2 parts of space at the same "
-                                     "time, and 6,022 balls were put off to a later turn."});
+            std::vector<std::string>{"Balls were inserted in up to 2 places at the same time, "
+                                     "and 6,022 balls were put off to a later turn."});
 }
 
 struct Bar {

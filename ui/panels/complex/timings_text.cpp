@@ -140,9 +140,9 @@ std::vector<std::string> triangulation_sentences(const TriangulationReport& repo
   if (!report.why_not.empty())
     sentences.push_back("The GPU did not make the triangulation of all balls: " + report.why_not +
                         ".");
-  if (report.by == By::insertion && report.parts > 1)
-    sentences.push_back("Balls were inserted in up to " + std::to_string(report.parts) +
-                        " parts of space at the same time, and " +
+  if (report.by == By::insertion && report.inserters > 1)
+    sentences.push_back("Balls were inserted in up to " + std::to_string(report.inserters) +
+                        " places at the same time, and " +
                         counted(report.put_off, "ball was", "balls were") +
                         " put off to a later turn.");
   if (report.by != By::device) return sentences;

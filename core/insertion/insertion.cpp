@@ -87,7 +87,8 @@ class InsertedRounds {
   // Returns the balls that are left.
   std::vector<std::uint32_t> insert_together(const std::vector<std::uint32_t>& left,
                                              std::size_t inserters);
-  struct Share {
+  // Aligned, so that two threads do not write to one cache line.
+  struct alignas(128) Share {
     std::uint32_t cell = 0;  // from which the inserter goes on
     bool has_begun = false;
     std::vector<std::uint32_t> put_off = {};  // balls

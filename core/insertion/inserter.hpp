@@ -7,8 +7,9 @@
 // replaces it only while it holds three. So nobody replaces a cell that another one reads. It
 // crosses a face only while it holds two of the face's balls, and sets the neighbour there only
 // then. No two inserters can hold two balls of one face. Each face of a replaced cell has two balls
-// that are held. So a new cell, which has the new ball besides, has three. Whoever changed a cell or
-// a neighbour before has held one of the same balls, so a claim on that makes the change visible.
+// that are held. So a new cell, which has the new ball besides, has three. Whoever changed a cell
+// or a neighbour before has held one of the same balls, so a claim on that makes the change
+// visible.
 #pragma once
 
 #include <array>

@@ -103,11 +103,11 @@ class OneFloat {
   }
 
   std::size_t first_of(std::uint32_t dimension) const {
-    return static_cast<std::size_t>(
-        std::lower_bound(
-            members_.begin(), members_.end(), dimension,
-            [](const Entry& e, std::uint32_t limit) { return e.place.dimension < limit; }) -
-        members_.begin());
+    return static_cast<std::size_t>(std::lower_bound(members_.begin(), members_.end(), dimension,
+                                                     [](const Entry& e, std::uint32_t limit) {
+                                                       return e.place.dimension < limit;
+                                                     }) -
+                                    members_.begin());
   }
 
   // The member in [begin, end) with these balls but one; `end` if there is none.

@@ -30,7 +30,8 @@ using namespace alphascope;
 namespace {
 
 using Simplex = std::vector<BallIndex>;
-using Theirs = Gudhi::alpha_complex::Alpha_complex_3d<Gudhi::alpha_complex::complexity::EXACT, true>;
+using Theirs =
+    Gudhi::alpha_complex::Alpha_complex_3d<Gudhi::alpha_complex::complexity::EXACT, true>;
 using Tree = Gudhi::Simplex_tree<Gudhi::Simplex_tree_options_full_featured>;
 
 // Their alpha values, square lattice units, as doubles. Of balls with equal centres only one is
@@ -56,8 +57,8 @@ std::map<Simplex, double> of_gudhi(const BallSet& balls, const Simplices<1>& ver
     Simplex simplex;
     for (const auto vertex : tree.simplex_vertex_range(handle)) {
       const auto& p = complex.get_point(static_cast<std::size_t>(vertex));
-      simplex.push_back(ball_at.at(
-          {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}));
+      simplex.push_back(
+          ball_at.at({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}));
     }
     std::sort(simplex.begin(), simplex.end());
     values[simplex] = tree.filtration(handle);
@@ -66,9 +67,10 @@ std::map<Simplex, double> of_gudhi(const BallSet& balls, const Simplices<1>& ver
 }
 
 template <int N>
-void add(const SimplexList<N>& list, std::size_t index, std::vector<std::pair<Simplex, float>>& to) {
-  to.push_back({{list.simplices[index].begin(), list.simplices[index].end()},
-                list.alpha_values[index]});
+void add(const SimplexList<N>& list, std::size_t index,
+         std::vector<std::pair<Simplex, float>>& to) {
+  to.push_back(
+      {{list.simplices[index].begin(), list.simplices[index].end()}, list.alpha_values[index]});
 }
 
 bool compare(const std::string& name, const BallSet& balls) {
@@ -100,9 +102,10 @@ bool compare(const std::string& name, const BallSet& balls) {
     last = at->second;
   }
   const bool equal = missing + other_value + other_order == 0 && ours.size() == theirs.size();
-  std::printf("%s %s: simplices %zu, GUDHI's %zu, missing %zu, other values %zu, out of order %zu\n",
-              equal ? "ok  " : "DIFF", name.c_str(), ours.size(), theirs.size(), missing,
-              other_value, other_order);
+  std::printf(
+      "%s %s: simplices %zu, GUDHI's %zu, missing %zu, other values %zu, out of order %zu\n",
+      equal ? "ok  " : "DIFF", name.c_str(), ours.size(), theirs.size(), missing, other_value,
+      other_order);
   return equal;
 }
 

@@ -207,6 +207,23 @@ TEST(StatusBar, ANewNoticeStaysBesideTheThingUnderTheMouse) {
   EXPECT_EQ(width("status.notice"), whole) << "the same text once more is news";
 }
 
+// The share done stays in sight while the mouse names something.
+TEST(StatusBar, ARunningJobStaysBesideTheThingUnderTheMouse) {
+  Panels p({1280, 720, 1});
+  p.state = moved_state();
+  p.state.viewport.under_mouse_line = "A:HIS 87:NE2";
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("status.job")) << "nothing runs";
+  p.state.jobs.push_back({.title = "Fetching pdb:1CRN", .share = 0.45, .seconds = 2});
+  p.frame(3);
+  ASSERT_TRUE(p.rects.contains("status.job"));
+  ASSERT_TRUE(p.rects.contains("status.under_mouse"));
+  EXPECT_LE(p.rects["status.job"].x1, p.rects["status.under_mouse"].x0);
+  p.state.jobs[0].seconds = 0.5;
+  p.frame(3);
+  EXPECT_FALSE(p.rects.contains("status.job")) << "it has just begun";
+}
+
 TEST(MoveClock, ForgetsMovesOfAnotherFile) {
   MoveClock clock;
   const MoveClock::Clock::time_point start{};

@@ -252,6 +252,19 @@ std::string job_text(const ViewState& s) {
   return {};
 }
 
+// The share done of a running job stays in sight while the mouse names something, if there is room
+// for both.
+void job_beside_name(PanelContext& ctx, const std::string& running) {
+  constexpr float kLeastName = 160;  // pixels at scale 1
+  if (running.empty()) return;
+  const float room = ImGui::GetWindowWidth() - ctx.px(12) - ImGui::GetCursorPosX();
+  if (room < ImGui::CalcTextSize(running.c_str()).x + ctx.px(kGap + kLeastName)) return;
+  muted_text(ctx, running);
+  tasks_button(ctx, "status.job");
+  tooltip(ctx, "Click: tasks and messages.");
+  ImGui::SameLine(0, ctx.px(kGap));
+}
+
 }  // namespace
 
 void draw_status_bar(PanelContext& ctx) {
@@ -271,14 +284,15 @@ void draw_status_bar(PanelContext& ctx) {
   const std::string notice = notice_text(s);
   const bool fresh = is_new(ctx.state.tasks.shown_notice, notice, s.notice.times());
   const bool named = !s.viewport.under_mouse_line.empty();
+  const std::string running = job_text(s);
   if (named && !fresh) {
+    job_beside_name(ctx, running);
     under_mouse(ctx);
     ImGui::PopFont();
     return;
   }
   const std::string memory = bytes_text(s.memory_bytes) + " memory";
   std::string right = memory;
-  const std::string running = job_text(s);
   const std::string& work = running.empty() ? s.background.text : running;
   if (!work.empty()) right = work + "  ·  " + right;
   const float end = ImGui::GetWindowWidth() - ctx.px(12);

@@ -240,8 +240,9 @@ CsvRow csv_row(const Row& row) {
 ExitCode run_bench(const BenchOptions& options) {
   if (!options.suite.empty()) return run_thesis_bench(options);
   if (options.alphas.empty()) throw UsageError("--alpha is required, such as --alpha 0,1.4,3");
-  if (!options.engines.empty() || !options.json.empty() || !options.charts.empty()) {
-    throw UsageError("--engines, --json and --charts need --suite thesis");
+  if (!options.engines.empty() || !options.rounds.empty() || !options.json.empty() ||
+      !options.charts.empty()) {
+    throw UsageError("--engines, --rounds, --json and --charts need --suite thesis");
   }
   const RunContext& context = run_context();
   RunContext quiet;  // no progress reports during timing
@@ -290,7 +291,8 @@ ExitCode run_bench(const BenchOptions& options) {
 Options thesis_suite(BenchOptions& options) {
   Options suite{
       choice_option({"--suite", "thesis",
-                     "All engines, stages, ablations and figures of the thesis' chapter 4"},
+                     "The thesis' rounds, and all engines, stages, ablations and figures of its "
+                     "chapter 4"},
                     options.suite),
       with_default(choices_option({"--engines", engine_ids(EngineGroup::suite, "|"),
                                    "Engines of the suite, such as cpu,gpu"},
@@ -301,7 +303,9 @@ Options thesis_suite(BenchOptions& options) {
                     options.seconds_per_row, {0.1, 86400, "s"}),
       flag_option("--no-ablation", "Leave out the rows that switch optimisations off",
                   options.ablation, false),
-      output("--json", "The table as JSON; - for standard output", options.json),
+      output("--rounds", "Part I, the thesis' rounds, as CSV; - for standard output",
+             options.rounds),
+      output("--json", "Both tables as JSON; - for standard output", options.json),
       text_option({"--charts", "DIR", "The figures as SVG, into this folder"}, options.charts)};
   for (Option& option : suite) option.group = "The thesis' table and figures";
   return suite;

@@ -24,7 +24,7 @@ struct BenchOptions {
   std::vector<std::string> engines;  // ids; empty: all engines that can run here
   double seconds_per_row = 20;
   bool ablation = true;
-  std::string json, charts;  // charts: path of a folder
+  std::string rounds, json, charts;  // charts: path of a folder
 };
 
 ExitCode run_thesis_bench(const BenchOptions& options);

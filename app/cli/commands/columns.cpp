@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bench/rounds_suite.hpp"
 #include "app/bench/thesis_table.hpp"
 #include "app/cli/cavities/comparison_columns.hpp"
 #include "app/cli/command.hpp"
@@ -46,7 +47,9 @@ std::vector<TableInfo> all_tables() {
       {"distances", "a row for each distance or angle that the window copies",
        infos_of(measurement_columns())},
       {"bench", "a row for each file, number of threads and alpha", bench_columns()},
-      {"suite", "a row for each measurement of the thesis' suite", infos_of(thesis_columns())}};
+      {"suite", "a row for each measurement of the thesis' suite", infos_of(thesis_columns())},
+      {"rounds", "a row for each of the thesis' rounds, and for each whole triangulation",
+       infos_of(rounds_columns())}};
 }
 
 std::string table_ids(const char* between) {

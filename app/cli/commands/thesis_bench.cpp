@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs alphascope-cli bench --suite thesis for the named molecules on this machine. Writes the
-// thesis' Table 4.1 and the data of its figures. The suite, app/bench/thesis_suite.hpp, describes
-// the measurements.
+// thesis' rounds (Part I), its Table 4.1 and the data of its figures. The suites,
+// app/bench/rounds_suite.hpp and app/bench/thesis_suite.hpp, describe the measurements.
 #include <cstdio>
 #include <iostream>
 
+#include "app/bench/rounds_suite.hpp"
 #include "app/bench/thesis_charts.hpp"
 #include "app/bench/thesis_table.hpp"
 #include "app/cli/commands/bench.hpp"
@@ -13,6 +14,7 @@
 #include "app/cli/report_json.hpp"
 #include "app/cli/text/terminal.hpp"
 #include "app/cli/text/text.hpp"
+#include "app/session/gpu_engines.hpp"
 #include "core/chart/layout.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/chart/svg.hpp"
@@ -27,6 +29,7 @@ namespace alphascope::cli {
 namespace {
 
 constexpr double kThesisAlphas[] = {0, 1.4, 3};  // Å²
+constexpr const char* kRoundsLine = "%-14s %-16s %9s %9s %9s %9s %10s %10s %10s  %s\n";
 
 ThesisOptions to_suite(const BenchOptions& options) {
   if (options.request.engine != EngineChoice::automatic) {
@@ -134,7 +137,49 @@ void print_break_even(const ThesisReport& report) {
   std::cout << std::flush;
 }
 
-Json to_json(const ThesisReport& report) {
+void print_rounds_header() {
+  std::cout << "\nPart I: the thesis' rounds. α grows, saturated balls leave, and the star "
+               "completion finds the rest.\nOnly this benchmark makes triangulations so; \"whole\" "
+               "compares with the program's usual way and with CGAL.\n"
+            << format_text(kRoundsLine, "molecule", "step", "alpha", "computed", "saturated", "|U|",
+                           "tetrahedra", "new", "ms", "how");
+}
+
+void print_rounds(std::span<const RoundsRow> rows) {
+  clear_progress();
+  for (const RoundsRow& row : rows) {
+    const ThesisRound& step = row.step;
+    const bool ok = row.measured(), is_step = ok && row.kind != RoundsRow::Kind::whole;
+    const auto number = [](bool known, std::size_t n) { return known ? grouped(n) : "-"; };
+    const auto share = row.saturated_share();
+    std::string how = is_step ? step.route : row.maker;
+    if (!ok) how += ": left out: " + row.skipped;
+    if (row.same_as_cgal == false) how += ": DIFFERS FROM CGAL";
+    std::cout << format_text(
+        kRoundsLine, row.molecule.c_str(), rounds_step_text(row).c_str(),
+        row.kind == RoundsRow::Kind::round ? shortest_number(step.alpha_angstrom2).c_str() : "-",
+        number(is_step, step.balls).c_str(),
+        share ? format_text("%.2f%%", 100 * *share).c_str() : "-",
+        number(ok && row.by_rounds, step.unsaturated).c_str(), number(ok, step.tetrahedra).c_str(),
+        number(is_step, step.new_tetrahedra).c_str(),
+        column(ok ? std::optional(row.milliseconds) : std::nullopt).c_str(), how.c_str());
+  }
+  std::cout << std::flush;
+}
+
+Json rounds_json(const RoundsReport& report) {
+  Json rows = Json::array();
+  for (const RoundsRow& row : report.rows) {
+    Json& json = rows.emplace_back(Json::object());
+    add_keys_up_to(json, rounds_columns(), {report, row});
+    for (const auto& [key, value] : report.suite.molecules[row.molecule_index].provenance) {
+      json[key] = value;
+    }
+  }
+  return rows;
+}
+
+Json to_json(const ThesisReport& report, const RoundsReport& rounds) {
   Json rows = Json::array();
   for (const ThesisRow& row : report.rows) {
     Json& json = rows.emplace_back(Json::object());
@@ -149,6 +194,7 @@ Json to_json(const ThesisReport& report) {
           {"repeats", report.options.repeats},
           {"seconds_per_row", report.options.seconds_per_row},
           {"bisections", report.options.bisections},
+          {"rounds", rounds_json(rounds)},
           {"rows", rows}};
 }
 
@@ -167,6 +213,7 @@ ExitCode run_thesis_bench(const BenchOptions& options) {
   require_readable({options.files.begin(), options.files.end()});
   Outputs outputs(files_read(options.files, {}, options.input));
   AtomicFile* const csv = outputs.add("--csv", options.csv, Outputs::kCsv);
+  AtomicFile* const rounds_csv_file = outputs.add("--rounds", options.rounds, Outputs::kCsv);
   AtomicFile* const json = outputs.add("--json", options.json, Outputs::kJson);
   if (!options.charts.empty()) make_output_folder(options.charts);
   const std::vector<ThesisMolecule> molecules = read_all(options, context);
@@ -177,16 +224,23 @@ ExitCode run_thesis_bench(const BenchOptions& options) {
             << suite.repeats << " runs after one that is not counted; times in ms, alpha in Å²; "
             << "tetrahedra only; speed-up = CGAL's cold time with one thread / cold time; "
             << "* = an optimisation switched off\n";
+  print_rounds_header();
+  const RoundsReport rounds =
+      run_rounds_suite(molecules, suite, GpuEngines::of_program().triangulations(), context,
+                       RoundsListener(print_rounds));
+  clear_progress();
+  std::cout << "\nPart II: the thesis' Table 4.1";
   print_header();
   const ThesisReport report =
       run_thesis_suite(molecules, suite, make_engine, context, RowListener(print_row));
   clear_progress();
   print_break_even(report);
   if (csv) csv->write(csv_text(thesis_csv(report)));
-  if (json) json->write(json_text(to_json(report)));
+  if (rounds_csv_file) rounds_csv_file->write(csv_text(rounds_csv(rounds)));
+  if (json) json->write(json_text(to_json(report, rounds)));
   outputs.commit();
   write_charts_of(report, options.charts);
-  return report.all_same() ? ExitCode::ok : ExitCode::differs;
+  return report.all_same() && rounds.all_same() ? ExitCode::ok : ExitCode::differs;
 }
 
 }  // namespace alphascope::cli

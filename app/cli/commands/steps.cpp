@@ -48,16 +48,19 @@ BallIndex ball_of(const Input& input, const BallReferences& atoms, const std::st
   return named.balls.front();
 }
 
-void print_steps(const std::vector<StepText>& steps) {
-  for (std::size_t n = 0; n < steps.size(); ++n) {
-    std::cout << n + 1 << ". " << steps[n].title << ": " << steps[n].brief << "\n";
-    print_line(std::cout, {"", steps[n].text});
+void print_steps(const ExplainedSteps& told) {
+  for (std::size_t n = 0; n < told.texts.size(); ++n) {
+    std::cout << n + 1 << ". " << told.texts[n].title << ": " << told.texts[n].brief << "\n";
+    print_line(std::cout, {"", told.texts[n].text});
   }
+  print_line(std::cout, {"Saturation", told.saturation_text});
 }
 
-Json result_json(const Input& input, const StepsOptions& options, const BallSteps& steps,
+Json result_json(const Input& input, const StepsOptions& options, const ExplainedSteps& told,
                  const BallName& name) {
+  const BallSteps& steps = told.steps;
   Json json = steps_json(steps, name);
+  json["saturation"] = saturation_json(told.saturation);
   json["request"] = {{"solvent_radius_angstrom", options.request.solvent_radius_angstrom},
                      {"lattice_unit_angstrom", steps.lattice.unit_angstrom()}};
   if (steps.engine == StepsEngine::tuples) {
@@ -90,7 +93,7 @@ ExitCode run_steps(const StepsOptions& options) {
   clear_progress();
   if (shown) {
     std::cout << input_text(input);
-    print_steps(told->texts);
+    print_steps(*told);
     const std::string note = rounding_note(options.request, inputs.balls->lattice);
     if (!note.empty()) print_line(std::cout, {"Note", note});
     if (times_shown()) {
@@ -99,7 +102,7 @@ ExitCode run_steps(const StepsOptions& options) {
     std::cout << std::flush;
   }
   const BallName name = [&](BallIndex ball) { return atom_text(*inputs.atoms, ball); };
-  if (json.wanted()) json.add(result_json(input, options, told->steps, name));
+  if (json.wanted()) json.add(result_json(input, options, *told, name));
   json.finish(Json::object());
   outputs.commit();
   return ExitCode::ok;

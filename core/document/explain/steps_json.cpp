@@ -3,6 +3,8 @@
 #include "core/document/explain/steps_json.hpp"
 
 #include "core/document/session/alpha_json.hpp"
+#include "core/geometry/alpha.hpp"
+#include "core/rounds/thesis_rounds.hpp"
 
 namespace alphascope {
 namespace {
@@ -82,6 +84,11 @@ Json step_json(const BallSteps& steps, const Step& step, const BallName& name) {
   return json;
 }
 
+const char* state_id(BallSaturation::State state) {
+  static constexpr const char* kIds[] = {"saturates", "on_hull", "hidden", "flat"};
+  return kIds[static_cast<std::size_t>(state)];
+}
+
 }  // namespace
 
 Json steps_json(const BallSteps& steps, const BallName& name) {
@@ -96,6 +103,17 @@ Json steps_json(const BallSteps& steps, const BallName& name) {
                   {"edges", steps.star.edges.simplices},
                   {"triangles", steps.star.triangles.simplices},
                   {"tetrahedra", steps.star.tetrahedra.simplices}};
+  return json;
+}
+
+Json saturation_json(const BallSaturation& s) {
+  Json json{{"state", state_id(s.state)}, {"tetrahedra", s.tetrahedra}};
+  if (s.state != BallSaturation::State::saturates) return json;
+  json["from_alpha_angstrom2"] = s.angstrom2;
+  json["last_tetrahedron"] = s.last;
+  if (s.round == 0) return json;
+  json["round"] = s.round;
+  json["round_alpha_angstrom2"] = alpha_of_round(s.round).nearest();
   return json;
 }
 

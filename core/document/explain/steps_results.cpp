@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "core/document/explain/saturation_text.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/definition.hpp"
 #include "core/document/store/inputs.hpp"
@@ -163,6 +164,8 @@ Definition<ExplainedSteps> explained_steps(const StepsRequest& asked) {
             for (const Step& step : told->steps.steps) {
               told->texts.push_back(step_text(told->steps, step, name));
             }
+            told->saturation = ball_saturation(*in.balls, asked.ball, context);
+            told->saturation_text = saturation_text(told->saturation);
             return std::shared_ptr<const ExplainedSteps>(std::move(told));
           }};
 }

@@ -10,6 +10,7 @@
 
 #include "core/document/explain/steps_text.hpp"
 #include "core/document/store/derived.hpp"
+#include "core/explain/ball_saturation.hpp"
 
 namespace alphascope {
 
@@ -48,6 +49,8 @@ std::optional<BallIndex> middle_ball(const BallSet& balls);
 struct ExplainedSteps {
   BallSteps steps;
   std::vector<StepText> texts;  // one for each step
+  BallSaturation saturation;    // does not depend on alpha
+  std::string saturation_text;
   // If an optimisation is switched off: the same steps with all of them on.
   std::optional<BallSteps> optimised;
   // "4,495 instead of 39 4-tuples in kernel I, 4,495 instead of 12 in kernel II."; empty without

@@ -37,6 +37,8 @@ void draw_step_text(PanelContext& ctx, float width) {
     ImGui::PopStyleColor();
     record(ctx, "steps.growth");
   }
+  muted_wrapped(ctx, with_minus_signs(told.saturation_text));
+  record(ctx, "steps.saturation");
   for (const std::string& note : steps_notes(ctx)) muted_wrapped(ctx, note);
   ImGui::EndChild();
 }

@@ -81,7 +81,7 @@ struct EngineOptions {
   int threads = 0;
   // Threads shared with others. Null: the engine makes `threads` threads of its own.
   std::shared_ptr<WorkThreads> shared = {};
-  // Makes whole triangulations, for engines other than CGAL's. Null: CGAL makes them.
+  // Makes whole triangulations, for engines other than CGAL's. Null: the CPU makes them.
   std::shared_ptr<TriangulationMaker> triangulations = {};
 
   std::shared_ptr<WorkThreads> work_threads() const {

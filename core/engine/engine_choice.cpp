@@ -23,7 +23,7 @@ constexpr EngineEntry kEngines[] = {
      .id = "cpu",
      .title = "Dual-edge engine, CPU",
      .help = "Alphascope's own engine, on all cores: for every three neighbours it clips their "
-             "dual edge. It uses CGAL's triangulation where that is faster.",
+             "dual edge. It makes the triangulation of all balls where that is faster.",
      .suite_place = 4},
     {.choice = EngineChoice::tuples_gpu,
      .id = "tuples-gpu",

@@ -228,7 +228,7 @@ class GpuTriangulator : public DeviceTriangulator {
       made.report.known = result.known;
       made.report.open_faces = result.open;
       made.report.needed = result.needed;
-      made.report.rounds = result.rounds;
+      made.report.waves = result.rounds;
       made.report.timings.stages.push_back(
           {std::string(stage::kOpenFaces), result.open_ms + result.tree_ms, false});
       made.report.timings.stages.push_back({std::string(stage::kWrapping), result.front_ms, false});

@@ -27,7 +27,7 @@ class StandInTriangulator : public DeviceTriangulator {
     context.cancel.throw_if_cancelled();
     DeviceTriangulation made;
     made.report.maker = "a device";
-    made.report.rounds = 3;
+    made.report.waves = 3;
     made.report.why_not = why_not_;
     if (why_not_.empty()) made.triangulation = make_cgal_triangulation(balls, 1);
     return made;

@@ -38,9 +38,9 @@ constexpr Countable kSimplices[] = {{"vertices", "vertex"},
                                     {"edges", "edge"},
                                     {"triangles", "triangle"},
                                     {"tetrahedra", "tetrahedron"}};
-constexpr std::string_view kNumbers[] = {"alpha",   "solvent",    "balls",   "hidden",
-                                         "euler",   "components", "tunnels", "voids",
-                                         "pockets", "mouths",     "volume",  "area"};
+constexpr std::string_view kNumbers[] = {"alpha",  "solvent",    "balls",   "hidden", "saturated",
+                                         "euler",  "components", "tunnels", "voids",  "pockets",
+                                         "mouths", "volume",     "area"};
 
 // The parsed name of a fact.
 struct Fact {
@@ -114,6 +114,13 @@ std::size_t count_in(const AlphaComplex& complex, std::string_view word) {
   if (word == "vertices") return complex.vertices.size();
   if (word == "edges") return complex.edges.size();
   return complex.triangles.size();
+}
+
+// A ball is saturated when its vertex is interior (core/rounds/thesis_rounds.hpp).
+std::size_t saturated_in(const AlphaComplex& complex) {
+  const auto& classes = complex.vertices.classes;
+  return static_cast<std::size_t>(
+      std::count(classes.begin(), classes.end(), SimplexClass::interior));
 }
 
 std::optional<BallIndex> ball_of(const Answer& shown, std::size_t atom) {
@@ -210,6 +217,7 @@ std::string fact_text(const Fact& fact, const LessonFacts& facts) {
   if (word == "value") return value_text(facts, fact);
   const bool complete = !shown.complex.tetrahedra_only;
   if (!complete && word != "tetrahedra") return kUnknown;
+  if (word == "saturated") return grouped(saturated_in(shown.complex));
   if (word == "euler") {
     return number_text(static_cast<double>(shown.complex.euler_characteristic()));
   }

@@ -13,7 +13,7 @@ struct Triangulation;
 
 class Store;
 
-// CGAL's triangulation of all balls.
+// The triangulation of all balls (core/triangulation/triangulation_maker.hpp).
 const Definition<Triangulation>& whole_triangulation();
 
 // All simplices with their alpha values: any alpha is a threshold of it.

@@ -43,7 +43,7 @@ TEST_F(TriangulationMakerTest, TheDeviceMakesThoseOfManyBalls) {
     ASSERT_TRUE(made.report);
     EXPECT_TRUE(made_by_device(made));
     EXPECT_EQ(made.report->maker, "a device");
-    EXPECT_EQ(made.report->rounds, 3u);
+    EXPECT_EQ(made.report->waves, 3u);
   }
   EXPECT_EQ(calls_.made, 1);
   EXPECT_EQ(calls_.asked, 2);
@@ -70,7 +70,7 @@ TEST_F(TriangulationMakerTest, IsCancelledWhileItWaitsForTheDevice) {
   begun.get_future().wait();
   RunContext context;
   auto waiting =
-      std::async(std::launch::async, [&] { return slow.make(many_, 1, context).report->rounds; });
+      std::async(std::launch::async, [&] { return slow.make(many_, 1, context).report->waves; });
   EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
   context.cancel.cancel();
   EXPECT_EQ(waiting.wait_for(std::chrono::seconds(20)), std::future_status::ready);
@@ -103,7 +103,7 @@ TEST_F(TriangulationMakerTest, SaysWhyTheDeviceDidNot) {
   EXPECT_TRUE(made == make_triangulation(many_, 1));
   EXPECT_EQ(made.report->by, TriangulationReport::By::insertion);
   EXPECT_EQ(made.report->why_not, "it is tired");
-  EXPECT_EQ(made.report->rounds, 0u);
+  EXPECT_EQ(made.report->waves, 0u);
 }
 
 TEST_F(TriangulationMakerTest, TheCpuMakesAllWithoutADevice) {

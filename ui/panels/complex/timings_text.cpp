@@ -149,7 +149,7 @@ std::vector<std::string> triangulation_sentences(const TriangulationReport& repo
   return {"Wrapping began with " + counted(report.known, "tetrahedron", "tetrahedra") + ", " +
               counted(report.open_faces, "open face", "open faces") + " and " +
               counted(report.needed, "ball", "balls") + ", and took " +
-              counted(report.rounds, "round", "rounds") + ".",
+              counted(report.waves, "wave", "waves") + ".",
           "The certificate proved every tetrahedron, neighbour and hidden ball."};
 }
 

@@ -29,7 +29,7 @@ struct TriangulationReport {
   std::uint64_t known = 0;       // tetrahedra with which wrapping began
   std::uint64_t open_faces = 0;  // faces of those without a neighbour
   std::uint64_t needed = 0;      // balls that the next tetrahedra can have: |U|
-  std::uint64_t waves = 0;       // of wrapping: times that all open faces were closed at once
+  std::uint64_t waves = 0;       // of wrapping; each closes all open faces at once
 };
 
 inline bool made_by(TriangulationReport::By by, const Triangulation& triangulation) {

@@ -85,7 +85,7 @@ bool time_set(DeviceTriangulator& triangulator, const std::string& name, const B
       static_cast<unsigned long long>(made.report.known),
       static_cast<unsigned long long>(made.report.open_faces),
       static_cast<unsigned long long>(made.report.needed),
-      static_cast<unsigned long long>(made.report.rounds));
+      static_cast<unsigned long long>(made.report.waves));
   for (std::size_t s = 0; s < stages.size(); ++s)
     std::printf(" %s %.2f,", made.report.timings.stages[s].label.c_str(), median(stages[s]));
   std::printf("\n");

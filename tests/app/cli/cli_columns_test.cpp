@@ -29,7 +29,9 @@ TEST_F(CliColumns, TheListBeginsTheFirstLineOfTheCsv) {
       {"channel", "channel -q --csv - --way 1 " + kCrambin},
       {"measure", "measure -q --csv - --per atom --derivatives " + kCrambin},
       {"bench", "bench -q --alpha 0 --runs 1 --csv - " + kCrambin},
-      {"suite", "bench -q --suite thesis --alpha 0 --runs 1 --engines cpu --csv - " + kCrambin}};
+      {"suite", "bench -q --suite thesis --alpha 0 --runs 1 --engines cpu --csv - " + kCrambin},
+      {"rounds",
+       "bench -q --suite thesis --alpha 0 --runs 1 --engines cpu --rounds - " + kCrambin}};
   for (const auto& [table, command] : cases) {
     const Outcome written = run(command);
     ASSERT_EQ(written.code, 0) << command << written.err;

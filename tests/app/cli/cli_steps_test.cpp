@@ -46,10 +46,13 @@ TEST_F(CliSteps, ShowsOneCornerOfACube) {
   }
   EXPECT_EQ(step(all, "result")["counts"]["edges"], edges.size());
 
+  EXPECT_EQ(all["saturation"], json({{"state", "on_hull"}, {"tetrahedra", 1}}));
+
   const std::string text = run("steps " + corner).out;
   for (const char* part :
        {"1. Grid", "Kernel I: neighbours: 7 neighbours", "Prefix sum", "pairs: 6 of 7 left",
-        "Kernel III", "3 edges, 3 triangles and 0 tetrahedra"}) {
+        "Kernel III", "3 edges, 3 triangles and 0 tetrahedra",
+        "Saturation    On the hull: never saturated"}) {
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
   }
 }

@@ -51,10 +51,34 @@ TEST_F(Cli, ThesisSuiteWritesTheSameNumbersAsCsvAndJsonAndItsFigures) {
   EXPECT_GE(figures, 5);
 }
 
+TEST_F(Cli, ThesisSuiteHasTheRoundsAsTextCsvAndJson) {
+  const fs::path csv = folder_ / "rounds.csv", out = folder_ / "suite.json";
+  const Outcome outcome = run("bench '" + cube_.string() +
+                              "' --suite thesis --alpha 0 --runs 1 --engines cpu --rounds '" +
+                              csv.string() + "' --json '" + out.string() + "'");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* part :
+       {"Part I: the thesis' rounds", "star completion", "usual way", "Part II"}) {
+    EXPECT_TRUE(contains(outcome.out, part)) << part << "\n" << outcome.out;
+  }
+  const auto rows = csv_rows(contents(csv));
+  const json table = json::parse(contents(out))["rounds"];
+  ASSERT_EQ(rows.size(), table.size());
+  ASSERT_GE(rows.size(), 5u) << "a round or more, the completion, and three wholes";
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    EXPECT_EQ(rows[n].size(), table[n].size());
+    EXPECT_EQ(rows[n].at("tetrahedra"), std::to_string(table[n]["tetrahedra"].get<int>()));
+    EXPECT_EQ(rows[n].at("sha256").size(), 64u);
+  }
+  EXPECT_EQ(table.back()["same_as_cgal"], true);
+  EXPECT_EQ(table.back()["tetrahedra"], 6) << "ties are broken as in the whole triangulation";
+}
+
 TEST_F(Cli, BenchOptionsThatDoNotGoTogetherAreRefused) {
   const std::string bench = "bench '" + cube_.string() + "' ";
   EXPECT_EQ(run(bench).code, 2);
   EXPECT_EQ(run(bench + "--alpha 0 --charts x").code, 2);
+  EXPECT_EQ(run(bench + "--alpha 0 --rounds x").code, 2);
   EXPECT_EQ(run(bench + "--suite thesis --engine cpu").code, 2);
   EXPECT_EQ(run(bench + "--suite thesis --engines cgal").code, 2);
   EXPECT_EQ(run(bench + "--suite thesis --csv - --json -").code, 2);

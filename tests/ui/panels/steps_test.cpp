@@ -70,6 +70,8 @@ TEST_F(StepsTest, ShowsWhatCoreSaysOfTheBallOnScreen) {
   expect_same(from_core(1.4));
   EXPECT_TRUE(has("steps.step.1"));
   EXPECT_TRUE(has("steps.count.balls_in_grid"));
+  EXPECT_TRUE(has("steps.saturation"));
+  EXPECT_EQ(memory().shown->saturation.round, 3u);
   // Another alpha, another grid, another ball.
   run("alpha.set 3\nwait-idle\n");
   settle();

@@ -196,8 +196,9 @@ TEST(Lesson, TheExampleOfTheDocsIsOne) {
 }
 
 TEST(LessonFacts, NamesAreChecked) {
-  for (const char* name : {"alpha", "edges", "n edges", "all tetrahedra", "n all edges", "hidden",
-                           "grown #2", "value #1", "value #1 #2 #3 #4", "voids", "volume"}) {
+  for (const char* name :
+       {"alpha", "edges", "n edges", "all tetrahedra", "n all edges", "hidden", "saturated",
+        "grown #2", "value #1", "value #1 #2 #3 #4", "voids", "volume"}) {
     EXPECT_TRUE(is_lesson_fact(name)) << name;
   }
   for (const char* name : {"", "edge", "n", "n alpha", "all alpha", "all", "edges #1", "grown",
@@ -244,6 +245,17 @@ TEST(LessonFacts, AreThoseOfTheComplex) {
   EXPECT_EQ(with_facts("{volume}", at_0), "64.141 Å³");
 }
 
+// The corners of the middle ball's cell are √27 Å away, so they have the power 27 − 4 = 23 Å².
+TEST(LessonFacts, CountSaturatedBalls) {
+  const std::vector<LatticePoint> centres{{0, 0, 0},
+                                          {2000, 2000, 2000},
+                                          {2000, -2000, -2000},
+                                          {-2000, 2000, -2000},
+                                          {-2000, -2000, 2000}};
+  EXPECT_EQ(with_facts("{saturated} of {balls}", facts_of(centres, 22.9)), "0 of 5");
+  EXPECT_EQ(with_facts("{saturated} of {balls}", facts_of(centres, 23)), "1 of 5");
+}
+
 TEST(LessonFacts, OfAFlatSetHaveNoTetrahedra) {
   const LessonFacts facts = facts_of({{0, 0, 0}, {2000, 0, 0}, {0, 2000, 0}, {2000, 2000, 0}}, 100);
   EXPECT_EQ(with_facts("{n all edges} {n all triangles} {n tetrahedra} {n all tetrahedra}", facts),
@@ -255,7 +267,7 @@ TEST(LessonFacts, OfTetrahedraAloneSayNoMore) {
   auto only = std::make_shared<Answer>(*facts.shown);
   only->complex = make_cgal_engine(only->balls)->compute({0, true}, {});
   facts.shown = only;
-  EXPECT_EQ(with_facts("{tetrahedra} {edges} {euler} {alpha}", facts), "0 … … 0 Å²");
+  EXPECT_EQ(with_facts("{tetrahedra} {edges} {saturated} {alpha}", facts), "0 … … 0 Å²");
 }
 
 TEST(LessonFacts, WhatIsNotKnownIsDots) {

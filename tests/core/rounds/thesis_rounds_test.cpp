@@ -88,9 +88,15 @@ void expect_right(const BallSet& balls, const std::string& name) {
     hull.insert(facet.balls.begin(), facet.balls.end());
   }
   EXPECT_EQ(rounds.on_hull, hull.size());
-  std::size_t known = 0;
+  std::size_t known = 0, saturated = 0;
   for (const ThesisRound& round : rounds.rounds) {
     SCOPED_TRACE("alpha " + round.alpha_angstrom2.digits());
+    const bool last = &round == &rounds.rounds.back();
+    const bool changed = round.new_tetrahedra > 0 || round.saturated > saturated;
+    if (known > 0 && rounds.rounds.size() < kMostRounds) {
+      EXPECT_EQ(last, !changed) << "they end when a round changes nothing";
+    }
+    saturated = round.saturated;
     EXPECT_EQ(round.saturated, count(cells.saturated(round.alpha_angstrom2)));
     EXPECT_EQ(round.tetrahedra, cells.tetrahedra_at(round.alpha_angstrom2));
     EXPECT_EQ(round.saturated + round.unsaturated, balls.size());
@@ -190,13 +196,20 @@ TEST(ThesisRounds, HiddenBallsStayHiddenWithoutThoseThatHideThem) {
   EXPECT_EQ(rounds.hidden, 8u);
 }
 
-// Two groups of balls, the second with larger gaps. Its first tetrahedra are far from all known.
+// Three groups of balls, each with larger gaps than the one before. The first tetrahedra of a later
+// group are far from all that is known. The middle of the first group has left by then.
 TEST(ThesisRounds, FindGroupsThatGrowTogetherLater) {
-  BallSet balls = lattice_of_balls(4, 3, 2);
-  for (int n = 0; n < 64; ++n) {
-    add_ball(balls, 1000 + 11 * (n % 4), 11 * (n / 4 % 4), 11 * (n / 16), 2);
+  BallSet balls = lattice_of_balls(8, 3, 2);
+  for (const int distance : {6, 11}) {
+    for (int n = 0; n < 64; ++n) {
+      add_ball(balls, 1000 * (distance - 5) + distance * (n % 4), distance * (n / 4 % 4),
+               distance * (n / 16), 2);
+    }
   }
-  expect_right(balls, "two groups");
+  expect_right(balls, "three groups");
+  const ThesisRounds rounds = rounds_of(balls);
+  ASSERT_GE(rounds.rounds.size(), 4u);
+  for (const std::size_t n : {1, 2, 3}) EXPECT_GT(rounds.rounds[n].new_tetrahedra, 100u) << n;
 }
 
 TEST(ThesisRounds, StarsOfSaturatedBallsAreFinal) {

@@ -84,6 +84,7 @@ class OneMolecule {
     if (runners_[0].skipped.empty()) {
       const bool deep = rounds_.dimension == 3;
       rows.back().step.saturated = rounds_.completion.saturated;
+      rows.back().step.hidden = rounds_.completion.hidden;
       rows.back().step.unsaturated =
           deep ? rounds_.completion.unsaturated : molecule_.balls->size();
     }
@@ -249,9 +250,13 @@ const Column<Row> kColumns[] = {
            const auto share = r.row.saturated_share();
            return share ? CellValue(*share) : CellValue();
          }},
+    {.id = "hidden",
+     .title = "hidden",
+     .help = "The balls that are known to be hidden after it. They leave as well.",
+     .value = [](const Row& r) { return when(has_balls(r), count(r.row.step.hidden)); }},
     {.id = "unsaturated",
      .title = "|U|",
-     .help = "The unsaturated balls after it, hidden balls and those of the hull included.",
+     .help = "All other balls after it, those of the hull included.",
      .value = [](const Row& r) { return when(has_balls(r), count(r.row.step.unsaturated)); }},
     {.id = "tetrahedra",
      .title = "tetrahedra",

@@ -45,7 +45,8 @@ struct ThesisRound {
   Alpha alpha_angstrom2;           // Å²; infinite for the star completion
   std::size_t balls = 0;           // that were computed
   std::size_t saturated = 0;       // after it
-  std::size_t unsaturated = 0;     // after it, hidden balls included: |U|
+  std::size_t hidden = 0;          // known to be so after it
+  std::size_t unsaturated = 0;     // all others after it: |U|
   std::size_t tetrahedra = 0;      // known after it
   std::size_t new_tetrahedra = 0;  // of these, unknown before it
   std::string route;               // of the engine (EngineInfo::route)
@@ -53,16 +54,17 @@ struct ThesisRound {
 };
 
 struct ThesisRounds {
-  int dimension = -1;                   // of the centres; below 3 no ball is ever saturated
-  std::vector<ThesisRound> rounds;      // empty below dimension 3
-  ThesisRound completion;               // nothing below dimension 3
-  Simplices<4> tetrahedra;              // all of the triangulation, in lexicographic order
-  std::size_t on_hull = 0, hidden = 0;  // balls that are never saturated
-  double milliseconds = 0;              // wall time of all, with the final order
+  int dimension = -1;               // of the centres; below 3 no ball is ever saturated
+  std::vector<ThesisRound> rounds;  // empty below dimension 3
+  ThesisRound completion;           // nothing below dimension 3
+  Simplices<4> tetrahedra;          // all of the triangulation, in lexicographic order
+  std::size_t on_hull = 0;          // balls of the hull, which are never saturated
+  double milliseconds = 0;          // wall time of all, with the final order
 };
 
 // Makes the triangulation by rounds. The first computes all balls. Each further one computes
-// the unsaturated balls, and the balls that share a known tetrahedron with one of them. The rounds
+// the unsaturated balls, and the balls that share a known tetrahedron with one of them. A hidden
+// ball leaves when a tetrahedron around it is known. The rounds
 // end when one changes nothing. The star completion then makes the whole triangulation of
 // such balls, by core/triangulation, and takes what was missing. The result equals that of
 // make_triangulation(). Works on `threads`. Throws Cancelled, std::bad_alloc, and std::length_error

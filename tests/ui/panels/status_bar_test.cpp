@@ -117,6 +117,20 @@ TEST(LastMove, SaysHowTheCpuSharedTheTriangulation) {
                                      "and 6,022 balls were put off to a later turn."});
 }
 
+TEST(LastMove, SaysHowTheGpuWrapped) {
+  TriangulationReport report;
+  report.by = TriangulationReport::By::device;
+  report.known = 32'581;
+  report.open_faces = 40'000;
+  report.needed = 16'052;
+  report.waves = 9;
+  const std::vector<std::string> said = triangulation_sentences(report);
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_EQ(said[0],
+            "Wrapping began with 32,581 tetrahedra, 40,000 open faces and 16,052 balls, and took "
+            "9 waves.");
+}
+
 struct Bar {
   testing::Size size;
   std::vector<const char*> there, missing;

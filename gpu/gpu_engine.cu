@@ -11,6 +11,7 @@
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/measure/union_measurer.hpp"
 #include "gpu/memory/device_buffer.cuh"
+#include "gpu/memory/device_memory.hpp"
 #include "gpu/memory/launch.cuh"
 #include "gpu/memory/result_memory.cuh"
 #include "gpu/outside/outside_finder.hpp"
@@ -68,6 +69,10 @@ GpuDevice probe_device() {
     d.name = properties.name;
     d.memory_bytes = properties.totalGlobalMem;
     d.compute_capability = properties.major * 10 + properties.minor;
+  }
+  if (const std::string wrong = gpu::DeviceMemory::read_limit(); !wrong.empty()) {
+    d.why_not = wrong + "." + kFallback;
+    return d;
   }
   try {
     run_probe();

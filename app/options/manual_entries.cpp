@@ -39,6 +39,9 @@ std::vector<Entry> all_variables() {
           {{"ALPHASCOPE_GPU_LIBRARY",
             "Absolute path of the file with the GPU engines, in place of the installed one. Empty: "
             "no GPU is used"}},
+          {{"ALPHASCOPE_GPU_MEMORY",
+            "The most memory that the engines take on the GPU, in MB. Without it they take what "
+            "there is"}},
           {{"ALPHASCOPE_NET_LIBRARY",
             "Absolute path of the file that fetches molecules, in place of the installed one"}},
           {{"ALPHASCOPE_OFFLINE", "1: nothing is fetched, as with --offline"}},

@@ -3,8 +3,8 @@
 // also decides whether edge ij can be in K_alpha, attached or not.
 #pragma once
 
+#include "core/geometry/ordered_bits.hpp"
 #include "gpu/dual_edge/dual_edge_block.cuh"
-#include "gpu/dual_edge/ordered_bits.cuh"
 
 namespace alphascope::gpu {
 

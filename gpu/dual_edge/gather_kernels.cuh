@@ -6,8 +6,8 @@
 
 #include "core/complex/face_class.hpp"
 #include "core/complex/simplex_hash.hpp"
+#include "core/geometry/ordered_bits.hpp"
 #include "gpu/dual_edge/dual_edge_block.cuh"
-#include "gpu/dual_edge/ordered_bits.cuh"
 #include "gpu/dual_edge/simplex_values.cuh"
 
 namespace alphascope::gpu {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/engine/executor_failed.hpp"
+#include "gpu/memory/device_allocation.hpp"
 #include "gpu/memory/page_locked.hpp"
 
 namespace alphascope::gpu {
@@ -54,22 +55,32 @@ class DeviceBuffer {
   DeviceBuffer() = default;
   DeviceBuffer(const DeviceBuffer&) = delete;
   DeviceBuffer& operator=(const DeviceBuffer&) = delete;
-  ~DeviceBuffer() { cudaFree(data_); }
+  ~DeviceBuffer() { free(); }
   void reserve(std::size_t count) {
     if (count <= capacity_) return;
     const bool first = capacity_ == 0;
-    cudaFree(data_);
-    data_ = nullptr;
-    capacity_ = 0;
-    capacity_ = reserve_to_spare(count * sizeof(T), first, "reserving device memory",
-                                 [&](std::size_t bytes) { return cudaMalloc(&data_, bytes); }) /
-                sizeof(T);
+    free();
+    const auto allocate = [&](std::size_t bytes) {
+      void* memory = nullptr;
+      const cudaError_t status = allocate_device_memory(&memory, bytes);
+      if (status == cudaSuccess) data_ = static_cast<T*>(memory);
+      return status;
+    };
+    bytes_ = reserve_to_spare(count * sizeof(T), first, "reserving device memory", allocate);
+    capacity_ = bytes_ / sizeof(T);
   }
   T* get() const { return data_; }
   std::size_t capacity() const { return capacity_; }
 
  private:
+  void free() {
+    free_device_memory(data_, bytes_);
+    data_ = nullptr;
+    bytes_ = capacity_ = 0;
+  }
+
   T* data_ = nullptr;
+  std::size_t bytes_ = 0;
   std::size_t capacity_ = 0;
 };
 

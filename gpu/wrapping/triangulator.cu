@@ -18,6 +18,7 @@
 #include "core/wrapping/hull_proof.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
 #include "gpu/gpu_engine.hpp"
+#include "gpu/memory/device_allocation.hpp"
 #include "gpu/memory/prefix_sum.cuh"
 #include "gpu/memory/result_memory.cuh"
 #include "gpu/wrapping/arrange.cuh"
@@ -135,7 +136,7 @@ class GpuTriangulator : public DeviceTriangulator {
   bool takes_much_room() override {
     std::size_t free = 0, all = 0;
     if (!std::exchange(grown_, false)) return false;
-    return cudaMemGetInfo(&free, &all) != cudaSuccess || free < all / 2;
+    return device_memory_room(&free, &all) != cudaSuccess || free < all / 2;
   }
 
   void release_memory() override {

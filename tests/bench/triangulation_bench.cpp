@@ -3,7 +3,8 @@
 // by byte, unless there are more than four million balls: then its certificate has to do. Usage:
 //   alphascope_triangulation_bench RUNS FILE.balls[:SOLVENT]...
 // Times are medians in ms, from balls in host memory to a triangulation in host memory, after two
-// runs to warm up. CGAL runs once for each number of threads.
+// runs to warm up. CGAL runs once for each number of threads. Device memory is that of the first
+// to last run of a set, without what was kept from the set before.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/wrapping/seed.hpp"
+#include "gpu/memory/device_memory.hpp"
 #include "gpu/wrapping/triangulator.hpp"
 #include "tests/bench/read_balls.hpp"
 #include "tests/bench/times.hpp"
@@ -41,6 +43,8 @@ bool time_set(DeviceTriangulator& triangulator, const std::string& name, const B
     whole = make_cgal_triangulation(balls, 16);
     sixteen = milliseconds(again);
   }
+  triangulator.release_memory();
+  gpu::DeviceMemory::forget_most();
   auto start = Clock::now();
   DeviceTriangulation made = triangulator.make(balls, {});
   const double first = milliseconds(start);
@@ -80,12 +84,13 @@ bool time_set(DeviceTriangulator& triangulator, const std::string& name, const B
   }
   std::printf(
       "  wall %.2f (least %.2f; first %.2f; with new memory %.2f); known %llu, open faces %llu, "
-      "balls needed %llu, rounds %llu\n ",
+      "balls needed %llu, waves %llu; device memory at most %.0f MB\n ",
       median(wall), *std::min_element(wall.begin(), wall.end()), first, median(anew),
       static_cast<unsigned long long>(made.report.known),
       static_cast<unsigned long long>(made.report.open_faces),
       static_cast<unsigned long long>(made.report.needed),
-      static_cast<unsigned long long>(made.report.waves));
+      static_cast<unsigned long long>(made.report.waves),
+      static_cast<double>(gpu::DeviceMemory::most_held()) / 1e6);
   for (std::size_t s = 0; s < stages.size(); ++s)
     std::printf(" %s %.2f,", made.report.timings.stages[s].label.c_str(), median(stages[s]));
   std::printf("\n");

@@ -164,14 +164,37 @@ float room_of_notice(const PanelContext& ctx, const std::string& notice) {
          (selected.empty() ? 0 : width_of(ctx, {{"", "selected", selected, ""}}));
 }
 
+// A job that has run for a while; null: none.
+const RunningJob* shown_job(const ViewState& s) {
+  constexpr double kWhile = 1;  // seconds
+  const auto job = std::find_if(s.jobs.begin(), s.jobs.end(),
+                                [](const RunningJob& j) { return j.seconds >= kWhile; });
+  return job == s.jobs.end() ? nullptr : &*job;
+}
+
+// As "Fetching pdb:1CRN 45 %"; empty: none.
+std::string job_text(const ViewState& s) {
+  const RunningJob* const job = shown_job(s);
+  if (job == nullptr) return {};
+  return job->title + (job->share >= 0 ? " " + number_text(job->share * 100, 0) + " %" : "…");
+}
+
+// What the bar needs to show the job beside other texts. It does not change while the share grows.
+float room_of_job(const PanelContext& ctx) {
+  const RunningJob* const job = shown_job(ctx.state);
+  if (job == nullptr) return 0;
+  return ImGui::CalcTextSize((job->title + " 100 %").c_str()).x + ctx.px(kGap);
+}
+
 // Draws the last move and as many counts as fit beside it. Counts become shorter first; the move
-// does so only where there is no room for any. Both make way for a notice.
+// does so only where there is no room for any. Both make way for a notice or a running job.
 void result_line(PanelContext& ctx) {
   const std::vector<LastMove> moves = last_move(ctx.state, shown_triangulation(ctx).get());
   const std::vector<std::vector<Item>> forms = counts(ctx.state.result->complex);
   const float room = ImGui::GetWindowWidth() - ctx.px(12) - ImGui::GetCursorPosX();
   const std::string notice = notice_text(ctx.state);
-  const float right_room = std::max(ctx.px(kRightRoom), room_of_notice(ctx, notice));
+  const float right_room =
+      std::max(ctx.px(kRightRoom) + room_of_job(ctx), room_of_notice(ctx, notice));
   const auto fits = [&](const LastMove& move, const std::vector<Item>& items, float right) {
     // The time has room for four digits, so that nothing jumps while alpha moves.
     const float most = ImGui::CalcTextSize("8888 ms").x;
@@ -240,16 +263,6 @@ void tasks_button(PanelContext& ctx, const char* name) {
   if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   record(ctx, name);
   key_stop(ctx, name);
-}
-
-// A job that has run for a while, as "Fetching pdb:1CRN 45 %"; empty: none.
-std::string job_text(const ViewState& s) {
-  constexpr double kWhile = 1;  // seconds
-  for (const RunningJob& job : s.jobs) {
-    if (job.seconds < kWhile) continue;
-    return job.title + (job.share >= 0 ? " " + number_text(job.share * 100, 0) + " %" : "…");
-  }
-  return {};
 }
 
 // The share done of a running job stays in sight while the mouse names something, if there is room

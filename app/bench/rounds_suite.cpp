@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/bench/deadline.hpp"
+#include "app/bench/report_columns.hpp"
 #include "app/bench/thesis_contest.hpp"
 #include "app/bench/thesis_table.hpp"
 #include "core/complex/triangulation.hpp"
@@ -196,22 +197,14 @@ bool has_balls(const Row& r) {
   return r.row.measured() && r.row.by_rounds;
 }
 
+const ThesisReport& suite_of(const Row& r) {
+  return r.report.suite;
+}
+
 const Column<Row> kColumns[] = {
-    {.id = "molecule",
-     .title = "molecule",
-     .help = "The name of the file, without ending.",
-     .value = [](const Row& r) -> CellValue { return r.row.molecule; }},
-    {.id = "balls",
-     .title = "balls",
-     .help = "The number of balls.",
-     .value = [](const Row& r) -> CellValue { return count(r.row.balls); }},
-    {.id = "solvent_radius_angstrom",
-     .title = "solvent radius",
-     .unit = "Å",
-     .help = "The requested solvent radius.",
-     .value = [](const Row& r) -> CellValue {
-       return r.report.suite.options.solvent_radius_angstrom;
-     }},
+    kMoleculeColumn<Row>,
+    kBallsColumn<Row>,
+    kSolventColumn<Row, suite_of>,
     {.id = "maker",
      .title = "by",
      .help = "“the thesis' rounds”, or what made the whole triangulation in another way.",
@@ -296,14 +289,8 @@ const Column<Row> kColumns[] = {
      .title = "skipped",
      .help = "The reason why nothing was measured; else empty.",
      .value = [](const Row& r) -> CellValue { return r.row.skipped; }},
-    {.id = "program",
-     .title = "program",
-     .help = "Name, version and commit of the program.",
-     .value = [](const Row& r) -> CellValue { return r.report.suite.program; }},
-    {.id = "cpu",
-     .title = "CPU",
-     .help = "The name of the CPU.",
-     .value = [](const Row& r) -> CellValue { return r.report.suite.machine.cpu; }},
+    kProgramColumn<Row, suite_of>,
+    kCpuColumn<Row, suite_of>,
     {.id = "threads",
      .title = "threads",
      .help = "The number of CPU threads.",

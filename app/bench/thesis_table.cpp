@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/bench/report_columns.hpp"
 #include "core/geometry/shortest_number.hpp"
 
 namespace alphascope {
@@ -84,25 +85,19 @@ CellValue stage(const Row& r, std::optional<double> ThesisStages::*time) {
   return milliseconds(r.row.stages.*time);
 }
 
+const ThesisReport& suite_of(const Row& r) {
+  return r.report;
+}
+
 const Column<Row> kColumns[] = {
-    {.id = "molecule",
-     .title = "molecule",
-     .help = "The name of the file, without ending.",
-     .value = [](const Row& r) -> CellValue { return r.row.molecule; }},
-    {.id = "balls",
-     .title = "balls",
-     .help = "The number of balls.",
-     .value = [](const Row& r) -> CellValue { return count(r.row.balls); }},
+    kMoleculeColumn<Row>,
+    kBallsColumn<Row>,
     {.id = "alpha_angstrom2",
      .title = "alpha",
      .unit = "Å²",
      .help = "The requested alpha.",
      .value = [](const Row& r) -> CellValue { return alpha_cell(r.row.alpha_angstrom2); }},
-    {.id = "solvent_radius_angstrom",
-     .title = "solvent radius",
-     .unit = "Å",
-     .help = "The requested solvent radius.",
-     .value = [](const Row& r) -> CellValue { return r.report.options.solvent_radius_angstrom; }},
+    kSolventColumn<Row, suite_of>,
     {.id = "tetrahedra_only",
      .title = "tetrahedra only",
      .help = "Only tetrahedra were computed, as in the thesis.",
@@ -275,14 +270,8 @@ const Column<Row> kColumns[] = {
      .title = "stages",
      .help = "All stages in the words of the program, with their times.",
      .value = [](const Row& r) -> CellValue { return stages_text(r.row.stage_medians); }},
-    {.id = "program",
-     .title = "program",
-     .help = "Name, version and commit of the program.",
-     .value = [](const Row& r) -> CellValue { return r.report.program; }},
-    {.id = "cpu",
-     .title = "CPU",
-     .help = "The name of the CPU.",
-     .value = [](const Row& r) -> CellValue { return r.report.machine.cpu; }},
+    kProgramColumn<Row, suite_of>,
+    kCpuColumn<Row, suite_of>,
     {.id = "cpu_threads",
      .title = "CPU threads",
      .help = "The number of its threads.",

@@ -63,11 +63,11 @@ struct ThesisRounds {
 
 // Makes the triangulation by rounds. The first computes all balls. Each further one computes
 // the unsaturated balls, and the balls that share a known tetrahedron with one of them. A hidden
-// ball leaves when a tetrahedron around it is known. The rounds
-// end when one changes nothing. The star completion then makes the whole triangulation of
-// such balls, by core/triangulation, and takes what was missing. The result equals that of
-// make_triangulation(). Works on `threads`. Throws Cancelled, std::bad_alloc, and std::length_error
-// for more balls or tetrahedra than can be handled.
+// ball leaves when a tetrahedron around it is known. The rounds end when one changes nothing. The
+// star completion then makes the whole triangulation of such balls, by core/triangulation, and
+// takes what was missing. The result equals that of make_triangulation(). Works on `threads`.
+// Throws Cancelled, std::bad_alloc, and std::length_error for more balls or tetrahedra than can be
+// handled.
 ThesisRounds make_thesis_rounds(const std::shared_ptr<const BallSet>& balls,
                                 const std::shared_ptr<WorkThreads>& threads,
                                 const RunContext& context = {});

@@ -141,7 +141,7 @@ template <int N>
 void append(const SimplexList<N>& list, std::vector<Entry>& entries) {
   require_at_most(list.size(), kMostIndices, "simplices");
   for (std::uint32_t n = 0; n < list.size(); ++n)
-    entries.push_back({ordered_bits(list.alpha_values[n]), {N - 1, n}});
+    entries.push_back({ordered_bits(list.alpha_values[n] + 0.0f), {N - 1, n}});  // -0 becomes 0
 }
 
 }  // namespace

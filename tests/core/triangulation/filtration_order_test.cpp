@@ -92,6 +92,26 @@ TEST(FiltrationOrder, OfFlatSetsIsThatOfExactValues) {
   EXPECT_TRUE(order_of({}).empty());
 }
 
+// An engine may say -0 of a ball of radius 0. Ball 1 attaches ball 0, whose value is 0.
+TEST(FiltrationOrder, ZeroHasNoSign) {
+  BallSet balls;
+  testing::add_ball(balls, 1, 0, 0, 1);
+  testing::add_ball(balls, 0, 0, 0, 2);
+  testing::add_ball(balls, 10, 0, 1, 0);
+  testing::add_ball(balls, 5, 5, 5, 1);
+  testing::add_ball(balls, 2, 9, -4, 1);
+  const Filtration filtration(std::make_shared<const BallSet>(balls), make_triangulation(balls, 1));
+  AlphaComplex complex = filtration.top();
+  ASSERT_EQ(complex.vertices.alpha_values[0], 0);
+  ASSERT_EQ(complex.vertices.alpha_values[2], 0);
+  complex.vertices.alpha_values[2] = -0.0f;
+  std::vector<Simplex> order;
+  for (const SimplexPlace& place : filtration_order(balls, complex))
+    order.push_back(balls_of(complex, place));
+  std::size_t unused = 0;
+  EXPECT_EQ(order, expected_order(balls, unused));
+}
+
 // Of large sets: every beginning is closed, and the order does not depend on threads.
 TEST(FiltrationOrder, FacesComeBeforeTheirCofaces) {
   Random random(42);

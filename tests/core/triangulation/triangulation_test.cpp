@@ -141,15 +141,24 @@ TEST(Triangulation, ItsMakingCanBeCancelled) {
     counting.progress = [&](std::string_view, double) { ++reports; };
     make_triangulation(balls, threads, counting);
     EXPECT_GE(reports, 1);
+    int cancelled = 0;
     for (int last = 1; last <= reports; ++last) {
       int seen = 0;
       RunContext context;
       context.progress = [&](std::string_view, double) {
         if (++seen == last) context.cancel.cancel();
       };
-      EXPECT_THROW(make_triangulation(balls, threads, context), Cancelled) << "report " << last;
-      EXPECT_EQ(seen, last);
+      try {
+        make_triangulation(balls, threads, context);
+        // Only the calling thread reports, and the others may do more of the work than before.
+        EXPECT_GT(threads, 1);
+        EXPECT_LT(seen, last) << "it went on after it was cancelled";
+      } catch (const Cancelled&) {
+        ++cancelled;
+        EXPECT_EQ(seen, last);
+      }
     }
+    EXPECT_GE(cancelled, 1);
   }
 }
 

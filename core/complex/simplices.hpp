@@ -48,7 +48,7 @@ class ResultAllocator {
   }
   void deallocate(T* memory, std::size_t count) {
     if (memory != at_) {
-      if (is_large(count)) return free_large(memory);
+      if (is_large(count)) return free_large(memory, count * sizeof(T));
       return std::allocator<T>().deallocate(memory, count);
     }
     at_ = nullptr;

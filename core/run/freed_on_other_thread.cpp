@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/run/large_pages.hpp"
+
 namespace alphascope {
 namespace {
 
@@ -90,6 +92,7 @@ void free_on_other_thread(void (*free_it)(const void*) noexcept, const void* obj
 
 void wait_until_freed() {
   freer().wait();
+  free_kept_large();
 }
 
 }  // namespace alphascope

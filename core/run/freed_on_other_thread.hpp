@@ -13,8 +13,9 @@ namespace alphascope {
 // it.
 void free_on_other_thread(void (*free_it)(const void*) noexcept, const void* object) noexcept;
 
-// Waits until all objects given to free_on_other_thread() before are freed. For code that measures
-// free memory. Do not call it from a destructor of such an object.
+// Waits until all objects given to free_on_other_thread() before are freed, and frees large arrays
+// that were kept for later ones. For code that measures free memory. Do not call it from a
+// destructor of such an object.
 void wait_until_freed();
 
 // Like std::make_shared<const T>(std::move(value)), but the last owner does not wait for the memory

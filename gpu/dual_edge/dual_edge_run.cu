@@ -366,8 +366,8 @@ class Run {
     if (!few) {  // not everything was seen, for lack of room
       next.margin = 1.3 * need.margin;
       demand = larger(guessed(found, cull, whole_), demand);
-    } else if (met.deferred - met.too_long > std::max<std::size_t>(32, s_.n / 2000)) {
-      next.margin = std::max(need.margin, std::min(1.1 * need.margin, 2.0));
+    } else {
+      next.margin = next_margin(need.margin, met.deferred, met.too_long, deferred_limit(s_));
     }
     choose_room(s_, next, demand);
     return next;

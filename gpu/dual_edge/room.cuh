@@ -184,6 +184,25 @@ inline BlockRoom with_headroom(const BlockRoom& ball, const BlockRoom& longest) 
                     more(longest.kept));
 }
 
+// Factor of the room beyond the mean, see room_for(). More room leaves fewer balls to kernel III,
+// but fewer blocks fit on a multiprocessor. Up to half of the balls that kernel III may take cost
+// nothing, because it works beside the next chunk. Fitted to times on an H200.
+constexpr double kUsualMargin = 1.2, kMostMargin = 2, kMarginStep = 1.1;
+
+// The margin after a run that left `deferred` balls to kernel III, `too_long` of them for the
+// length of their lists, which a margin does not change. `limit` is
+// DualEdgeProblem::deferred_limit. One step less cannot bring as many balls as eight times the
+// present number.
+inline double next_margin(double margin, std::uint32_t deferred, std::uint32_t too_long,
+                          std::uint32_t limit) {
+  if (deferred - too_long > limit / 2) {
+    return std::max(margin, std::min(kMarginStep * margin, kMostMargin));
+  }
+  return deferred < limit / 8 && margin > kUsualMargin
+             ? std::max(kUsualMargin, margin / kMarginStep)
+             : margin;
+}
+
 // The need of this alpha, or of the nearest one above: a lower alpha never needs more. Without any,
 // that of the nearest one below, to which the caller adds room. Without any run yet, a guess.
 inline Need first_need(const State& s, const LatticeAlpha& alpha, bool whole) {
@@ -209,7 +228,7 @@ inline Need first_need(const State& s, const LatticeAlpha& alpha, bool whole) {
   need.ball = {64, 64, 64, 64, 1024, 0, 0, 64};
   need.counts = {{s.n, 5 * s.n, 6 * s.n, s.n}};
   need.candidates = 8 * s.n;
-  need.margin = 1;
+  need.margin = kUsualMargin;
   choose_room(s, need, guessed({12, 3}, false, whole));
   return need;
 }

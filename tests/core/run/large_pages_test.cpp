@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -22,8 +24,38 @@ TEST(LargePages, HoldAllThatIsAskedFor) {
     std::memset(memory, 0x5a, bytes);
     EXPECT_EQ(memory[0], 0x5a);
     EXPECT_EQ(memory[bytes - 1], 0x5a);
-    free_large(memory);
+    free_large(memory, bytes);
   }
+}
+
+TEST(LargePages, AreUsedAgainForAboutTheSameSize) {
+  constexpr std::size_t kBytes = 40'000'000;
+  free_kept_large();
+  void* const first = allocate_large(kBytes);
+  void* const second = allocate_large(kBytes);
+  EXPECT_NE(first, second);
+  free_large(first, kBytes);
+  EXPECT_EQ(allocate_large(kBytes - 1'000'000), first);
+  void* const smaller = allocate_large(kBytes / 2);
+  EXPECT_NE(smaller, second);
+  free_large(first, kBytes - 1'000'000);
+  free_large(second, kBytes);
+  free_large(smaller, kBytes / 2);
+  free_kept_large();
+}
+
+TEST(LargePages, KeepNoMoreThanTheLimit) {
+  constexpr std::size_t kBytes = kMostKeptBytes / 4;
+  free_kept_large();
+  std::array<void*, 6> memory{};
+  for (void*& m : memory) m = allocate_large(kBytes);
+  for (void* m : memory) free_large(m, kBytes);
+  // Only the first four can come back.
+  std::array<void*, 4> kept{};
+  for (void*& m : kept) m = allocate_large(kBytes);
+  EXPECT_TRUE(std::is_permutation(kept.begin(), kept.end(), memory.begin()));
+  for (void* m : kept) free_large(m, kBytes);
+  free_kept_large();
 }
 
 TEST(LargePages, RefuseWhatNoMachineHas) {

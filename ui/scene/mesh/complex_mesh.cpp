@@ -103,11 +103,15 @@ class MeshBuilder {
 
   void require_balls_of_all() const {
     const MeshOptions& o = options_;
-    const bool solid = o.tetrahedra || o.boundary;
+    // Where a device found the faces outside, only their tetrahedra are read, and checked then.
+    const bool solid = o.whole_tetrahedra() || (o.outside() && !complex_.outside);
     if (colours_.size() == balls_.centres.size() && (!solid || fits(complex_.tetrahedra)) &&
         (!o.triangles || fits(complex_.triangles)) && (!o.edges || fits(complex_.edges))) {
       return;
     }
+    throw_not_together();
+  }
+  [[noreturn]] static void throw_not_together() {
     throw std::invalid_argument("the complex, the balls and their colours do not belong together");
   }
 
@@ -142,10 +146,17 @@ class MeshBuilder {
     const auto& list = complex_.tetrahedra;
     FaceCells cells;
     cells.faces.resize(codes.size());
+    std::atomic<bool> fit = true;
     parallel_many(codes.size(), cancel_, [&](std::size_t n) {
+      const std::uint32_t t = tetrahedron_of(codes[n]);
+      if (t >= list.size() || list.simplices[t].back() >= balls_.centres.size()) {
+        fit = false;
+        return;
+      }
       cells.faces[n] = {outward(balls_, list.simplices, codes[n]),
-                        packed(colour_of(list, tetrahedron_of(codes[n]), of_class))};
+                        packed(colour_of(list, t, of_class))};
     });
+    if (!fit) throw_not_together();
     cells.source = std::move(codes);
     return cells;
   }

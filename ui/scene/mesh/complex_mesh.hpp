@@ -66,10 +66,11 @@ struct CellSoup {
   std::size_t points() const { return xyz.size() / 3; }
 };
 
-// 16 bytes, so that a shader fetches it in one read.
+// 16 bytes, so that a shader fetches it in one read. Without initial values, which one thread would
+// write before all fill the array.
 struct DrawnFace {
-  std::array<BallIndex, 3> balls{};
-  PackedColour colour{};
+  std::array<BallIndex, 3> balls;
+  PackedColour colour;
 };
 static_assert(sizeof(DrawnFace) == 16);
 
@@ -86,8 +87,8 @@ struct FaceCells {
 };
 
 struct DrawnEdge {
-  std::array<BallIndex, 2> balls{};
-  PackedColour colour{}, other{};  // of the halves at the first and the second ball
+  std::array<BallIndex, 2> balls;
+  PackedColour colour, other;  // of the halves at the first and the second ball
 };
 static_assert(sizeof(DrawnEdge) == 16);
 

@@ -22,6 +22,14 @@ const std::vector<bool>& hidden_of(const BallAppearance* looks) {
   return looks ? looks->hidden : none;
 }
 
+// A copy only where looks change colours: copying a million takes milliseconds.
+ColoursOfBalls colours_of(const std::shared_ptr<const Painting>& painting,
+                          const BallAppearance* looks) {
+  const std::vector<Rgb8>& colours = painting->balls.colours;
+  if (looks == nullptr) return {painting, &colours};
+  return std::make_shared<const std::vector<Rgb8>>(painted(colours, looks));
+}
+
 void make_mesh_of(const PartsTask& task, const Paintings& earlier, const MeshMaker& make_mesh,
                   const RunContext& context, DrawnParts& parts) {
   const auto begun = std::chrono::steady_clock::now();
@@ -33,8 +41,8 @@ void make_mesh_of(const PartsTask& task, const Paintings& earlier, const MeshMak
                       as_balls ? parts.paintings.balls : earlier.simplices, context);
   }
   const Paintings& made = parts.paintings;
-  parts.simplex_colours = std::make_shared<const std::vector<Rgb8>>(
-      painted((made.simplices ? made.simplices : made.balls)->balls.colours, parts.looks.get()));
+  parts.simplex_colours =
+      colours_of(made.simplices ? made.simplices : made.balls, parts.looks.get());
   const InOwnDimension own(*task.answer->balls, task.answer->complex);
   parts.options = task.mesh;
   parts.mesh = freed_on_other_thread(build_visible_mesh(

@@ -44,7 +44,7 @@ void set_levels(std::size_t n, const FaceLevels& face, SimplexList<N>& list, Cla
 class ToldByCofaces {
  public:
   ToldByCofaces(std::size_t faces, const CancelToken& cancel) : told_(faces) {
-    parallel_many(faces, cancel, [&](std::size_t n) { told_[n] = {}; });
+    parallel_many(faces, cancel, [&](std::size_t n) { told_[n] = {kNoValue, 0, 0}; });
   }
 
   void add(std::size_t face, float coface_value, float coface_interior_from) {
@@ -65,10 +65,11 @@ class ToldByCofaces {
   }
 
  private:
+  // Without initial values, which one thread would write before all do.
   struct Told {
-    std::uint32_t least = kNoValue;   // ordered bits of the least value
-    std::uint32_t interior_from = 0;  // ordered bits of the largest level; kNoValue: never
-    std::uint32_t attached = 0;
+    std::uint32_t least;          // ordered bits of the least value
+    std::uint32_t interior_from;  // ordered bits of the largest level; kNoValue: never
+    std::uint32_t attached;
   };
   static void lower(std::uint32_t& number, std::uint32_t to) {
     std::atomic_ref<std::uint32_t> at(number);

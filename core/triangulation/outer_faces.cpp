@@ -67,10 +67,11 @@ class RegularTriangles {
   }
 
  private:
-  // The triangles whose first vertex is this one; they are few.
+  // The triangles whose first vertex is this one; they are few. Without initial values, which one
+  // thread would write before all do.
   struct Begun {
-    std::uint64_t marks = 0;  // the union of their marks; most other triangles have another mark
-    std::uint32_t from = 0, to = 0;  // in rest_
+    std::uint64_t marks;     // the union of their marks; most other triangles have another mark
+    std::uint32_t from, to;  // in rest_
   };
   static std::uint64_t key(BallIndex second, BallIndex third) {
     return std::uint64_t{second} << 32 | third;

@@ -3,6 +3,7 @@
 // decision follows from earlier runs of the same balls.
 #pragma once
 
+#include "gpu/dual_edge/block_margin.hpp"
 #include "gpu/dual_edge/dual_edge_block.cuh"
 #include "gpu/dual_edge/pipeline_state.cuh"
 
@@ -182,25 +183,6 @@ inline BlockRoom with_headroom(const BlockRoom& ball, const BlockRoom& longest) 
   const auto more = [](std::uint32_t value) { return value + value / 4 + 8; };
   return enough_for(ball, more(longest.search), more(longest.list), more(longest.triangles),
                     more(longest.kept));
-}
-
-// Factor of the room beyond the mean, see room_for(). More room leaves fewer balls to kernel III,
-// but fewer blocks fit on a multiprocessor. Up to half of the balls that kernel III may take cost
-// nothing, because it works beside the next chunk. Fitted to times on an H200.
-constexpr double kUsualMargin = 1.2, kMostMargin = 2, kMarginStep = 1.1;
-
-// The margin after a run that left `deferred` balls to kernel III, `too_long` of them for the
-// length of their lists, which a margin does not change. `limit` is
-// DualEdgeProblem::deferred_limit. One step less cannot bring as many balls as eight times the
-// present number.
-inline double next_margin(double margin, std::uint32_t deferred, std::uint32_t too_long,
-                          std::uint32_t limit) {
-  if (deferred - too_long > limit / 2) {
-    return std::max(margin, std::min(kMarginStep * margin, kMostMargin));
-  }
-  return deferred < limit / 8 && margin > kUsualMargin
-             ? std::max(kUsualMargin, margin / kMarginStep)
-             : margin;
 }
 
 // The need of this alpha, or of the nearest one above: a lower alpha never needs more. Without any,

@@ -95,8 +95,10 @@ Drawing DrawingMaker::draw(const WantedDrawing& wanted, const DrawingPlan& plan,
   const DrawnMolecule& m = *drawing.molecule;
   const auto looks = make_ball_appearance(m, controls.appearance);
   if (plan.balls) {
+    // Radii of balls on screen change only with grown balls. Those of a million take milliseconds.
+    const bool radii = !known || controls.display.grown_balls;
     drawing.parts = make_parts(
-        {drawing.molecule, wanted.answer, controls.display, looks, plan.mesh, controls.clip},
+        {drawing.molecule, wanted.answer, controls.display, looks, plan.mesh, controls.clip, radii},
         wanted.paintings, make_mesh_, context);
   } else {
     drawing.parts.looks = looks;

@@ -87,9 +87,10 @@ void ShownPicture::show(Drawing drawing) {
 
 // Makes balls for a drawing that has none. It was begun when its balls were on screen, and they no
 // longer are.
-void ShownPicture::make_balls(Drawing& drawing) {
+void ShownPicture::make_balls(Drawing& drawing) const {
   const DrawnMolecule& m = *drawing.molecule;
-  const DrawnParts& parts = drawing.parts;
+  DrawnParts& parts = drawing.parts;
+  set_radii(parts, m, drawing.answer.get(), controls_.display);
   drawing.balls =
       make_ball_data(m.geometry, parts.ball_colours(m.geometry->centres.size()), parts.radii);
 }

@@ -73,7 +73,7 @@ class ShownPicture {
  private:
   void restyle();
   void forget_layers();
-  static void make_balls(Drawing& drawing);
+  void make_balls(Drawing& drawing) const;
   void exchange_parts(Drawing& drawing, bool new_balls);
   void show_balls(std::shared_ptr<BallData> balls);
   void update_radii();

@@ -93,7 +93,7 @@ DrawnParts make_parts(const PartsTask& task, const Paintings& earlier, const Mes
   DrawnParts parts;
   parts.looks = task.looks;
   parts.clip = task.clip;
-  set_radii(parts, *task.molecule, task.answer.get(), task.display);
+  if (task.with_radii) set_radii(parts, *task.molecule, task.answer.get(), task.display);
   parts.paintings.balls =
       make_painting({task.molecule, task.answer, task.display.ball_paint}, earlier.balls, context);
   if (!task.answer) return parts;

@@ -45,6 +45,7 @@ struct PartsTask {
   std::shared_ptr<const BallAppearance> looks;  // null: as made by the display controls
   MeshOptions mesh;                             // of the controls, less what memory does not allow
   Clip clip;
+  bool with_radii = true;  // false: those of the picture before stay
 };
 
 struct DrawnParts {
@@ -53,7 +54,7 @@ struct DrawnParts {
   // The display settings of the radii.
   float ball_scale = 0;
   bool grown_balls = false;
-  std::vector<float> radii;                 // Å, as drawn; one a ball
+  std::vector<float> radii;                 // Å, as drawn; one a ball. Empty: see PartsTask
   std::shared_ptr<const ComplexMesh> mesh;  // null: none
   MeshOptions options;                      // of mesh
   double mesh_milliseconds = 0;             // for mesh and colours

@@ -45,16 +45,23 @@ TEST(LargePages, AreUsedAgainForAboutTheSameSize) {
 }
 
 TEST(LargePages, KeepNoMoreThanTheLimit) {
-  constexpr std::size_t kBytes = kMostKeptBytes / 4;
+  constexpr std::size_t kBytes = kMostKeptBytes / 4, kWritten = kBytes / 2;
   free_kept_large();
-  std::array<void*, 6> memory{};
-  for (void*& m : memory) m = allocate_large(kBytes);
-  for (void* m : memory) free_large(m, kBytes);
-  // Only the first four can come back.
-  std::array<void*, 4> kept{};
-  for (void*& m : kept) m = allocate_large(kBytes);
-  EXPECT_TRUE(std::is_permutation(kept.begin(), kept.end(), memory.begin()));
-  for (void* m : kept) free_large(m, kBytes);
+  std::array<char*, 6> memory{};
+  const auto allocate = [&] {
+    for (char*& m : memory) m = static_cast<char*>(allocate_large(kBytes));
+  };
+  const auto free_all = [&] {
+    for (char* m : memory) free_large(m, kBytes);
+  };
+  allocate();
+  for (char* m : memory) m[kWritten] = 1;
+  free_all();
+  allocate();
+  // Pages that the system provides anew are zero.
+  EXPECT_EQ(std::count_if(memory.begin(), memory.end(), [](char* m) { return m[kWritten] == 1; }),
+            4);
+  free_all();
   free_kept_large();
 }
 

@@ -8,8 +8,9 @@
 namespace alphascope::gpu {
 
 // Factors of the room beyond the mean, see room_for() in room.cuh. With more room fewer balls go to
-// kernel III, but fewer blocks fit on a multiprocessor. Up to half of the balls that kernel III may
-// take cost nothing, because it works beside the next chunk (measured on an H200).
+// kernel III, but fewer blocks fit on a multiprocessor. Runs that left up to
+// half of the balls that kernel III may take were no slower on an H200: it works beside the next
+// chunk.
 inline constexpr double kUsualMargin = 1.2, kMostMargin = 2, kMarginStep = 1.1;
 
 // The margin after a run that left `deferred` balls to kernel III, and `too_long` of them because

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <random>
 
@@ -147,6 +148,19 @@ TEST(BoxTree, TriesFewThingsInAnyOrder) {
     EXPECT_GT(hits, 50u);
     EXPECT_LT(tried / 100, balls->centres.size() / 20);
   }
+}
+
+TEST(BoxTree, StopsWhenCancelled) {
+  const CancelToken cancel;
+  std::atomic<std::size_t> asked{0};
+  constexpr std::size_t kThings = std::size_t{1} << 22;
+  const auto box = [&](std::size_t i) {
+    if (++asked == 1000) cancel.cancel();
+    const auto x = static_cast<float>(i);
+    return Box{{x, x, x}, {x, x, x}};
+  };
+  EXPECT_THROW(BoxTree(kThings, box, cancel), Cancelled);
+  EXPECT_LT(asked, kThings / 2);
 }
 
 TEST_F(PickTest, FacesOfTetrahedra) {

@@ -37,16 +37,13 @@ bool meets(const Ray& ray, const Box& box, double margin, double farthest) {
   return from <= to;
 }
 
-void BoxTree::add_levels(std::vector<Box> leaves) {
+void BoxTree::add_levels(Boxes leaves, const CancelToken& cancel) {
   levels_.clear();
   levels_.push_back(std::move(leaves));
   while (levels_.back().size() > 1) {
-    std::vector<Box> boxes;
-    const std::vector<Box>& below = levels_.back();
-    for (std::size_t i = 0; i < below.size(); ++i) {
-      if (i % kFan == 0) boxes.push_back(Box::empty());
-      boxes.back().add(below[i]);
-    }
+    const Boxes& below = levels_.back();
+    Boxes boxes = boxes_around(
+        below.size(), [&](std::size_t i) { return below[i]; }, cancel);
     levels_.push_back(std::move(boxes));
   }
 }
@@ -56,7 +53,7 @@ void BoxTree::add_levels(std::vector<Box> leaves) {
 // whole box.
 bool BoxTree::is_scattered() const {
   constexpr double kMuchLarger = 8;
-  const std::vector<Box>& leaves = levels_.front();
+  const Boxes& leaves = levels_.front();
   double sum = 0;
   for (const Box& leaf : leaves) sum += diagonal(leaf);
   const double leaf_count = static_cast<double>(leaves.size());
@@ -80,7 +77,7 @@ std::uint32_t BoxTree::place_on_curve(const Box& box, const Box& all) {
 }
 
 // Counting sort, in three passes.
-void BoxTree::sort_by(const std::vector<std::uint32_t>& places) {
+void BoxTree::sort_by(const ResultArray<std::uint32_t>& places) {
   std::vector<std::uint32_t> start((std::size_t{1} << (3 * kBits)) + 1, 0);
   for (const std::uint32_t place : places) ++start[place + 1];
   for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];

@@ -10,7 +10,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
+
+#include "core/complex/simplices.hpp"
+#include "core/run/cancel_token.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 
@@ -42,17 +47,19 @@ bool meets(const Ray& ray, const Box& box, double margin, double farthest);
 class BoxTree {
  public:
   BoxTree() = default;
-  // `box_of(i)` gives the box of each of the `count` things.
+  // `box_of(i)` gives the box of each of the `count` things; several threads call it. They are
+  // those of the caller's task arena. Throws Cancelled.
   template <class BoxOf>
-  BoxTree(std::size_t count, const BoxOf& box_of) : count_(count) {
+  BoxTree(std::size_t count, const BoxOf& box_of, const CancelToken& cancel = {}) : count_(count) {
     if (count == 0) return;
-    add_leaves(box_of);
+    add_leaves(box_of, cancel);
     if (!is_scattered()) return;
     const Box all = levels_.back().front();
-    std::vector<std::uint32_t> places(count);
-    for (std::size_t i = 0; i < count; ++i) places[i] = place_on_curve(box_of(i), all);
+    ResultArray<std::uint32_t> places(count);
+    parallel_many(count, cancel,
+                  [&](std::size_t i) { places[i] = place_on_curve(box_of(i), all); });
     sort_by(places);
-    add_leaves(box_of);
+    add_leaves(box_of, cancel);
   }
 
   std::size_t size() const { return count_; }
@@ -69,22 +76,31 @@ class BoxTree {
 
   std::size_t thing(std::size_t i) const { return order_.empty() ? i : order_[i]; }
 
-  template <class BoxOf>
-  void add_leaves(const BoxOf& box_of) {
-    std::vector<Box> leaves;
-    leaves.reserve((count_ + kFan - 1) / kFan);
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (i % kFan == 0) leaves.push_back(Box::empty());
-      leaves.back().add(box_of(thing(i)));
-    }
-    add_levels(std::move(leaves));
+  using Boxes = ResultArray<Box>;
+
+  // The boxes of sixteen consecutive ones of `count` boxes each.
+  template <class BoxAt>
+  static Boxes boxes_around(std::size_t count, const BoxAt& box_at, const CancelToken& cancel) {
+    Boxes boxes((count + kFan - 1) / kFan);
+    parallel_many(boxes.size(), cancel, [&](std::size_t n) {
+      Box box = Box::empty();
+      for (std::size_t i = n * kFan; i < std::min(count, (n + 1) * kFan); ++i) box.add(box_at(i));
+      boxes[n] = box;
+    });
+    return boxes;
   }
-  void add_levels(std::vector<Box> leaves);
+  template <class BoxOf>
+  void add_leaves(const BoxOf& box_of, const CancelToken& cancel) {
+    add_levels(boxes_around(
+                   count_, [&](std::size_t i) { return box_of(thing(i)); }, cancel),
+               cancel);
+  }
+  void add_levels(Boxes leaves, const CancelToken& cancel);
   // Whether the leaves are much larger than those of an ordered list.
   bool is_scattered() const;
   // Position of the box along a curve that fills `all`: a Morton code.
   static std::uint32_t place_on_curve(const Box& box, const Box& all);
-  void sort_by(const std::vector<std::uint32_t>& places);
+  void sort_by(const ResultArray<std::uint32_t>& places);
 
   template <class Enter, class Test>
   void visit_node(std::size_t level, std::size_t node, const Enter& enter, const Test& test) const {
@@ -101,8 +117,8 @@ class BoxTree {
   }
 
   std::size_t count_ = 0;
-  std::vector<std::uint32_t> order_;      // empty: things are in the given order
-  std::vector<std::vector<Box>> levels_;  // the last has one box
+  std::vector<std::uint32_t> order_;  // empty: things are in the given order
+  std::vector<Boxes> levels_;         // the last has one box
 };
 
 }  // namespace alphascope

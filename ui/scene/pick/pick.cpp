@@ -108,11 +108,25 @@ struct CartoonCells {
   std::size_t number(std::size_t cell) const { return mesh->cartoon.atom_of(cell); }
 };
 
+// Number of consecutive cells that have one box in the tree.
+template <class Cells>
+constexpr std::size_t kCellsInBox = 1;
+template <>
+constexpr std::size_t kCellsInBox<FacesOfTetrahedra> = 4;
+
 template <class Cells>
 Box box_of(const Cells& cells, std::size_t cell) {
   Box box = Box::empty();
   for (std::size_t i = 0; i < cells.corners; ++i) {
     const Point p = cells.point(cell, i);
+    box.add({p, p});
+  }
+  return box;
+}
+Box box_of(const FacesOfTetrahedra& cells, std::size_t tetrahedron) {
+  Box box = Box::empty();
+  for (const Point& p :
+       shrunk_corners(*cells.balls, cells.cells->balls[tetrahedron], cells.cells->shrink)) {
     box.add({p, p});
   }
   return box;
@@ -184,9 +198,10 @@ Hit hit_of(const Meaning& meaning, std::size_t number, double depth) {
 }
 
 template <class Cells>
-PickLayer layer_of(const Cells& cells, const Meaning& meaning) {
+PickLayer layer_of(const Cells& cells, const Meaning& meaning, const CancelToken& cancel = {}) {
+  constexpr std::size_t in_box = kCellsInBox<Cells>;
   auto tree = std::make_shared<const BoxTree>(
-      cells.size(), [&](std::size_t cell) { return box_of(cells, cell); });
+      cells.size() / in_box, [&](std::size_t n) { return box_of(cells, n); }, cancel);
   return {
       meaning.id, [cells, meaning, tree](const PickLine& line) {
         constexpr bool lines = Cells::corners == 2;
@@ -198,13 +213,16 @@ PickLayer layer_of(const Cells& cells, const Meaning& meaning) {
           const double margin = beside + kRounding;
           return meets(line.ray, box, margin, nearest + 2 * margin);
         };
-        tree->visit(enter, [&](std::size_t cell) {
+        const auto try_cell = [&](std::size_t cell) {
           const double depth =
               lines ? line_depth(cells, cell, line) : triangle_depth(cells, cell, line.ray);
           if (!meaning.in_cut && !line.kept.has(depth)) return;
           if (depth > nearest || (depth == nearest && cell >= found)) return;
           nearest = depth;
           found = cell;
+        };
+        tree->visit(enter, [&](std::size_t n) {
+          for (std::size_t k = 0; k < in_box; ++k) try_cell(in_box * n + k);
         });
         return std::isfinite(nearest) ? std::optional(hit_of(meaning, cells.number(found), nearest))
                                       : std::nullopt;
@@ -232,11 +250,12 @@ void describe(const SimplexList<N>& list, std::size_t i, const Lattice& lattice,
 }  // namespace
 
 PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh,
-                       const std::shared_ptr<const BallGeometry>& balls) {
+                       const std::shared_ptr<const BallGeometry>& balls,
+                       const CancelToken& cancel) {
   PickLayers layers;
   if (!mesh) return layers;
   const auto add = [&](const auto& cells, const Meaning& meaning) {
-    if (cells.size() > 0) layers.push_back(layer_of(cells, meaning));
+    if (cells.size() > 0) layers.push_back(layer_of(cells, meaning, cancel));
   };
   const auto faces = [&](const FaceCells& cells) {
     return FacesOfBalls{std::shared_ptr<const FaceCells>(mesh, &cells), balls};

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/complex/alpha_complex.hpp"
+#include "core/run/cancel_token.hpp"
 #include "ui/scene/mesh/cap_mesh.hpp"
 #include "ui/scene/mesh/complex_mesh.hpp"
 #include "ui/scene/mesh/layer_mesh.hpp"
@@ -51,9 +52,11 @@ struct PickLayer {
 };
 using PickLayers = std::vector<PickLayer>;
 
-// Layers of the drawn mesh. Runs on any thread, in about the time of copying the mesh.
+// Layers of the drawn mesh. Runs on any thread, in about the time of copying the mesh, with the
+// threads of the caller's task arena. Throws Cancelled.
 PickLayers mesh_layers(const std::shared_ptr<const ComplexMesh>& mesh,
-                       const std::shared_ptr<const BallGeometry>& balls);
+                       const std::shared_ptr<const BallGeometry>& balls,
+                       const CancelToken& cancel = {});
 
 // The layer of caps, which close tetrahedra in the planes of a cut.
 PickLayer cap_layer(const std::shared_ptr<const CapMesh>& mesh);

@@ -199,7 +199,7 @@ class Outside {
   const BallTetrahedron at_;
   double angle_[6], arc_[6];
   BallPair pair_[6];  // only for edges in K_alpha
-  OutsidePart part_;
+  OutsidePart part_{};
 };
 
 }  // namespace

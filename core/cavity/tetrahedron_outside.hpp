@@ -22,17 +22,17 @@ struct FacesIn {
 };
 
 struct OutsidePart {
-  double whole = 0;              // volume of the tetrahedron
-  double volume = 0;             // volume outside the balls
-  std::array<double, 4> area{};  // area of each ball's sphere
-  double arc = 0;                // length of the arcs in which two spheres meet
-  std::uint32_t corners = 0;
+  double whole;                // volume of the tetrahedron
+  double volume;               // volume outside the balls
+  std::array<double, 4> area;  // area of each ball's sphere
+  double arc;                  // length of the arcs in which two spheres meet
+  std::uint32_t corners;
   // The offsets of arcs and corners: within the solvent radius of them, between the directions to
   // their balls' centres. If one of these balls is smaller than the solvent radius, the offset ends
   // at the line or plane through the centres. So no offset reaches beyond the centre of such a
   // ball, and no part counts twice there.
-  double offset_volume = 0, offset_area = 0;
-  double offset_overlap = 0;  // the part of offset_area across the axes of the arcs; negative
+  double offset_volume, offset_area;
+  double offset_overlap;  // the part of offset_area across the axes of the arcs; negative
 };
 OutsidePart outside_part(const GrownBall (&ball)[4], const FacesIn& in, double solvent);
 

@@ -54,8 +54,10 @@ class ResultAllocator {
     at_ = nullptr;
     owner_.reset();
   }
+  // resize() would set initial values by one thread, before all threads write the elements.
   template <class U>
   void construct(U* at) {
+    static_assert(std::is_trivially_default_constructible_v<U>);
     ::new (static_cast<void*>(at)) U;
   }
   ResultAllocator select_on_container_copy_construction() const { return {}; }

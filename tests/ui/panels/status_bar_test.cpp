@@ -238,6 +238,17 @@ TEST(StatusBar, ARunningJobStaysBesideTheThingUnderTheMouse) {
   EXPECT_FALSE(p.rects.contains("status.job")) << "it has just begun";
 }
 
+TEST(StatusBar, BackgroundWorkStaysBesideTheThingUnderTheMouse) {
+  Panels p({1920, 1080, 1});
+  p.state = moved_state();
+  p.state.viewport.under_mouse_line = "A:HIS 87:NE2";
+  p.state.background.text = "Filtration of all simplices 45 %";
+  p.frame(3);
+  ASSERT_TRUE(p.rects.contains("status.job"));
+  ASSERT_TRUE(p.rects.contains("status.under_mouse"));
+  EXPECT_LE(p.rects["status.job"].x1, p.rects["status.under_mouse"].x0);
+}
+
 TEST(MoveClock, ForgetsMovesOfAnotherFile) {
   MoveClock clock;
   const MoveClock::Clock::time_point start{};

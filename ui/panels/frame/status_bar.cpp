@@ -265,16 +265,21 @@ void tasks_button(PanelContext& ctx, const char* name) {
   key_stop(ctx, name);
 }
 
-// The share done of a running job stays in sight while the mouse names something, if there is room
-// for both.
-void job_beside_name(PanelContext& ctx, const std::string& running) {
+// What runs in the background, a result a line, and what a click does.
+void work_tooltip(PanelContext& ctx) {
+  const std::string& detail = ctx.state.background.detail;
+  tooltip(ctx, (detail + (detail.empty() ? "" : "\n") + "Click: tasks and messages.").c_str());
+}
+
+// What runs stays in sight while the mouse names something, if there is room for both.
+void work_beside_name(PanelContext& ctx, const std::string& work) {
   constexpr float kLeastName = 160;  // pixels at scale 1
-  if (running.empty()) return;
+  if (work.empty()) return;
   const float room = ImGui::GetWindowWidth() - ctx.px(12) - ImGui::GetCursorPosX();
-  if (room < ImGui::CalcTextSize(running.c_str()).x + ctx.px(kGap + kLeastName)) return;
-  muted_text(ctx, running);
+  if (room < ImGui::CalcTextSize(work.c_str()).x + ctx.px(kGap + kLeastName)) return;
+  muted_text(ctx, work);
   tasks_button(ctx, "status.job");
-  tooltip(ctx, "Click: tasks and messages.");
+  work_tooltip(ctx);
   ImGui::SameLine(0, ctx.px(kGap));
 }
 
@@ -298,15 +303,15 @@ void draw_status_bar(PanelContext& ctx) {
   const bool fresh = is_new(ctx.state.tasks.shown_notice, notice, s.notice.times());
   const bool named = !s.viewport.under_mouse_line.empty();
   const std::string running = job_text(s);
+  const std::string& work = running.empty() ? s.background.text : running;
   if (named && !fresh) {
-    job_beside_name(ctx, running);
+    work_beside_name(ctx, work);
     under_mouse(ctx);
     ImGui::PopFont();
     return;
   }
   const std::string memory = bytes_text(s.memory_bytes) + " memory";
   std::string right = memory;
-  const std::string& work = running.empty() ? s.background.text : running;
   if (!work.empty()) right = work + "  ·  " + right;
   const float end = ImGui::GetWindowWidth() - ctx.px(12);
   const float room = end - ImGui::GetCursorPosX();
@@ -328,9 +333,7 @@ void draw_status_bar(PanelContext& ctx) {
     ImGui::SetCursorPosX(end - width);
     muted_text(ctx, right);
     tasks_button(ctx, "status.memory");
-    tooltip(ctx, (s.background.detail + (s.background.detail.empty() ? "" : "\n") +
-                  "Click: tasks and messages.")
-                     .c_str());
+    work_tooltip(ctx);
   }
   ImGui::PopFont();
 }

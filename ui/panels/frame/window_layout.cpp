@@ -41,7 +41,10 @@ struct Area {
   ImVec2 corner, size;
 };
 
-void begin(const char* id, const Area& place, ImGuiWindowFlags extra = 0) {
+// Windows in the usual colour have no background: ImGuiFrame::draw() clears the whole frame in that
+// colour. Software OpenGL would spend half of a frame on backgrounds.
+void begin(const char* id, const Area& place,
+           ImGuiWindowFlags extra = ImGuiWindowFlags_NoBackground) {
   ImGui::SetNextWindowPos(place.corner);
   ImGui::SetNextWindowSize(place.size);
   ImGui::Begin(id, nullptr, kFixed | extra);
@@ -313,7 +316,8 @@ void draw_window(const WindowParts& parts, const PanelFonts& fonts, float scale)
   const float beside = right_panel(ctx, top, high ? middle : middle - bottom);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   const float view = std::max(1.0f, width - beside);
-  begin(kView, {{left, top}, {view, middle - bottom}}, ImGuiWindowFlags_NoScrollWithMouse);
+  begin(kView, {{left, top}, {view, middle - bottom}},
+        ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
   draw_viewport(ctx);
   ImGui::End();

@@ -16,6 +16,7 @@
 #include "app/options/exit_code.hpp"
 #include "app/session/clean_exit.hpp"
 #include "app/session/system_memory.hpp"
+#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/read_ahead.hpp"
 #include "app/viewer/script/script.hpp"
@@ -60,12 +61,24 @@ struct NotDone : std::runtime_error {
   ExitCode code;
 };
 
+ExitCode code_of(alphascope::ErrorKind kind) {
+  using alphascope::ErrorKind;
+  switch (kind) {
+    case ErrorKind::request:
+      return ExitCode::usage;
+    case ErrorKind::input:
+      return ExitCode::unreadable_input;
+    case ErrorKind::output:
+      return ExitCode::unwritable_output;
+    case ErrorKind::computing:
+      break;
+  }
+  return ExitCode::computing_failed;
+}
+
 ExitCode code_of(const std::exception& error) {
   if (const auto* const not_done = dynamic_cast<const NotDone*>(&error)) return not_done->code;
-  if (dynamic_cast<const alphascope::ReplacesInput*>(&error)) return ExitCode::usage;
-  if (dynamic_cast<const alphascope::ReadError*>(&error)) return ExitCode::unreadable_input;
-  if (dynamic_cast<const alphascope::WriteError*>(&error)) return ExitCode::unwritable_output;
-  return ExitCode::computing_failed;
+  return code_of(alphascope::kind_of(error, alphascope::ErrorKind::computing));
 }
 
 // With less free memory no window is opened. An empty window took 120 MB when measured.
@@ -100,8 +113,8 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options,
     std::istringstream script(script_text);
     try {
       alphascope::run_script(viewer, script, options.script->string(), std::cout);
-    } catch (const std::exception& error) {  // the message names the line
-      throw NotDone(ExitCode::unreadable_input, error.what());
+    } catch (const alphascope::ScriptError& error) {
+      throw NotDone(code_of(error.kind), error.what());
     }
   }
   if (options.record) record_lesson(viewer, options);
@@ -116,8 +129,8 @@ int drive(alphascope::Viewer& viewer, const alphascope::ViewerOptions& options,
   const std::string problem = state.session_problem ? state.session_problem->text : "";
   const std::string& refused = state.lessons.first_refused;
   const std::pair<const std::string&, ExitCode> failures[] = {
-      {state.error, ExitCode::unreadable_input},
-      {state.withdrawn_error, ExitCode::unreadable_input},
+      {state.error, code_of(state.error_kind)},
+      {state.withdrawn_error, code_of(state.withdrawn_kind)},
       {state.first_compute_error, ExitCode::computing_failed},
       {problem, ExitCode::unreadable_input},
       {refused, ExitCode::unreadable_input}};

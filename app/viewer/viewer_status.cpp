@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/session_text.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/document/store/derived.hpp"
@@ -28,9 +29,10 @@ void Viewer::guarded(const std::function<void()>& what) {
   } catch (const std::bad_alloc&) {
     state_.show_error("There is not enough memory",
                       "The last action failed. Use a smaller alpha, compute tetrahedra only, keep "
-                      "fewer atoms, or close other programs.");
+                      "fewer atoms, or close other programs.",
+                      ErrorKind::computing);
   } catch (const std::exception& error) {
-    state_.show_error("The last action failed", error.what());
+    state_.show_error("The last action failed", error.what(), kind_of(error, ErrorKind::computing));
   }
   pace_.due().ask();
 }
@@ -44,15 +46,18 @@ void Viewer::take_error(bool only_the_model_changed) {
   switch (s.error_source) {
     case Source::opening:
       file_.opening().forget_failed();
-      state_.show_error(kNotOpened, s.last_error + file_.opening().not_opened_either() +
-                                        still(state_, "The previous molecule is still open."));
+      state_.show_error(kNotOpened,
+                        s.last_error + file_.opening().not_opened_either() +
+                            still(state_, "The previous molecule is still open."),
+                        ErrorKind::input);
       break;
     case Source::changing:
       if (only_the_model_changed) {
         state_.refuse_late(s.last_error);
       } else {
         state_.show_error(kNotChanged,
-                          s.last_error + still(state_, "The previous selection is still in use."));
+                          s.last_error + still(state_, "The previous selection is still in use."),
+                          ErrorKind::input);
       }
       break;
     case Source::none:

@@ -20,9 +20,10 @@ Worker::Failure present_failure() {
     return {.message =
                 "there is not enough memory for this computation; close other programs, or choose "
                 "a part of the molecule",
-            .out_of_memory = true};
+            .out_of_memory = true,
+            .cause = std::current_exception()};
   } catch (const std::exception& e) {
-    return {.message = e.what()};
+    return {.message = e.what(), .cause = std::current_exception()};
   } catch (...) {
     return {.message = "an unknown error"};
   }

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -21,6 +22,7 @@ struct WorkFailure {
   bool cancelled = false;  // by cancel(); a newer request cancels without a message
   bool too_late = false;   // the job had finished before the cancel, so its effects remain
   bool out_of_memory = false;
+  std::exception_ptr cause = {};  // what the job threw; null: it threw nothing
 };
 
 // Only the main thread calls submit(), cancel() and poll(). Jobs run on the worker's own thread.

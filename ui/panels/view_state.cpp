@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/document/store/answer.hpp"
+#include "ui/panels/error_kind.hpp"
 #include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
@@ -121,10 +122,10 @@ std::string ViewState::page() const {
   return polymer ? "cavities" : "";
 }
 
-void ViewState::show_error(const std::string& title, const std::string& text) {
-  const std::pair<std::string, std::string> news{title, text};
+void ViewState::show_error(const std::string& title, const std::string& text, ErrorKind kind) {
+  const LaterError news{title, text, kind};
   if (error.empty()) {
-    std::tie(error_title, error) = news;
+    std::tie(error_title, error, error_kind) = std::tie(title, text, kind);
   } else if (error != text && (more_errors.empty() || more_errors.back() != news)) {
     more_errors.push_back(news);
   }
@@ -137,30 +138,35 @@ void ViewState::show_compute_error(const std::string& text) {
 
 void ViewState::close_errors(std::string_view title) {
   if (error_title == title) {
-    note_withdrawn(error);
+    note_withdrawn(error, error_kind);
     close_error();
   }
   std::erase_if(more_errors, [&](const auto& later) {
-    const bool closes = later.first == title;
-    if (closes) note_withdrawn(later.second);
+    const bool closes = later.title == title;
+    if (closes) note_withdrawn(later.text, later.kind);
     return closes;
   });
 }
 
-void ViewState::note_withdrawn(const std::string& text) {
-  if (withdrawn_error.empty()) withdrawn_error = text;
+void ViewState::note_withdrawn(const std::string& text, ErrorKind kind) {
+  if (!withdrawn_error.empty()) return;
+  withdrawn_error = text;
+  withdrawn_kind = kind;
 }
 
 void ViewState::refuse_late(const std::string& text) {
   notice = text;
-  note_withdrawn(text);
+  note_withdrawn(text, ErrorKind::input);
 }
 
 void ViewState::close_error() {
   error_title.clear();
   error.clear();
   if (more_errors.empty()) return;
-  std::tie(error_title, error) = more_errors.front();
+  LaterError& next = more_errors.front();
+  error_title = std::move(next.title);
+  error = std::move(next.text);
+  error_kind = next.kind;
   more_errors.pop_front();
 }
 

@@ -21,6 +21,7 @@ namespace alphascope {
 
 class BallReferences;
 class SelectionError;
+enum class ErrorKind : std::uint8_t;
 enum class Theme : std::uint8_t;
 struct Annotations;
 struct Answer;
@@ -147,12 +148,18 @@ struct ViewValues {
   std::size_t memory_bytes = 0;    // memory of the whole program
   std::uint64_t free_bytes = 0;    // memory that the machine could still give; 0: unknown
   std::string error_title, error;  // shown in a dialog until dismissed
-  // Titles and texts of the errors that come next.
-  std::deque<std::pair<std::string, std::string>> more_errors;
+  ErrorKind error_kind{};
+  struct LaterError {
+    std::string title, text;
+    ErrorKind kind;
+    friend bool operator==(const LaterError&, const LaterError&) = default;
+  };
+  std::deque<LaterError> more_errors;
   std::string compute_error;  // why the present alpha has no complex; one line over the view
   // Scripts end with these. The first error or question that the program withdrew before anybody
   // dismissed it, or what it refused late; and the first complex that could not be computed.
   std::string withdrawn_error, first_compute_error;
+  ErrorKind withdrawn_kind{};
   // Why the picture is of other values than the controls have. Empty: computing was not cancelled.
   std::string computing_cancelled;
   // Lines that name the opened one of several dropped files. They stay until they are dismissed or
@@ -236,12 +243,12 @@ struct ViewState : ViewValues {
   std::string page() const;
   // Shows an error in a dialog, after earlier ones that are not dismissed yet. To be used for
   // single requests of the user, since a slider must not open a dialog at each step.
-  void show_error(const std::string& title, const std::string& text);
+  void show_error(const std::string& title, const std::string& text, ErrorKind kind);
   void show_compute_error(const std::string& text);  // empty: there is none
   void close_error();                                // the one in the dialog; the next one follows
   // Closes errors with this title, for when they are true no more.
   void close_errors(std::string_view title);
-  void note_withdrawn(const std::string& text);
+  void note_withdrawn(const std::string& text, ErrorKind kind);
   // Refuses, in the status bar, what a command asked for in an earlier frame. A script fails.
   void refuse_late(const std::string& text);
 };

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "app/viewer/jobs/error_kind.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {
@@ -37,6 +38,7 @@ void Fetcher::fail(const Worker::Failure& failure) {
   } else {
     news_.error_title = id + " cannot be fetched";
     news_.error = failure.message;
+    news_.error_kind = kind_of(failure.cause, ErrorKind::input);
   }
 }
 

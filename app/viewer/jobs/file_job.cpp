@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/viewer/jobs/error_kind.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/thread_priority.hpp"
 #include "core/run/work_threads.hpp"
@@ -46,6 +47,7 @@ void FileJob::end(const std::string& text, const Worker::Failure* failure) {
   } else {
     news_.error_title = task.error_title;
     news_.error = failure->message;
+    news_.error_kind = kind_of(failure->cause, ErrorKind::computing);
   }
 }
 

@@ -22,7 +22,7 @@ bool JobList::poll() {
   for (ViewerJob* const job : jobs_) {
     const JobNews news = job->poll();
     if (!news.notice.empty()) state_.notice = news.notice;
-    if (!news.error.empty()) state_.show_error(news.error_title, news.error);
+    if (!news.error.empty()) state_.show_error(news.error_title, news.error, news.error_kind);
     if (!news.saved.empty()) {
       std::error_code ignored;
       const auto whole = std::filesystem::absolute(news.saved, ignored).lexically_normal();

@@ -11,6 +11,7 @@
 
 #include "app/viewer/frames/due_frames.hpp"
 #include "core/run/worker.hpp"
+#include "ui/panels/error_kind.hpp"
 #include "ui/panels/view_state.hpp"
 #include "ui/running_job.hpp"
 
@@ -20,9 +21,10 @@ namespace alphascope {
 struct JobNews {
   std::string notice;              // one line on a job that succeeded or was cancelled
   std::string error_title, error;  // why it failed, for a dialog; empty: it did not fail
-  std::filesystem::path saved;     // a file that was written; empty: none was
-  bool changed = false;            // the window has something new to show
-  bool frees_memory = false;       // the job has ended, and its memory is free
+  ErrorKind error_kind = ErrorKind::computing;
+  std::filesystem::path saved;  // a file that was written; empty: none was
+  bool changed = false;         // the window has something new to show
+  bool frees_memory = false;    // the job has ended, and its memory is free
 };
 
 class ViewerJob {

@@ -11,6 +11,7 @@
 #include "core/document/picture/picture_preset.hpp"
 #include "core/document/settings/display_fields.hpp"
 #include "core/files/read_error.hpp"
+#include "ui/panels/error_kind.hpp"
 #include "ui/panels/whole_state.hpp"
 
 namespace alphascope {
@@ -217,7 +218,9 @@ void WindowLessons::poll() {
       news.error = error.what();
     }
   }
-  if (!news.error.empty()) p_.state.show_error("The lesson cannot be opened", news.error);
+  if (!news.error.empty()) {
+    p_.state.show_error("The lesson cannot be opened", news.error, ErrorKind::input);
+  }
   if (news.shelf || news.opened || !news.error.empty()) p_.due.ask();
 }
 

@@ -42,7 +42,9 @@ void MessageNotes::note(Message::Kind kind, std::string text) {
 void MessageNotes::note_errors() {
   std::vector<Titled> present;
   if (!state_.error.empty()) present.emplace_back(state_.error_title, state_.error);
-  present.insert(present.end(), state_.more_errors.begin(), state_.more_errors.end());
+  for (const ViewState::LaterError& later : state_.more_errors) {
+    present.emplace_back(later.title, later.text);
+  }
   for (const Titled& error : present) {
     if (std::find(seen_errors_.begin(), seen_errors_.end(), error) != seen_errors_.end()) continue;
     note(Message::Kind::error, error.first + (error.first.empty() ? "" : ": ") + error.second);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/session/result_header.hpp"
+#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/session_text.hpp"
@@ -26,7 +27,8 @@ bool Opening::may_open(const std::filesystem::path& path) {
     state_.show_error(
         "A benchmark is running",
         path.filename().string() +
-            " was not opened. Cancel the benchmark or wait for its end, then open it.");
+            " was not opened. Cancel the benchmark or wait for its end, then open it.",
+        ErrorKind::request);
     return false;
   }
   scene_.cameras().set_when_drawn(std::nullopt);
@@ -51,7 +53,8 @@ void Opening::open(const std::filesystem::path& path) {
 
 void Opening::fetch(const MoleculeId& id, bool again) {
   if (!state_.fetch.problem.empty()) {
-    return state_.show_error(id.text() + " cannot be fetched", state_.fetch.problem);
+    return state_.show_error(id.text() + " cannot be fetched", state_.fetch.problem,
+                             ErrorKind::input);
   }
   if (!may_open(id.text())) return;
   forget_waiting_session();
@@ -100,13 +103,17 @@ void Opening::forget_waiting_session() {
   waiting_ = starting_ = nullptr;
   awaits_gpu_ = false;
   history_.set_to_restore(std::nullopt);
-  if (state_.session_problem) state_.note_withdrawn(state_.session_problem->text);
+  if (state_.session_problem) {
+    state_.note_withdrawn(state_.session_problem->text, ErrorKind::input);
+  }
   state_.session_problem.reset();
 }
 
 void Opening::poll() {
   const SessionFiles::Outcome outcome = files_.poll();
-  if (!outcome.error.empty()) state_.show_error(outcome.error_title, outcome.error);
+  if (!outcome.error.empty()) {
+    state_.show_error(outcome.error_title, outcome.error, outcome.error_kind);
+  }
   if (awaits_gpu_ && state_.gpu && waiting_) start_session();
   if (outcome.read) {
     waiting_ = outcome.read;
@@ -182,7 +189,8 @@ void Opening::show_session() {
     state_.show_error("The session has unknown settings",
                       printable(found->file.string()) + "\n\n" + notes +
                           "\n\nAll other settings are restored. A newer version of the program may "
-                          "know these.");
+                          "know these.",
+                      ErrorKind::input);
   }
 }
 
@@ -226,7 +234,8 @@ void Opening::save(const std::filesystem::path& file) {
       preferences_.note_recent_file(file);
     });
   } catch (const std::exception& error) {
-    state_.show_error("The session cannot be saved", error.what());
+    state_.show_error("The session cannot be saved", error.what(),
+                      kind_of(error, ErrorKind::output));
   }
 }
 

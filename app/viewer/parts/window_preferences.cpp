@@ -10,6 +10,7 @@
 #include "core/engine/cold_and_warm.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "ui/panels/dialogs/browser_state.hpp"
+#include "ui/panels/error_kind.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/theme.hpp"
 
@@ -118,7 +119,7 @@ float WindowPreferences::line_scale(float scale) const {
 bool WindowPreferences::poll() {
   const std::string problem = keeper_.poll();
   if (problem.empty()) return false;
-  state_.show_error("Preferences", problem);
+  state_.show_error("Preferences", problem, ErrorKind::output);
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/saving/picture_clipboard.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -180,6 +181,7 @@ void PictureSaver::begin() {
         news_.error_title = title_of_failure(*job);
         news_.error = names_it ? failure.message
                                : "Cannot save " + printable(path.string()) + ": " + failure.message;
+        news_.error_kind = kind_of(failure.cause, ErrorKind::computing);
         saving_.reset();
       });
 }
@@ -203,6 +205,7 @@ JobNews PictureSaver::poll() {
   } catch (const std::exception& error) {
     news_.error_title = title;
     news_.error = error.what();
+    news_.error_kind = kind_of(error, ErrorKind::computing);
   }
   return std::exchange(news_, {});
 }

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "app/viewer/jobs/error_kind.hpp"
 #include "core/document/export/complex_export.hpp"
 #include "core/document/settings/request.hpp"
 #include "ui/panels/window_settings.hpp"
@@ -70,7 +71,7 @@ bool SaveJobs::busy() const {
 }
 
 void SaveJobs::tell(const char* title, const std::exception& error) {
-  p_.state.show_error(title, error.what());
+  p_.state.show_error(title, error.what(), kind_of(error, ErrorKind::computing));
 }
 
 void SaveJobs::save_picture(const ScreenshotRequest& request) {
@@ -117,9 +118,13 @@ void SaveJobs::record(const RecordRequest& request) {
 void SaveJobs::go_on_recording(bool quiet) {
   if (!lesson_.busy() && !sweep_.busy()) return;
   const std::string no_lesson = lesson_.step(quiet);
-  if (!no_lesson.empty()) p_.state.show_error("The lesson was not recorded", no_lesson);
+  if (!no_lesson.empty()) {
+    p_.state.show_error("The lesson was not recorded", no_lesson, ErrorKind::computing);
+  }
   const std::string no_sweep = sweep_.step(quiet);
-  if (!no_sweep.empty()) p_.state.show_error("The sweep was not recorded", no_sweep);
+  if (!no_sweep.empty()) {
+    p_.state.show_error("The sweep was not recorded", no_sweep, ErrorKind::computing);
+  }
   p_.due.ask();
 }
 

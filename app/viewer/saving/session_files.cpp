@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "app/viewer/jobs/error_kind.hpp"
 #include "core/files/file_hash.hpp"
 
 namespace alphascope {
@@ -71,6 +72,7 @@ void SessionFiles::open(const fs::path& file) {
         if (failure.cancelled) return;
         outcome_.error_title = "The session cannot be opened";
         outcome_.error = failure.message;
+        outcome_.error_kind = kind_of(failure.cause, ErrorKind::input);
       });
 }
 
@@ -86,6 +88,7 @@ void SessionFiles::open_with(std::shared_ptr<const FoundSession> session,
         if (failure.cancelled) return;
         outcome_.error_title = "The session cannot be opened";
         outcome_.error = failure.message;
+        outcome_.error_kind = kind_of(failure.cause, ErrorKind::input);
       });
 }
 

@@ -11,6 +11,7 @@
 #include "app/viewer/jobs/file_job.hpp"
 #include "core/document/session/session_file.hpp"
 #include "core/run/worker.hpp"
+#include "ui/panels/error_kind.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {
@@ -51,6 +52,7 @@ class SessionFiles {
   struct Outcome {
     std::shared_ptr<const FoundSession> read;
     std::string error_title, error;
+    ErrorKind error_kind = ErrorKind::input;
   };
   Outcome poll();  // what was read since the last call; on the main thread
 

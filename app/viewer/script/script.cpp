@@ -15,6 +15,7 @@
 #include "app/options/did_you_mean.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/commands/commands.hpp"
+#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/script/timed_moves.hpp"
 #include "app/viewer/viewer.hpp"
@@ -30,6 +31,12 @@
 
 namespace alphascope {
 namespace {
+
+struct NotDone : std::runtime_error {
+  explicit NotDone(const Outcome& outcome)
+      : std::runtime_error(outcome.why), kind(kind_of(outcome.cause, ErrorKind::input)) {}
+  ErrorKind kind;
+};
 
 using Kind = Parameter::Kind;
 constexpr std::chrono::seconds kLongestWait{300};
@@ -64,7 +71,7 @@ class ScriptRunner {
     const Commands& list = verb ? verbs_ : viewer_.commands();
     if (list.find(id) == nullptr) throw std::runtime_error(unknown(id));
     const Outcome outcome = list.run_line(line);
-    if (!outcome.done()) throw std::runtime_error(outcome.why);
+    if (!outcome.done()) throw NotDone(outcome);
     if (!verb) frames(1);
     return !quit_ && !viewer_.quit_requested();
   }
@@ -474,7 +481,9 @@ void run_script(Viewer& viewer, std::istream& script, const std::string& name, s
     }
     runner.finish();
   } catch (const std::exception& error) {
-    throw std::runtime_error(name + ", line " + std::to_string(number) + ": " + error.what());
+    const auto* const not_done = dynamic_cast<const NotDone*>(&error);
+    throw ScriptError(name + ", line " + std::to_string(number) + ": " + error.what(),
+                      not_done != nullptr ? not_done->kind : ErrorKind::input);
   }
 }
 

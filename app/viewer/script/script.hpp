@@ -4,7 +4,10 @@
 #pragma once
 
 #include <iosfwd>
+#include <stdexcept>
 #include <string>
+
+#include "ui/panels/error_kind.hpp"
 
 namespace alphascope {
 
@@ -13,7 +16,14 @@ class Viewer;
 // The help on all commands and their parameters, as text.
 std::string script_help();
 
-// Throws std::runtime_error with file and line for a command that is unknown or fails.
+// A command is unknown or fails. what() names file and line.
+struct ScriptError : std::runtime_error {
+  ScriptError(const std::string& text, ErrorKind of_kind)
+      : std::runtime_error(text), kind(of_kind) {}
+  ErrorKind kind;
+};
+
+// Throws ScriptError.
 void run_script(Viewer& viewer, std::istream& script, const std::string& name, std::ostream& out);
 
 }  // namespace alphascope

@@ -274,9 +274,10 @@ Outcome Commands::run(std::string_view id, const std::vector<std::string>& words
     if (!reading.error.empty()) return Outcome::refused(reading.error);
     return spec->run(reading.arguments);
   } catch (const std::bad_alloc&) {
-    return Outcome::failed("There is not enough memory. Close other programs and try again.");
+    return Outcome::failed("There is not enough memory. Close other programs and try again.",
+                           std::current_exception());
   } catch (const std::exception& error) {
-    return Outcome::failed(error.what());
+    return Outcome::failed(error.what(), std::current_exception());
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <map>
 #include <optional>
@@ -61,11 +62,14 @@ struct Outcome {
   // refused: nothing was tried. failed: it was tried without success.
   enum class State : std::uint8_t { done, refused, failed, cancelled };
   State state = State::done;
-  std::string why = {};  // a sentence; empty when done
+  std::string why = {};           // a sentence; empty when done
+  std::exception_ptr cause = {};  // what was thrown; null: nothing was
 
   bool done() const { return state == State::done; }
   static Outcome refused(std::string why) { return {State::refused, std::move(why)}; }
-  static Outcome failed(std::string why) { return {State::failed, std::move(why)}; }
+  static Outcome failed(std::string why, std::exception_ptr cause = {}) {
+    return {State::failed, std::move(why), std::move(cause)};
+  }
 };
 
 // Keys that run a command, perhaps with arguments: "Ctrl+Shift+Z", "Right", "Esc", "R".

@@ -13,6 +13,7 @@
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/panels/dialogs/fields/typed_path.hpp"
+#include "ui/panels/error_kind.hpp"
 
 namespace alphascope {
 namespace {
@@ -61,7 +62,7 @@ TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
   p.state.browser.folder = "/";
   p.frame(3);
   p.state.browser.typed = "/tmp/what I typed";
-  p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.");
+  p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.", ErrorKind::input);
   p.frame(3);
   expect_steady({"browser.cancel", "error.ok"});
   p.click("error.ok");
@@ -75,7 +76,8 @@ TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
 }
 
 TEST_F(DialogsTest, EveryErrorIsToldOneAfterTheOther) {
-  for (const char* text : {"first", "second", "second", "third"}) p.state.show_error("title", text);
+  for (const char* text : {"first", "second", "second", "third"})
+    p.state.show_error("title", text, ErrorKind::input);
   for (const char* text : {"first", "second", "third"}) {
     p.frame(3);
     EXPECT_EQ(p.state.error, text);
@@ -302,7 +304,7 @@ TEST_F(ErrorsTest, AFailedOpeningIsToldNoMoreWhenAnotherFileIsOpen) {
   run("open /no/such/file.pdb\nwait-idle\nframes 3\n");
   EXPECT_EQ(s.error_title, "The file cannot be opened");
   EXPECT_TRUE(viewer_->widgets().contains("error.ok"));
-  s.show_error("The picture cannot be saved", "The disk is full.");
+  s.show_error("The picture cannot be saved", "The disk is full.", ErrorKind::output);
   const auto another = testing::fs::path(ALPHASCOPE_SOURCE_DIR) / "resources/molecules/4hhb.pdb.gz";
   run("open " + another.string() + "\nwait-idle\nframes 3\n");
   EXPECT_EQ(s.molecule.name, "4hhb.pdb.gz");

@@ -12,6 +12,7 @@
 #include "core/molecule/molecule.hpp"
 #include "core/molecule/name_table.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
+#include "ui/panels/error_kind.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/window/input_queue.hpp"
 
@@ -297,7 +298,7 @@ TEST_F(Keyboard, EscapeClosesADialogAtOnceUnlessSomethingWasTyped) {
 
 TEST_F(Keyboard, EveryDialogConfirmsWithEnterAndTakesTheFocusBack) {
   ASSERT_TRUE(tab_to("alpha.preset.3"));
-  p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.");
+  p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.", ErrorKind::input);
   p.frame(4);
   p.tap(key::kEnter);
   p.frame(2);

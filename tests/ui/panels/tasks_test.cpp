@@ -7,6 +7,7 @@
 #include "app/viewer/parts/message_notes.hpp"
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
+#include "ui/panels/error_kind.hpp"
 
 namespace alphascope::testing {
 namespace {
@@ -42,8 +43,8 @@ TEST(MessagesOfTheWindow, AreKeptWhenTheyHaveGone) {
   notes.follow();
   notes.follow();
   s.notice.clear();
-  s.show_error("The file cannot be opened", "b.pdb: it is empty.");
-  s.show_error("The file cannot be opened", "c.pdb: it is empty.");
+  s.show_error("The file cannot be opened", "b.pdb: it is empty.", ErrorKind::input);
+  s.show_error("The file cannot be opened", "c.pdb: it is empty.", ErrorKind::input);
   s.engine_note = "The CPU computes.";
   notes.follow();
   notes.follow();

@@ -16,6 +16,7 @@
 #include "tests/ui/panels/panels_fixture.hpp"
 #include "tests/ui/viewer_fixture.hpp"
 #include "ui/no_calls.hpp"
+#include "ui/panels/error_kind.hpp"
 #include "ui/panels/panel_list.hpp"
 #include "ui/panels/whole_state.hpp"
 
@@ -380,7 +381,7 @@ TEST_F(CommandsInPanels, EscapeAndAClickBesideCloseThePalette) {
 TEST_F(CommandsInPanels, AnErrorDialogComesAboveThePalette) {
   open_palette();
   type("bou");
-  p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.");
+  p.state.show_error("The file cannot be opened", "x.pdb, line 3: no number.", ErrorKind::input);
   p.frame(3);
   ASSERT_TRUE(p.rects.contains("error.ok"));
   p.tap(key::kEscape);

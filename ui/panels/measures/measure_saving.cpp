@@ -8,6 +8,7 @@
 #include "core/document/store/store.hpp"
 #include "ui/panels/dialogs/save_parts.hpp"
 #include "ui/panels/dialogs/table_to_save.hpp"
+#include "ui/panels/error_kind.hpp"
 #include "ui/panels/measures/measure_parts.hpp"
 #include "ui/panels/measures/measure_state.hpp"
 #include "ui/panels/view_state.hpp"
@@ -35,7 +36,7 @@ void copy_measures_when_there(PanelContext& ctx, MeasureState& memory) {
       measure_csv(memory.query, source_on_screen(ctx), ctx.state.result), ctx.inputs);
   if (csv.state == DerivedState::failed || csv.state == DerivedState::no_room) {
     memory.copying = false;
-    ctx.state.show_error("Cannot copy the table", csv.why);
+    ctx.state.show_error("Cannot copy the table", csv.why, ErrorKind::computing);
   }
   if (!csv.ready()) return;
   ImGui::SetClipboardText(csv.value->c_str());

@@ -5,6 +5,7 @@
 
 #include "core/document/settings/open_options.hpp"
 #include "core/molecule/sandbox.hpp"
+#include "ui/panels/error_kind.hpp"
 #include "ui/panels/sandbox/flat_parts.hpp"
 #include "ui/panels/sandbox/sandbox_edit.hpp"
 #include "ui/panels/sandbox/sandbox_state.hpp"
@@ -99,7 +100,8 @@ void add_at(PanelContext& ctx, const FlatPoint& mouse) {
   Sandbox& sandbox = *s.settings.open.sandbox;
   const SandboxState& m = s.sandbox;
   if (sandbox.balls.size() >= kMostSandboxBalls) {
-    s.show_error("There is no room for another ball", why_no_sandbox(sandbox.balls.size() + 1));
+    s.show_error("There is no room for another ball", why_no_sandbox(sandbox.balls.size() + 1),
+                 ErrorKind::request);
     return;
   }
   const double step = ImGui::GetIO().KeyAlt ? 0 : m.snap_angstrom;

@@ -33,14 +33,12 @@ thread_local int threads_of_work = 0;
 
 // For one thread the arena has two places, both for threads of callers. So two callers run at once,
 // each on its own thread alone. With one place, a short job would wait for the whole of a long one.
-WorkThreads::WorkThreads(int count, Rank rank)
+WorkThreads::WorkThreads(int count)
     : arena_(std::make_unique<Arena>()), count_(count > 0 ? count : most_threads()) {
-  using Priority = tbb::task_arena::priority;
-  const Priority priority = rank == Rank::low ? Priority::low : Priority::normal;
   if (count_ == 1) {
-    arena_->arena.initialize(2, 2, priority);
+    arena_->arena.initialize(2, 2);
   } else {
-    arena_->arena.initialize(count_, 1, priority);
+    arena_->arena.initialize(count_);
   }
 }
 

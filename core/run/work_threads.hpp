@@ -3,7 +3,6 @@
 // more.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -17,11 +16,8 @@ std::string cpu_text(int threads);
 
 class WorkThreads {
  public:
-  // Threads leave work of low rank, between two of its parts, for work of the usual rank.
-  enum class Rank : std::uint8_t { usual, low };
-
   // 0: all threads of the machine.
-  explicit WorkThreads(int count = 0, Rank rank = Rank::usual);
+  explicit WorkThreads(int count = 0);
   ~WorkThreads();
   WorkThreads(const WorkThreads&) = delete;
   WorkThreads& operator=(const WorkThreads&) = delete;

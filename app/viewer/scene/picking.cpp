@@ -9,9 +9,7 @@ void Picking::follow_mesh() {
   if (!picture_.shows_complex()) return worker_.cancel();
   worker_.submit([this, mesh = picture_.parts.mesh, balls = picture_.molecule->geometry](
                      const RunContext& context) -> Worker::Delivery {
-    PickLayers layers;
-    threads_.run([&] { layers = mesh_layers(mesh, balls, context.cancel); });
-    return [this, mesh, layers = std::move(layers)] {
+    return [this, mesh, layers = mesh_layers(mesh, balls, context.cancel)] {
       if (mesh == picture_.parts.mesh) mesh_layers_ = layers;
     };
   });

@@ -8,7 +8,6 @@
 
 #include "app/viewer/scene/canvas.hpp"
 #include "app/viewer/scene/drawn_picture.hpp"
-#include "core/run/work_threads.hpp"
 #include "core/run/worker.hpp"
 #include "ui/scene/pick/pick.hpp"
 
@@ -42,9 +41,7 @@ class Picking {
   const DrawnPicture& picture_;
   PickLayers mesh_layers_;  // of the mesh on screen; empty until they are made
   double margin_ = 0;       // BallPicker::margin() for the radii on screen
-  // Of low rank, so that the next picture does not wait for the layers of this one.
-  WorkThreads threads_{0, WorkThreads::Rank::low};
-  Worker worker_;  // last member, so that its thread is joined first
+  Worker worker_;           // last member, so that its thread is joined first
 };
 
 }  // namespace alphascope

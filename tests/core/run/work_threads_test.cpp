@@ -110,38 +110,6 @@ TEST(WorkThreads, SeveralWorkAtOnce) {
   EXPECT_TRUE(together);
 }
 
-// All threads work on what has the low rank. Work of the usual rank gets them nevertheless.
-TEST(WorkThreads, LeaveWorkOfLowRank) {
-  const int all = WorkThreads().used();
-  if (all < 2) GTEST_SKIP() << "one core";
-  WorkThreads low(0, WorkThreads::Rank::low), usual;
-  constexpr std::uint32_t kParts = 40'000;  // 0.1 ms each
-  std::atomic<int> at_low{0}, at_usual{0};
-  std::atomic<bool> all_low{false}, all_usual{false};
-  const auto in_background = std::async(std::launch::async, [&] {
-    low.run([&] {
-      parallel_each(0, kParts, [&](std::uint32_t) {
-        if (all_usual) return;
-        if (++at_low == all) all_low = true;
-        std::this_thread::sleep_for(100us);
-        --at_low;
-      });
-    });
-  });
-  for (int i = 0; i < 2000 && !all_low; ++i) std::this_thread::sleep_for(1ms);
-  ASSERT_TRUE(all_low);
-  usual.run([&] {
-    parallel_each(0, 500u, [&](unsigned) {
-      if (all_usual) return;
-      if (++at_usual == all) all_usual = true;
-      std::this_thread::sleep_for(1ms);
-      --at_usual;
-    });
-  });
-  EXPECT_TRUE(all_usual);
-  all_usual = true;  // ends the other work
-}
-
 // Two callers share one thread, and the second runs at once. Otherwise a slider would wait for a
 // table.
 TEST(WorkThreads, OfOneThreadNobodyWaitsForTheOther) {

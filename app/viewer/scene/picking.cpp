@@ -5,8 +5,16 @@
 namespace alphascope {
 
 void Picking::follow_mesh() {
-  mesh_layers_.clear();
-  if (!picture_.shows_complex()) return worker_.cancel();
+  forget();
+  if (picture_.shows_complex()) polls_before_ = kPollsBefore;
+}
+
+void Picking::poll() {
+  if (polls_before_ > 0 && --polls_before_ == 0) make_layers();
+  worker_.poll();
+}
+
+void Picking::make_layers() {
   worker_.submit([this, mesh = picture_.parts.mesh, balls = picture_.molecule->geometry](
                      const RunContext& context) -> Worker::Delivery {
     return [this, mesh, layers = mesh_layers(mesh, balls, context.cancel)] {
@@ -16,6 +24,7 @@ void Picking::follow_mesh() {
 }
 
 void Picking::forget() {
+  polls_before_ = 0;
   mesh_layers_.clear();
   worker_.cancel();
 }

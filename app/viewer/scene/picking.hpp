@@ -26,8 +26,8 @@ class Picking {
   void follow_radii() { margin_ = picture_.molecule->picker->margin(picture_.parts.radii); }
   // Call when the scene has dropped its mesh.
   void forget();
-  void poll() { worker_.poll(); }
-  bool busy() const { return worker_.activity().busy; }
+  void poll();  // once a frame, before it is drawn
+  bool busy() const { return polls_before_ > 0 || worker_.activity().busy; }
 
   // The nearest thing at a pixel, or an atom of `in_front`. `others` are the layers beside balls
   // and mesh. `near`: distance in pixels at which a line is still hit.
@@ -35,11 +35,16 @@ class Picking {
                           const PickLayers& others) const;
 
  private:
+  // The frame of a new mesh is drawn before its layers are made, because both take all threads.
+  // While alpha moves in each frame, none are made.
+  static constexpr int kPollsBefore = 2;
+  void make_layers();
   PickLayer balls() const;
 
   const Canvas& canvas_;
   const DrawnPicture& picture_;
   PickLayers mesh_layers_;  // of the mesh on screen; empty until they are made
+  int polls_before_ = 0;    // until layers are made; 0: they are not due
   double margin_ = 0;       // BallPicker::margin() for the radii on screen
   Worker worker_;           // last member, so that its thread is joined first
 };

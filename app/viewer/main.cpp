@@ -16,7 +16,6 @@
 #include "app/options/exit_code.hpp"
 #include "app/session/clean_exit.hpp"
 #include "app/session/system_memory.hpp"
-#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/options.hpp"
 #include "app/viewer/read_ahead.hpp"
 #include "app/viewer/script/script.hpp"
@@ -29,6 +28,7 @@
 #include "core/run/program_heap.hpp"
 #include "core/text/printable.hpp"
 #include "core/text_files/small_text.hpp"
+#include "ui/panels/failure_kind.hpp"
 #include "ui/panels/whole_state.hpp"
 #include "ui/widgets/style.hpp"
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <utility>
 
-#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/session_text.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/document/store/derived.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/failure_kind.hpp"
 
 namespace alphascope {
 namespace {

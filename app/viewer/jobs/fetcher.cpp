@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "app/viewer/jobs/error_kind.hpp"
+#include "ui/panels/failure_kind.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/viewer/jobs/error_kind.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/thread_priority.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/text/printable.hpp"
+#include "ui/panels/failure_kind.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {

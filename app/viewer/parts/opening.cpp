@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/session/result_header.hpp"
-#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/molecule_info.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/session_text.hpp"
@@ -16,6 +15,7 @@
 #include "ui/panels/dialogs/fetch_state.hpp"
 #include "ui/panels/dialogs/folder_listing.hpp"
 #include "ui/panels/dialogs/session_problem.hpp"
+#include "ui/panels/failure_kind.hpp"
 #include "ui/panels/playback.hpp"
 #include "ui/panels/window_settings.hpp"
 #include "ui/widgets/number_typing.hpp"

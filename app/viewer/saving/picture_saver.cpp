@@ -8,13 +8,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/saving/picture_clipboard.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/thread_priority.hpp"
 #include "core/text/printable.hpp"
 #include "ui/panels/explain/steps_state.hpp"
+#include "ui/panels/failure_kind.hpp"
 #include "ui/running_job.hpp"
 
 namespace alphascope {

@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
-#include "app/viewer/jobs/error_kind.hpp"
 #include "core/document/export/complex_export.hpp"
 #include "core/document/settings/request.hpp"
+#include "ui/panels/failure_kind.hpp"
 #include "ui/panels/window_settings.hpp"
 
 namespace alphascope {

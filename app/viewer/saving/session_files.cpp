@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "app/viewer/jobs/error_kind.hpp"
 #include "core/files/file_hash.hpp"
+#include "ui/panels/failure_kind.hpp"
 
 namespace alphascope {
 namespace {

@@ -15,7 +15,6 @@
 #include "app/options/did_you_mean.hpp"
 #include "app/session/system_memory.hpp"
 #include "app/viewer/commands/commands.hpp"
-#include "app/viewer/jobs/error_kind.hpp"
 #include "app/viewer/resources.hpp"
 #include "app/viewer/script/timed_moves.hpp"
 #include "app/viewer/viewer.hpp"
@@ -26,6 +25,7 @@
 #include "core/run/freed_on_other_thread.hpp"
 #include "core/text/text_parts.hpp"
 #include "ui/no_calls.hpp"
+#include "ui/panels/failure_kind.hpp"
 #include "ui/panels/whole_state.hpp"
 #include "ui/widgets/keys.hpp"
 

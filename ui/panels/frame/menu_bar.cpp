@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/document/commands/commands.hpp"
-#include "ui/panels/error_kind.hpp"
+#include "ui/panels/failure_kind.hpp"
 #include "ui/panels/frame/palette_state.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/view_state.hpp"
@@ -19,7 +19,8 @@ void run_command(PanelContext& ctx, const CommandSpec& spec,
   const bool could = spec.reason_against().empty();
   const Outcome outcome = ctx.commands.run(spec.id, words);
   if (outcome.state == Outcome::State::failed) {
-    ctx.state.show_error("“" + spec.title + "” failed", outcome.why, ErrorKind::computing);
+    ctx.state.show_error("“" + spec.title + "” failed", outcome.why,
+                         kind_of(outcome.cause, ErrorKind::computing));
   } else if (could && !outcome.done()) {
     ctx.state.notice = outcome.why;
   }

@@ -103,8 +103,8 @@ bool Viewer::working() const {
 bool Viewer::working_except_saving() const {
   const SessionActivity a = session_.activity();
   return !sender_.options_are_sent() || a.opening.busy || a.computing.busy || a.comparing.busy ||
-         a.timing.busy || scene_.busy() || jobs_.busy() || file_.opening().busy() ||
-         lessons_.busy();
+         a.timing.busy || scene_.busy() || scene_.shown().is_due() || jobs_.busy() ||
+         file_.opening().busy() || lessons_.busy();
 }
 
 void Viewer::take_session() {

@@ -27,7 +27,8 @@ class Picking {
   // Call when the scene has dropped its mesh.
   void forget();
   void poll();  // once a frame, before it is drawn
-  bool busy() const { return polls_before_ > 0 || worker_.activity().busy; }
+  bool busy() const { return worker_.activity().busy; }
+  bool is_due() const { return polls_before_ > 0; }  // one of the next polls begins its work
 
   // The nearest thing at a pixel, or an atom of `in_front`. `others` are the layers beside balls
   // and mesh. `near`: distance in pixels at which a line is still hit.

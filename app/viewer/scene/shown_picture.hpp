@@ -67,6 +67,7 @@ class ShownPicture {
 
   void poll();
   bool busy() const;
+  bool is_due() const { return picking_.is_due(); }  // one of the next polls begins work
   // Upper bound of the bytes of the picture, without differences.
   std::uint64_t bytes() const;
 

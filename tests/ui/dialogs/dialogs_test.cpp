@@ -7,6 +7,7 @@
 #include <functional>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "core/document/settings/request.hpp"
 #include "core/geometry/lattice_alpha.hpp"
@@ -76,11 +77,15 @@ TEST_F(DialogsTest, AnErrorOpensAboveTheFileBrowserWhichStays) {
 }
 
 TEST_F(DialogsTest, EveryErrorIsToldOneAfterTheOther) {
+  const auto kind_of = [](std::string_view text) {
+    return text == "second" ? ErrorKind::output : ErrorKind::input;
+  };
   for (const char* text : {"first", "second", "second", "third"})
-    p.state.show_error("title", text, ErrorKind::input);
+    p.state.show_error("title", text, kind_of(text));
   for (const char* text : {"first", "second", "third"}) {
     p.frame(3);
     EXPECT_EQ(p.state.error, text);
+    EXPECT_EQ(p.state.error_kind, kind_of(text));
     p.click("error.ok");
   }
   p.frame(3);

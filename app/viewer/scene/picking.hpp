@@ -26,7 +26,7 @@ class Picking {
   void follow_radii() { margin_ = picture_.molecule->picker->margin(picture_.parts.radii); }
   // Call when the scene has dropped its mesh.
   void forget();
-  void poll();  // once a frame, before it is drawn
+  void poll();  // at least once a frame, before it is drawn
   bool busy() const { return worker_.activity().busy; }
   bool is_due() const { return polls_before_ > 0; }  // one of the next polls begins its work
 
@@ -36,8 +36,8 @@ class Picking {
                           const PickLayers& others) const;
 
  private:
-  // The frame of a new mesh is drawn before its layers are made, because both take all threads.
-  // While alpha moves in each frame, none are made.
+  // Layers wait for the second poll, because they take all threads. By then the frame of the new
+  // mesh is mostly drawn. A slider that moves in each frame begins none.
   static constexpr int kPollsBefore = 2;
   void make_layers();
   PickLayer balls() const;

@@ -12,6 +12,7 @@
 #include "core/run/internal_error.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/membership.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 #include "core/triangulation/union_find.hpp"
 
 namespace alphascope {
@@ -161,7 +162,13 @@ std::size_t Cavity::mouth_triangles() const {
 
 CavityGround make_cavity_ground(std::shared_ptr<const BallSet> balls,
                                 std::shared_ptr<const Triangulation> triangulation, FlowTies ties,
-                                const RunContext& context) {
+                                const RunContext& context, TriangulationMaker* maker) {
+  if (maker != nullptr) {
+    if (auto made = maker->ground(*balls, *triangulation, ties, context)) {
+      return {std::move(balls), std::move(triangulation), std::move(made->incidence),
+              std::move(made->flow)};
+    }
+  }
   Incidence incidence = make_incidence(*triangulation, context.cancel);
   Flow flow = make_flow(*balls, *triangulation, ties, context.cancel);
   return {std::move(balls), std::move(triangulation), std::move(incidence), std::move(flow)};

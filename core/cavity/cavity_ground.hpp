@@ -13,6 +13,7 @@ namespace alphascope {
 struct BallSet;
 struct RunContext;
 struct Triangulation;
+class TriangulationMaker;
 
 // Below dimension 3 there are no cavities, and incidence and flow are empty.
 struct CavityGround {
@@ -22,10 +23,11 @@ struct CavityGround {
   Flow flow;
 };
 
-// Works in the caller's task arena. Throws Cancelled.
+// Works in the caller's task arena. `maker`: whose device makes it, if there is one. Throws
+// Cancelled.
 CavityGround make_cavity_ground(std::shared_ptr<const BallSet> balls,
                                 std::shared_ptr<const Triangulation> triangulation,
-                                FlowTies ties = FlowTies::perturbed,
-                                const RunContext& context = {});
+                                FlowTies ties = FlowTies::perturbed, const RunContext& context = {},
+                                TriangulationMaker* maker = nullptr);
 
 }  // namespace alphascope

@@ -130,8 +130,8 @@ class RadiusSearch {
     auto balls = std::make_shared<const BallSet>(with_solvent(balls_, radius));
     auto triangulation = std::make_shared<const Triangulation>(
         make_triangulation_by(search_.maker, *balls, search_.threads, quiet()));
-    const auto ground = std::make_shared<const CavityGround>(
-        make_cavity_ground(std::move(balls), std::move(triangulation), search_.ties, quiet()));
+    const auto ground = std::make_shared<const CavityGround>(make_cavity_ground(
+        std::move(balls), std::move(triangulation), search_.ties, quiet(), search_.maker.get()));
     const CavityParameters question{table_.question.alpha_angstrom2, radius, table_.question.rule};
     const CavityTable there = make_cavity_table(ground, question, quiet());
     const CavityMatch match = match_cavities(table_, there, context_.cancel);

@@ -64,13 +64,13 @@ inline constexpr float kNever = std::numeric_limits<float>::quiet_NaN();
 // The levels of a face, from the cofaces that were added: the alphas from which on it is regular
 // and interior, in square lattice units. For a face without cofaces both are kNever (none()).
 struct FaceLevels {
-  float regular_from = std::numeric_limits<float>::infinity();
-  float interior_from = -std::numeric_limits<float>::infinity();
+  float regular_from = HUGE_VALF;
+  float interior_from = -HUGE_VALF;
 
   static FaceLevels none() { return {kNever, kNever}; }
   // Adds a coface. `coface_interior_from` is the level of the coface; for a tetrahedron, its alpha
   // value.
-  void add(float coface_value, float coface_interior_from) {
+  ALPHASCOPE_INLINE void add(float coface_value, float coface_interior_from) {
     regular_from = coface_value < regular_from ? coface_value : regular_from;
     if (std::isnan(coface_interior_from) || std::isnan(interior_from)) {
       interior_from = kNever;
@@ -79,12 +79,12 @@ struct FaceLevels {
     }
   }
   // For a triangle on the hull of all balls: its other side is never filled.
-  void lie_on_hull() { interior_from = kNever; }
+  ALPHASCOPE_INLINE void lie_on_hull() { interior_from = kNever; }
 };
 
 // The class of a simplex in the complex of all simplices with alpha values <= `bound`. The simplex
 // must be one of these.
-inline SimplexClass class_at(const FaceLevels& levels, float bound) {
+ALPHASCOPE_INLINE SimplexClass class_at(const FaceLevels& levels, float bound) {
   // This code has no branch, because a processor would predict about half of the branches wrongly.
   const int regular = levels.regular_from <= bound;
   return static_cast<SimplexClass>(regular + (regular & (levels.interior_from <= bound)));

@@ -77,7 +77,8 @@ AlphaComplex compute_by_triangulation(const TriangulatingEngine& engine,
   }
   const std::shared_ptr<const Triangulation> triangulation = known.triangulation;
   if (!request.tetrahedra_only) {
-    known.filtration = std::make_shared<const Filtration>(known.balls, triangulation, context);
+    known.filtration = std::make_shared<const Filtration>(
+        known.balls, triangulation, context, engine.by_cgal ? nullptr : engine.maker.get());
     known.forget_complex();  // the filtration contains it
     timer.lap(stage::kClassification, true);
   }

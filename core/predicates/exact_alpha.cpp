@@ -51,10 +51,16 @@ int compare_ortho_radii(const BallSet& balls, std::span<const BallIndex, 4> a,
 }
 
 float ortho_radius_rounded(const BallSet& balls, std::span<const BallIndex> simplex) {
-  return with_rho(balls, simplex, [&](const Bracket& rho, const auto& exact) {
-    float rounded = 0;
-    return round_bracket(rho, &rounded) ? rounded : round_exact(exact());
-  });
+  switch (simplex.size()) {
+    case 1:
+      return rounded_rho(lift<1>(balls, simplex));
+    case 2:
+      return rounded_rho(lift<2>(balls, simplex));
+    case 3:
+      return rounded_rho(lift<3>(balls, simplex));
+    default:
+      return rounded_rho(lift<4>(balls, simplex));
+  }
 }
 
 int conflict_with_smallest_orthosphere(const BallSet& balls, std::span<const BallIndex> simplex,

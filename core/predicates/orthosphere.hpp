@@ -157,4 +157,17 @@ ALPHASCOPE_HOST_DEVICE inline bool round_bracket(const Bracket& rho, float* roun
   return low == *rounded;
 }
 
+// The float nearest to rho, in integers.
+template <int N>
+ALPHASCOPE_DEVICE_CALL float exact_rounded_rho(const LiftedSimplex<N>& s) {
+  return round_exact(exact_rho(s));
+}
+// The float nearest to rho: the alpha value of an unattached simplex.
+template <int N>
+ALPHASCOPE_HOST_DEVICE float rounded_rho(const LiftedSimplex<N>& s) {
+  float rounded = 0;
+  return round_bracket(rho_bracket(s, within_bracket_limit(s)), &rounded) ? rounded
+                                                                          : exact_rounded_rho(s);
+}
+
 }  // namespace alphascope

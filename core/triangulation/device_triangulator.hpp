@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The interface of a device that makes regular triangulations.
+// The interface of a device that makes regular triangulations, and what follows from them.
 #pragma once
 
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "core/complex/triangulation.hpp"
 #include "core/geometry/ball_index.hpp"
+#include "core/predicates/flow_ties.hpp"
 #include "core/run/cancel_token.hpp"
+#include "core/triangulation/filtration_parts.hpp"
+#include "core/triangulation/ground.hpp"
 #include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope {
@@ -35,6 +39,18 @@ class DeviceTriangulator {
   // Works in the caller's task arena. Throws Cancelled. Two threads must not call it at once. A
   // failed device, too little memory and a failed certificate are reported in `why_not`.
   virtual DeviceTriangulation make(const BallSet& balls, const RunContext& context) = 0;
+
+  // What follows from a triangulation of dimension 3 of these balls, made by any maker. Empty if
+  // the device cannot make it, and `why_not` says why. They throw as make(), and count as calls of
+  // it.
+  virtual std::optional<FiltrationParts> filtration_parts(const BallSet& balls,
+                                                          const Triangulation& triangulation,
+                                                          const RunContext& context,
+                                                          std::string& why_not) = 0;
+  virtual std::optional<TriangulationGround> ground(const BallSet& balls,
+                                                    const Triangulation& triangulation,
+                                                    FlowTies ties, const RunContext& context,
+                                                    std::string& why_not) = 0;
 
   // Whether the memory that is kept for the next call takes room that others may need: less than
   // half of the device's memory is free. Asks the driver only if the last call had more balls than

@@ -16,12 +16,13 @@ struct AlphaComplex;
 struct BallSet;
 struct LatticeAlpha;
 struct Triangulation;
+class TriangulationMaker;
 
 // For each simplex of one dimension, the alphas from which on it is regular and interior. They are
 // copies of alpha values: square lattice units, rounded to float. NaN stands for never, so that
 // every comparison fails. An alpha value beyond all floats is infinite.
 struct ClassLevels {
-  std::vector<float> regular_from, interior_from;
+  ResultArray<float> regular_from, interior_from;
 };
 
 struct ClassLevelsByDimension {
@@ -35,9 +36,11 @@ class Filtration {
   Filtration(std::shared_ptr<const BallSet> balls, const Triangulation& triangulation,
              const RunContext& context = {});
   // Makes the same filtration, but shares the triangulation's tetrahedra and so keeps the whole
-  // triangulation. This saves a sixth of the memory if the caller keeps it anyway.
+  // triangulation. This saves a sixth of the memory if the caller keeps it anyway. `maker`: whose
+  // device makes it, if there is one.
   Filtration(std::shared_ptr<const BallSet> balls,
-             std::shared_ptr<const Triangulation> triangulation, const RunContext& context = {});
+             std::shared_ptr<const Triangulation> triangulation, const RunContext& context = {},
+             TriangulationMaker* maker = nullptr);
 
   // Makes the filtration of a complex of these balls by any engine, which holds up to that complex'
   // alpha. A complex of tetrahedra only is std::invalid_argument. The complex is shared and not
@@ -52,6 +55,7 @@ class Filtration {
   const ClassLevelsByDimension& levels() const { return levels_; }
   const HashStepsByDimension& hash_steps() const { return hash_steps_; }
   const BallSet& balls() const { return *balls_; }
+  bool made_by_device() const { return made_by_device_; }
 
   // Memory of the levels and of top(), bytes. Tetrahedra that are shared with a triangulation do
   // not count.
@@ -59,8 +63,10 @@ class Filtration {
   std::size_t top_bytes() const;
 
  private:
-  void build(const Triangulation& triangulation, Simplices<4> tetrahedra,
-             const RunContext& context);
+  void build(const Triangulation& triangulation, Simplices<4> tetrahedra, const RunContext& context,
+             TriangulationMaker* maker);
+  bool fill_by_device(const Triangulation& triangulation, Simplices<4>& tetrahedra,
+                      const RunContext& context, TriangulationMaker& maker, AlphaComplex& top);
   // For a triangulation below dimension 3.
   void fill_flat(const Triangulation& triangulation, const RunContext& context, AlphaComplex& top);
 
@@ -69,6 +75,7 @@ class Filtration {
   std::size_t shared_bytes_ = 0;  // part of top_ that a triangulation shares
   ClassLevelsByDimension levels_;
   HashStepsByDimension hash_steps_;
+  bool made_by_device_ = false;
 };
 
 // K_alpha for alpha_on_lattice <= filtration.alpha_max_on_lattice() (else std::invalid_argument).

@@ -3,6 +3,7 @@
 // fill_filtration().
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/filtration_parts.hpp"
 #include "core/triangulation/memory_need.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 #include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope {
@@ -181,18 +183,19 @@ std::size_t bytes(const ClassLevels& levels) {
 Filtration::Filtration(std::shared_ptr<const BallSet> balls, const Triangulation& triangulation,
                        const RunContext& context)
     : balls_(std::move(balls)) {
-  build(triangulation, triangulation.tetrahedra, context);
+  build(triangulation, triangulation.tetrahedra, context, nullptr);
 }
 
 Filtration::Filtration(std::shared_ptr<const BallSet> balls,
                        std::shared_ptr<const Triangulation> triangulation,
-                       const RunContext& context)
+                       const RunContext& context, TriangulationMaker* maker)
     : balls_(std::move(balls)) {
   const Triangulation& all = *triangulation;
   // Casting away const is safe, because nobody changes top_ or its tetrahedra.
   const std::span tetrahedra(const_cast<std::array<BallIndex, 4>*>(all.tetrahedra.data()),
                              all.tetrahedra.size());
-  build(all, in_place(std::shared_ptr<const void>(std::move(triangulation)), tetrahedra), context);
+  build(all, in_place(std::shared_ptr<const void>(std::move(triangulation)), tetrahedra), context,
+        maker);
   shared_bytes_ = tetrahedra.size_bytes();
 }
 
@@ -213,8 +216,29 @@ void Filtration::fill_flat(const Triangulation& triangulation, const RunContext&
                                         cancel, top.vertices);
 }
 
+bool Filtration::fill_by_device(const Triangulation& triangulation, Simplices<4>& tetrahedra,
+                                const RunContext& context, TriangulationMaker& maker,
+                                AlphaComplex& top) {
+  std::optional<FiltrationParts> made = maker.filtration_parts(*balls_, triangulation, context);
+  if (!made) return false;
+  top.tetrahedra.simplices = std::move(tetrahedra);
+  top.tetrahedra.alpha_values = std::move(made->tetrahedron_values);
+  top.tetrahedra.classes.resize(top.tetrahedra.size());
+  parallel_many(top.tetrahedra.size(), context.cancel,
+                [&](std::size_t t) { top.tetrahedra.classes[t] = SimplexClass::interior; });
+  top.triangles = std::move(made->triangles);
+  top.edges = std::move(made->edges);
+  top.vertices = std::move(made->vertices);
+  top.vertices.simplices.resize(triangulation.vertices.size());
+  parallel_many(triangulation.vertices.size(), context.cancel,
+                [&](std::size_t n) { top.vertices.simplices[n] = {triangulation.vertices[n]}; });
+  levels_ = std::move(made->levels);
+  hash_steps_ = std::move(made->hash_steps);
+  return true;
+}
+
 void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetrahedra,
-                       const RunContext& context) {
+                       const RunContext& context, TriangulationMaker* maker) {
   const auto top = std::make_shared<AlphaComplex>();
   const CancelToken& cancel = context.cancel;
   top->lattice = balls_->lattice;
@@ -223,6 +247,12 @@ void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetr
   top->engine.rests_on_cgal = made_by_cgal(triangulation);
 
   context.report(stage::kClassification, 0);
+  made_by_device_ =
+      maker != nullptr && fill_by_device(triangulation, all_tetrahedra, context, *maker, *top);
+  if (made_by_device_) {
+    top_ = top;
+    return;
+  }
   if (triangulation.dimension == 3) {
     fill_filtration(*balls_, triangulation, std::move(all_tetrahedra), context, *top, levels_);
   } else {

@@ -14,8 +14,9 @@
 #include "core/complex/face_class.hpp"
 #include "core/complex/triangulation.hpp"
 #include "core/geometry/ordered_bits.hpp"
+#include "core/predicates/attached_edges.hpp"
 #include "core/predicates/exact_alpha.hpp"
-#include "core/predicates/foot_predicate.hpp"
+#include "core/predicates/simplex_corners.hpp"
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/incidence.hpp"
@@ -117,8 +118,9 @@ class FiltrationMaker {
     list.classes.assign(list.size(), SimplexClass::interior);
     attached_to_.resize(list.size());
     parallel_many(list.size(), cancel_, [&](std::size_t t) {
-      const TetrahedronFlow tetrahedron(balls_, list.simplices[t]);
-      std::size_t ties = 0;
+      const SimplexCorners<4> corners{balls_, list.simplices[t]};
+      const TetrahedronFlow tetrahedron(corners);
+      std::uint32_t ties = 0;
       list.alpha_values[t] = tetrahedron.alpha_value();
       attached_to_[t] = tetrahedron.flow(FlowTies::strict, ties);
     });
@@ -160,7 +162,7 @@ class FiltrationMaker {
     ToldByCofaces told(list.size(), cancel_);
     const SimplexList<3>& triangles = top_.triangles;
     parallel_many(triangles.size(), cancel_, [&](std::size_t f) {
-      const unsigned attached = attached_edges(triangles.simplices[f]);
+      const unsigned attached = attached_edges(SimplexCorners<3>{balls_, triangles.simplices[f]});
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t e = incidence_.edges_of_triangle[f][k];
         told.add(e, triangles.alpha_values[f], levels_.triangles.interior_from[f]);
@@ -181,10 +183,9 @@ class FiltrationMaker {
     const SimplexList<2>& edges = top_.edges;
     parallel_many(edges.size(), cancel_, [&](std::size_t e) {
       const auto [i, j] = edges.simplices[e];
-      const LiftedInt v = lifted_vector(balls_, i, j);
-      const std::int64_t length = v.x * v.x + v.y * v.y + v.z * v.z;
-      if (v.c < 0) told.attach(i);
-      if (length + (length - v.c) < 0) told.attach(j);  // c of ball i, seen from j
+      const unsigned attached = attached_ends(lifted_vector(balls_, i, j));
+      if (attached & 1) told.attach(i);
+      if (attached & 2) told.attach(j);
       for (const BallIndex ball : {i, j})
         told.add(ball, edges.alpha_values[e], levels_.edges.interior_from[e]);
     });
@@ -201,30 +202,6 @@ class FiltrationMaker {
         face_value(told.is_attached(place) ? 0 : kUnattached, told.least(place),
                    [&] { return ortho_radius_rounded(balls_, list.simplices[n]); });
     set_levels(n, told.levels(place), list, levels);
-  }
-
-  // The edges that are attached to the ball of the triangle which they lack: bit n for ball n. No
-  // other balls need this test, also where there are ties.
-  unsigned attached_edges(const std::array<BallIndex, 3>& triangle) const {
-    const LiftedInt j = lifted_vector(balls_, triangle[0], triangle[1]),
-                    k = lifted_vector(balls_, triangle[0], triangle[2]);
-    const LiftedInt jk{k.x - j.x, k.y - j.y, k.z - j.z, 0};
-    signed char cut[3] = {0, 0, 0};
-    if (within_bracket_limit(j) && within_bracket_limit(k) && within_bracket_limit(jk)) {
-      const LiftedVector<double> between = lifted_as<double>(jk);
-      edge_foot_cuts_filtered(lifted_as<double>(j), lifted_as<double>(k),
-                              {between.x, between.y, between.z}, cut);
-    }
-    unsigned attached = 0;
-    for (unsigned n = 0; n < 3; ++n) {
-      if (cut[n] > 0 || (cut[n] == 0 && attaches(triangle[n], {triangle[n == 0 ? 1 : 0],
-                                                               triangle[n == 2 ? 1 : 2]})))
-        attached |= 1u << n;
-    }
-    return attached;
-  }
-  bool attaches(BallIndex ball, const std::array<BallIndex, 2>& edge) const {
-    return conflict_with_smallest_orthosphere(balls_, edge, ball) < 0;
   }
 
   const BallSet& balls_;

@@ -8,6 +8,16 @@
 
 namespace alphascope {
 
+// All of a filtration but the balls of its tetrahedra and vertices, which the triangulation has.
+struct FiltrationParts {
+  SimplexList<1> vertices;
+  SimplexList<2> edges;
+  SimplexList<3> triangles;
+  ResultArray<float> tetrahedron_values;
+  ClassLevelsByDimension levels;
+  HashStepsByDimension hash_steps;
+};
+
 // Makes all but the hash steps of a filtration: fills the four lists of `top`, and the levels.
 // `tetrahedra` are those of the triangulation. Works in the caller's task arena. The result does
 // not depend on the number of threads. Throws Cancelled.

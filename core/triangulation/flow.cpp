@@ -6,6 +6,7 @@
 #include <atomic>
 #include <vector>
 
+#include "core/predicates/simplex_corners.hpp"
 #include "core/run/parallel.hpp"
 #include "core/triangulation/tetrahedron_flow.hpp"
 
@@ -72,9 +73,10 @@ Flow make_flow(const BallSet& balls, const Triangulation& triangulation, FlowTie
   flow.alpha_values.resize(count);
   std::atomic<std::size_t> tied = 0;
   parallel_many(count, cancel, [&](std::size_t t) {
-    const TetrahedronFlow tetrahedron(balls, triangulation.tetrahedra[t]);
+    const SimplexCorners<4> corners{balls, triangulation.tetrahedra[t]};
+    const TetrahedronFlow tetrahedron(corners);
     flow.alpha_values[t] = tetrahedron.alpha_value();
-    std::size_t tied_here = 0;
+    std::uint32_t tied_here = 0;
     flow.marks[t] = tetrahedron.flow(ties, tied_here);
     if (tied_here > 0) tied += tied_here;
   });

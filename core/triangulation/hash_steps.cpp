@@ -6,7 +6,9 @@
 #include <tbb/parallel_reduce.h>
 #include <tbb/task_group.h>
 
-#include <array>
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/complex/simplex_hash.hpp"
@@ -15,50 +17,19 @@
 namespace alphascope {
 namespace {
 
-// With so many steps, a threshold has to hash less than 1 % of the simplices on average.
-constexpr std::size_t kSteps = 63, kSamplesPerStep = 64;
-using StepSums = std::array<std::uint64_t, kSteps + 1>;  // the last one: above all steps
-using StepValues = std::array<float, kSteps + 1>;
+constexpr std::size_t kSteps = StepValues::kMost, kSamplesPerStep = 64;
 
-// Quantiles of a sample of the alpha values, strictly ascending.
 template <int N>
-std::vector<HashSteps::Step> step_edges(const SimplexList<N>& list) {
-  const std::size_t stride = list.size() / (kSteps * kSamplesPerStep) + 1;
+StepValues step_values_of(const SimplexList<N>& list) {
+  const std::size_t stride = sample_stride(list.size());
   std::vector<float> sample;
   for (std::size_t n = 0; n < list.size(); n += stride) sample.push_back(list.alpha_values[n]);
-  std::sort(sample.begin(), sample.end());
-  std::vector<HashSteps::Step> steps;
-  for (std::size_t s = 0; s < kSteps && !sample.empty(); ++s) {
-    const float edge = sample[(sample.size() - 1) * s / (kSteps - 1)];
-    if (steps.empty() || steps.back().alpha_value < edge) steps.push_back({edge, 0});
-  }
-  return steps;
+  return step_values(std::move(sample));
 }
-
-// The alpha values of the steps, padded with infinity for a search without branches. A processor
-// would predict about half of the branches wrongly.
-StepValues search_list(const std::vector<HashSteps::Step>& steps) {
-  StepValues values;
-  values.fill(std::numeric_limits<float>::infinity());
-  for (std::size_t n = 0; n < steps.size(); ++n) values[n] = steps[n].alpha_value;
-  return values;
-}
-
-// The number of steps with an alpha value below `value`.
-std::size_t step_of(const StepValues& list, float value) {
-  std::size_t at = 0;
-  for (std::size_t half = (kSteps + 1) / 2; half > 0; half /= 2) {
-    at += half * static_cast<std::size_t>(list[at + half - 1] < value);
-  }
-  return at;
-}
-
-}  // namespace
 
 template <int N>
-HashSteps::HashSteps(const SimplexList<N>& list, const CancelToken& cancel)
-    : steps_(step_edges(list)) {
-  const StepValues values = search_list(steps_);
+StepSums step_sums(const SimplexList<N>& list, const StepValues& values,
+                   const CancelToken& cancel) {
   using Range = tbb::blocked_range<std::size_t>;
   tbb::task_group_context own(tbb::task_group_context::isolated);  // see parallel.cpp
   const StepSums sums = tbb::parallel_reduce(
@@ -66,7 +37,8 @@ HashSteps::HashSteps(const SimplexList<N>& list, const CancelToken& cancel)
       [&](const Range& range, StepSums sum) {
         if (cancel.cancelled()) return sum;
         for (std::size_t n = range.begin(); n != range.end(); ++n) {
-          sum[step_of(values, list.alpha_values[n])] += simplex_hash<N>(list.simplices[n].data());
+          sum[static_cast<std::size_t>(values.step_of(list.alpha_values[n]))] +=
+              simplex_hash<N>(list.simplices[n].data());
         }
         return sum;
       },
@@ -76,8 +48,42 @@ HashSteps::HashSteps(const SimplexList<N>& list, const CancelToken& cancel)
       },
       own);
   cancel.throw_if_cancelled();
+  return sums;
+}
+
+}  // namespace
+
+std::size_t sample_stride(std::size_t simplices) {
+  return simplices / (kSteps * kSamplesPerStep) + 1;
+}
+
+StepValues step_values(std::vector<float> sample) {
+  std::sort(sample.begin(), sample.end());
+  StepValues values;
+  std::fill(std::begin(values.value), std::end(values.value),
+            std::numeric_limits<float>::infinity());
+  std::size_t steps = 0;
+  for (std::size_t s = 0; s < kSteps && !sample.empty(); ++s) {
+    const float edge = sample[(sample.size() - 1) * s / (kSteps - 1)];
+    if (steps == 0 || values.value[steps - 1] < edge) values.value[steps++] = edge;
+  }
+  return values;
+}
+
+HashSteps::HashSteps(const StepValues& values, const StepSums& sums) {
   std::uint64_t sum = 0;
-  for (std::size_t n = 0; n < steps_.size(); ++n) steps_[n].sum = sum += sums[n];
+  for (std::size_t n = 0; n < kSteps; ++n) {
+    const float value = values.value[n];
+    if (n > 0 && !(steps_.back().alpha_value < value)) break;  // the padding
+    steps_.push_back({value, sum += sums[n]});
+  }
+}
+
+template <int N>
+HashSteps::HashSteps(const SimplexList<N>& list, const CancelToken& cancel) {
+  if (list.size() == 0) return;
+  const StepValues values = step_values_of(list);
+  *this = HashSteps(values, step_sums(list, values, cancel));
 }
 
 HashStepsByDimension::HashStepsByDimension(const AlphaComplex& top, const CancelToken& cancel)

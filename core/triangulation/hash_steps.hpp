@@ -5,9 +5,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include "core/geometry/host_device.hpp"
 
 namespace alphascope {
 
@@ -16,18 +20,47 @@ struct SimplexList;
 class CancelToken;
 struct AlphaComplex;
 
+// Alpha values between which simplices are counted as one step, strictly ascending and padded with
+// infinity. With so many, a threshold has to hash less than 1 % of the simplices on average. Host
+// and device.
+struct StepValues {
+  static constexpr int kMost = 63;
+  float value[kMost + 1];
+
+  // The number of these values that are below `of`. Without branches, because a processor would
+  // predict about half of them wrongly.
+  ALPHASCOPE_HOST_DEVICE int step_of(float of) const {
+    int at = 0;
+    for (int half = (kMost + 1) / 2; half > 0; half /= 2) {
+      at += half * static_cast<int>(value[at + half - 1] < of);
+    }
+    return at;
+  }
+};
+// For each step, the sum of simplex_hash() over its simplices; last, those above all values.
+using StepSums = std::array<std::uint64_t, StepValues::kMost + 1>;
+
+// Every how many simplices of a list of this size one goes into the sample.
+std::size_t sample_stride(std::size_t simplices);
+// Quantiles of a sample of the alpha values: those of simplices 0, stride, 2 stride, and so on.
+StepValues step_values(std::vector<float> sample);
+
 class HashSteps {
  public:
   // The sum of simplex_hash() over all simplices with alpha values up to and including this one.
   struct Step {
     float alpha_value;
     std::uint64_t sum;
+    friend bool operator==(const Step&, const Step&) = default;
   };
 
   HashSteps() = default;
+  HashSteps(const StepValues& values, const StepSums& sums);
   // Works in the caller's task arena. Throws Cancelled.
   template <int N>
   HashSteps(const SimplexList<N>& list, const CancelToken& cancel);
+
+  friend bool operator==(const HashSteps&, const HashSteps&) = default;
 
   // The last step whose alpha value is not above the bound. Without such a step: one with the value
   // minus infinity and the sum 0.
@@ -48,6 +81,7 @@ struct HashStepsByDimension {
 
   HashStepsByDimension() = default;
   HashStepsByDimension(const AlphaComplex& top, const CancelToken& cancel);
+  friend bool operator==(const HashStepsByDimension&, const HashStepsByDimension&) = default;
 };
 
 }  // namespace alphascope

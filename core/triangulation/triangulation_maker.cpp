@@ -32,15 +32,50 @@ DeviceTriangulation TriangulationMaker::make_on_device(const BallSet& balls,
                                                        const RunContext& context) {
   const std::unique_lock lock = lock_unless_cancelled(mutex_, context.cancel);
   DeviceTriangulation made;
-  if (make_device_) device_ = std::exchange(make_device_, nullptr)(no_device_);
-  if (!device_) {
+  if (!find_device()) {
     made.report.why_not = no_device_;
     return made;
   }
-  holds_memory_ = true;
   made = device_->make(balls, context);
   if (device_->takes_much_room()) release_kept();
   return made;
+}
+
+bool TriangulationMaker::find_device() {
+  if (make_device_) device_ = std::exchange(make_device_, nullptr)(no_device_);
+  holds_memory_ = holds_memory_ || device_ != nullptr;
+  return device_ != nullptr;
+}
+
+template <class Made, class Make>
+std::optional<Made> TriangulationMaker::make_of(const Triangulation& triangulation,
+                                                const RunContext& context, const Make& make) {
+  const bool failed = triangulation.report && !triangulation.report->why_not.empty();
+  if (triangulation.dimension < 3 || triangulation.vertices.size() < kWorthBalls || failed)
+    return std::nullopt;
+  const std::unique_lock lock = lock_unless_cancelled(mutex_, context.cancel);
+  if (!find_device()) return std::nullopt;
+  std::optional<Made> made = make(*device_);
+  if (device_->takes_much_room()) release_kept();
+  return made;
+}
+
+std::optional<FiltrationParts> TriangulationMaker::filtration_parts(
+    const BallSet& balls, const Triangulation& triangulation, const RunContext& context) {
+  return make_of<FiltrationParts>(triangulation, context, [&](DeviceTriangulator& device) {
+    std::string why_not;
+    return device.filtration_parts(balls, triangulation, context, why_not);
+  });
+}
+
+std::optional<TriangulationGround> TriangulationMaker::ground(const BallSet& balls,
+                                                              const Triangulation& triangulation,
+                                                              FlowTies ties,
+                                                              const RunContext& context) {
+  return make_of<TriangulationGround>(triangulation, context, [&](DeviceTriangulator& device) {
+    std::string why_not;
+    return device.ground(balls, triangulation, ties, context, why_not);
+  });
 }
 
 void TriangulationMaker::release_kept() {

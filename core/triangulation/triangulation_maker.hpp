@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes triangulations on a device where there is one, else on the CPU. Both have the same bytes.
-// Engines, derived results and searches take a maker; null stands for the CPU.
+// Makes triangulations, and what follows from them, on a device where there is one, else on the
+// CPU. Both have the same bytes. Engines, derived results and searches take a maker; null stands
+// for the CPU.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "core/complex/triangulation.hpp"
@@ -29,12 +31,26 @@ class TriangulationMaker {
   // std::length_error for more balls or tetrahedra than can be handled.
   Triangulation make(const BallSet& balls, int threads, const RunContext& context);
 
+  // What follows from a triangulation, made on the device. Empty if there is none, if it would take
+  // longer there, or if it failed. Throws Cancelled.
+  std::optional<FiltrationParts> filtration_parts(const BallSet& balls,
+                                                  const Triangulation& triangulation,
+                                                  const RunContext& context);
+  std::optional<TriangulationGround> ground(const BallSet& balls,
+                                            const Triangulation& triangulation, FlowTies ties,
+                                            const RunContext& context);
+
   // Frees the device's memory that is kept for the next triangulation. Returns whether there was
   // any. Engines call it when they are short of memory.
   bool release_memory();
 
  private:
   DeviceTriangulation make_on_device(const BallSet& balls, const RunContext& context);
+  // Calls make(device) for a triangulation that a device can have made.
+  template <class Made, class Make>
+  std::optional<Made> make_of(const Triangulation& triangulation, const RunContext& context,
+                              const Make& make);
+  bool find_device();   // with mutex_ locked
   void release_kept();  // with mutex_ locked
 
   std::mutex mutex_;

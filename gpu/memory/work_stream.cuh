@@ -36,6 +36,15 @@ class WorkStream : public Stream {
   void wait(const char* what) const { check(cudaStreamSynchronize(*this), what); }
 };
 
+// Waits for the device before the memory that it uses is given away.
+struct WaitAtEnd {
+  const WorkStream &stream, &copier;
+  ~WaitAtEnd() {
+    cudaStreamSynchronize(stream);
+    cudaStreamSynchronize(copier);
+  }
+};
+
 // The time of the work that is queued between its construction and stop().
 class DeviceTimer {
  public:

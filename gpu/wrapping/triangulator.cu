@@ -17,6 +17,7 @@
 #include "core/run/stage_timer.hpp"
 #include "core/wrapping/hull_proof.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
+#include "gpu/filtration/faces_maker.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "gpu/memory/device_allocation.hpp"
 #include "gpu/memory/prefix_sum.cuh"
@@ -65,15 +66,6 @@ class StageClock {
   cudaStream_t stream_;
   bool stopped_ = false;
   std::vector<std::pair<std::string_view, std::unique_ptr<DeviceTimer>>> timers_;
-};
-
-// Waits for the device before the memory that it uses is given away.
-struct WaitAtEnd {
-  const WorkStream &stream, &copier;
-  ~WaitAtEnd() {
-    cudaStreamSynchronize(stream);
-    cudaStreamSynchronize(copier);
-  }
 };
 
 // Numbers that the device counts in the last steps.
@@ -133,6 +125,24 @@ class GpuTriangulator : public DeviceTriangulator {
     return made;
   }
 
+  std::optional<FiltrationParts> filtration_parts(const BallSet& balls,
+                                                  const Triangulation& triangulation,
+                                                  const RunContext& context,
+                                                  std::string& why_not) override {
+    return made_of<FiltrationParts>(why_not, [&](FacesMaker& faces) {
+      return faces.filtration_parts(balls, triangulation, on_device(triangulation), context,
+                                    why_not);
+    });
+  }
+  std::optional<TriangulationGround> ground(const BallSet& balls,
+                                            const Triangulation& triangulation, FlowTies ties,
+                                            const RunContext& context,
+                                            std::string& why_not) override {
+    return made_of<TriangulationGround>(why_not, [&](FacesMaker& faces) {
+      return faces.ground(balls, triangulation, on_device(triangulation), ties, context, why_not);
+    });
+  }
+
   bool takes_much_room() override {
     std::size_t free = 0, all = 0;
     if (!std::exchange(grown_, false)) return false;
@@ -147,8 +157,33 @@ class GpuTriangulator : public DeviceTriangulator {
 
  private:
   void forget_memory() {
+    last_ = {};
     memory_ = {};
+    faces_ = {};
     most_balls_ = 0;
+  }
+
+  // Calls make(faces). An error is told in `why_not`.
+  template <class Made, class Make>
+  std::optional<Made> made_of(std::string& why_not, const Make& make) {
+    try {
+      if (!faces_) faces_ = std::make_unique<FacesMaker>();
+      return make(*faces_);
+    } catch (const std::bad_alloc&) {
+      why_not = gpu_device().name + " has too little memory for this";
+    } catch (const ExecutorFailed& failed) {
+      why_not = failed.what();
+    }
+    forget_memory();
+    return std::nullopt;
+  }
+  // The last result in device memory, if it is this triangulation.
+  TriangulationOnDevice on_device(const Triangulation& triangulation) const {
+    const std::shared_ptr<unsigned char> last = last_.lock();
+    const void* const tetrahedra = triangulation.tetrahedra.data();
+    if (!last || !memory_ || tetrahedra != last.get()) return {};
+    return {memory_->result.get(),
+            memory_->result.get() + triangulation.tetrahedra.size() * sizeof(uint4)};
   }
 
   void triangulate(const BallSet& balls, const RunContext& context, DeviceTriangulation& made) {
@@ -248,6 +283,7 @@ class GpuTriangulator : public DeviceTriangulator {
     // A wrong result may have more faces there, and is refused then.
     const std::size_t hull_room = std::size_t{2} * all.hull + 64;
     const TriangulationLayout layout(count, n, hull_room);
+    last_ = {};
     m.prepare(layout);
     const std::shared_ptr<unsigned char> memory = results_->take(layout.kept).memory;
     const WaitAtEnd waits{stream, m.copier};
@@ -306,6 +342,7 @@ class GpuTriangulator : public DeviceTriangulator {
       throw ExecutorFailed("the certificate of the triangulation failed: its hull is not convex");
     set_hull(std::move(facets), outside, result);
     made.triangulation = std::move(result);
+    last_ = memory;
 
     host.lap(stage::kDeviceToHost);
     const double certificate = clock.milliseconds(stage::kCertificate);
@@ -463,8 +500,10 @@ class GpuTriangulator : public DeviceTriangulator {
     }
   };
   std::unique_ptr<Memory> memory_;
-  std::size_t most_balls_ = 0;  // for which it is kept
-  bool grown_ = false;          // since takes_much_room() was called
+  std::unique_ptr<FacesMaker> faces_;
+  std::weak_ptr<unsigned char> last_;  // the last result on the host, which is also in `memory_`
+  std::size_t most_balls_ = 0;         // for which it is kept
+  bool grown_ = false;                 // since takes_much_room() was called
   std::shared_ptr<ResultMemory> results_ = std::make_shared<ResultMemory>();
   FindSeed find_seed_;
   std::function<void(Uncertified&)> spoil_;  // of tests; else empty

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "core/triangulation/cgal_triangulation.hpp"
 #include "core/wrapping/seed.hpp"
@@ -44,6 +46,47 @@ class GpuTriangulatorFaults : public ::testing::Test {
     }
   }
 };
+
+// The same for what follows from a triangulation.
+template <class Fault>
+int follow_with(const Fault& fault, const char* words) {
+  Random random(98);
+  const BallSet balls = testing::random_balls(random, 60, 300, 20, 150);
+  const Triangulation whole = make_cgal_triangulation(balls, 1);
+  const Incidence expected = make_incidence(whole);
+  const auto is_right = [&](const std::optional<FiltrationParts>& parts,
+                            const std::optional<TriangulationGround>& ground) {
+    return parts && parts->triangles.simplices == expected.triangles && ground &&
+           ground->incidence == expected;
+  };
+  for (int n = 0;; ++n) {
+    const auto device = make_gpu_triangulator(seed_tetrahedron);
+    fault(n);
+    std::string why_not;
+    const auto parts = device->filtration_parts(balls, whole, {}, why_not);
+    const auto ground = device->ground(balls, whole, FlowTies::perturbed, {}, why_not);
+    const bool met = emulated::faults_met() > 0;
+    emulated::be_sound();
+    EXPECT_TRUE((parts && ground) || met) << n;
+    if (parts && ground) {
+      EXPECT_TRUE(is_right(parts, ground)) << n;
+    } else {
+      EXPECT_NE(why_not.find(words), std::string::npos) << why_not;
+    }
+    const auto next_parts = device->filtration_parts(balls, whole, {}, why_not);
+    const auto next_ground = device->ground(balls, whole, FlowTies::perturbed, {}, why_not);
+    EXPECT_TRUE(is_right(next_parts, next_ground)) << "after " << n;
+    if (!met || ::testing::Test::HasFailure()) return n;
+  }
+}
+
+TEST_F(GpuTriangulatorFaults, WhenMemoryIsFullForWhatFollows) {
+  EXPECT_GE(follow_with(emulated::be_full_at, "too little memory"), 30);
+}
+
+TEST_F(GpuTriangulatorFaults, WhenTheDeviceIsLostForWhatFollows) {
+  EXPECT_GE(follow_with(emulated::be_lost_at, "the GPU failed while"), 60);
+}
 
 TEST_F(GpuTriangulatorFaults, WhenMemoryIsFull) {
   EXPECT_GE(make_with(emulated::be_full_at, "too little memory"), 40);

@@ -114,7 +114,8 @@ const Definition<CavityGround>& cavity_ground() {
        .keep_stale = false},
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const CavityGround>(
-            make_cavity_ground(in.balls, in.share(whole_triangulation()), in.flow_ties, context));
+            make_cavity_ground(in.balls, in.share(whole_triangulation()), in.flow_ties, context,
+                               in.triangulation_maker.get()));
       }};
   return definition;
 }

@@ -46,7 +46,7 @@ const Definition<Filtration>& whole_filtration() {
        .keep_stale = false},
       [](const Inputs& in, const RunContext& context) {
         return std::make_shared<const Filtration>(in.balls, in.share(whole_triangulation()),
-                                                  context);
+                                                  context, in.triangulation_maker.get());
       }};
   return definition;
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes all that follows from a triangulation on a CUDA device: its faces and their incidences, its
+// flow, alpha values and levels. The same as core/triangulation makes on the CPU. Plain C++.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/triangulation/filtration_parts.hpp"
+#include "core/triangulation/ground.hpp"
+
+namespace alphascope::gpu {
+
+// Tetrahedra and neighbours of a triangulation in device memory, as Triangulation has them. The
+// index of a facet of the hull may be any.
+struct TriangulationOnDevice {
+  const void *tetrahedra = nullptr, *neighbours = nullptr;
+};
+
+class FacesMaker {
+ public:
+  FacesMaker();  // throws DeviceError
+  ~FacesMaker();
+
+  // `there`: the triangulation in device memory, if it is there. Empty if the device cannot make
+  // them, and `why_not` says why. Throw Cancelled, std::bad_alloc and DeviceError.
+  std::optional<FiltrationParts> filtration_parts(const BallSet& balls,
+                                                  const Triangulation& triangulation,
+                                                  const TriangulationOnDevice& there,
+                                                  const RunContext& context, std::string& why_not);
+  std::optional<TriangulationGround> ground(const BallSet& balls,
+                                            const Triangulation& triangulation,
+                                            const TriangulationOnDevice& there, FlowTies ties,
+                                            const RunContext& context, std::string& why_not);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace alphascope::gpu

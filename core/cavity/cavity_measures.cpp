@@ -3,12 +3,10 @@
 // changes a bit.
 #include "core/cavity/cavity_measures.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
-#include <utility>
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/tetrahedron_order.hpp"
@@ -20,7 +18,7 @@
 #include "core/measure/wide_fixed_sum.hpp"
 #include "core/predicates/orthosphere.hpp"
 #include "core/run/parallel.hpp"
-#include "core/triangulation/hash_steps.hpp"
+#include "core/triangulation/buckets.hpp"
 #include "core/triangulation/incidence.hpp"
 #include "core/triangulation/membership.hpp"
 
@@ -52,6 +50,16 @@ struct CavitySums {
   WideFixedSum whole, volume, area, arc, offset_volume, offset_area, offset_overlap;
   std::size_t corners = 0;
 
+  void add(const CavitySums& other) {
+    whole.add(other.whole);
+    volume.add(other.volume);
+    area.add(other.area);
+    arc.add(other.arc);
+    offset_volume.add(other.offset_volume);
+    offset_area.add(other.offset_area);
+    offset_overlap.add(other.offset_overlap);
+    corners += other.corners;
+  }
   void add(const OutsidePart& part, const Scales& of) {
     whole.add(part.whole, of.volume);
     volume.add(part.volume, of.volume);
@@ -73,17 +81,20 @@ class CavityMeasurer {
         scale_(scale),
         cancel_(cancel),
         unit_(ground.balls->lattice.unit_angstrom()),
-        sum_(scales_of(*ground.balls, scale)) {}
+        sum_(scales_of(*ground.balls, scale)),
+        of_ball_(ground.balls->size()) {}
 
   std::vector<CavityMeasures> measure() {
-    number_tetrahedra();
+    number_items();
+    number_atoms_of_balls();
+    sums_.resize(cavities_.size());
+    add_tetrahedra();
     std::vector<CavityMeasures> measures(cavities_.size());
-    // Between cavities all sums of a thread are 0.
-    tbb::enumerable_thread_specific<std::vector<WideFixedSum>> area_of_ball(
-        [&] { return std::vector<WideFixedSum>(ground_.balls->size()); });
+    add_atoms();
     parallel_each(0, cavities_.size(), [&](std::size_t c) {
       if (cancel_.cancelled()) return;
-      sum_tetrahedra(c, area_of_ball.local(), measures[c]);
+      list_lining(c, measures[c]);
+      set_sums(sums_[c], measures[c]);
       measure_mouths(cavities_[c], measures[c]);
     });
     cancel_.throw_if_cancelled();
@@ -91,18 +102,74 @@ class CavityMeasurer {
   }
 
  private:
-  // Computes the parts of all tetrahedra of all cavities, one cavity after the other.
-  void number_tetrahedra() {
-    first_.assign(1, 0);
-    for (const Cavity& cavity : cavities_)
-      first_.push_back(first_.back() + cavity.tetrahedra.size());
-    ResultArray<std::uint32_t> tetrahedra(first_.back());
-    for (std::size_t c = 0; c < cavities_.size(); ++c) {
-      std::copy(cavities_[c].tetrahedra.begin(), cavities_[c].tetrahedra.end(),
-                tetrahedra.begin() + static_cast<std::ptrdiff_t>(first_[c]));
+  // The tetrahedra and the atoms of all cavities, one cavity after the other.
+  struct Items {
+    std::vector<std::size_t> first{0};  // of each cavity; one more at the end
+    std::vector<std::uint32_t> index;
+
+    void add(const std::vector<std::uint32_t>& of_cavity) {
+      index.insert(index.end(), of_cavity.begin(), of_cavity.end());
+      first.push_back(index.size());
     }
-    parts_.resize(tetrahedra.size());
-    parallel_many(parts_.size(), cancel_, [&](std::size_t n) { parts_[n] = part(tetrahedra[n]); });
+    std::size_t size() const { return index.size(); }
+    std::size_t cavity_of(std::size_t n) const {
+      return static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), n) -
+                                      first.begin()) -
+             1;
+    }
+  };
+  void number_items() {
+    for (const Cavity& cavity : cavities_) {
+      tetrahedra_.add(cavity.tetrahedra);
+      atoms_.add(cavity.atoms);
+    }
+    area_of_atom_.resize(atoms_.size());
+    parallel_many(atoms_.size(), cancel_, [&](std::size_t n) { area_of_atom_[n].clear(); });
+  }
+  // For each ball its places among the atoms of all cavities. There are seldom more than two.
+  void number_atoms_of_balls() {
+    parallel_many(atoms_.size(), cancel_,
+                  [&](std::size_t n) { of_ball_.count(atoms_.index[n], 1); });
+    of_ball_.end_counting();
+    place_.resize(atoms_.size());
+    parallel_many(atoms_.size(), cancel_, [&](std::size_t n) {
+      place_[of_ball_.place_for(atoms_.index[n])] = static_cast<std::uint32_t>(n);
+    });
+  }
+  SharedFixedSum* area_of(BallIndex ball, std::size_t cavity) {
+    for (std::uint32_t n = of_ball_.begin(ball); n < of_ball_.end(ball); ++n) {
+      if (place_[n] >= atoms_.first[cavity] && place_[n] < atoms_.first[cavity + 1])
+        return &area_of_atom_[place_[n]];
+    }
+    return nullptr;  // not in K_alpha, so without area
+  }
+
+  // Calls add(n, cavity, sums) for all items. Each thread sums on its own.
+  template <class Add>
+  void sum_by_cavity(const Items& items, const Add& add) {
+    constexpr std::size_t kGrain = 512;
+    std::mutex mutex;
+    parallel_ranges(0, items.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      if (cancel_.cancelled()) return;
+      for (std::size_t n = begin, c = items.cavity_of(begin); n < end; ++c) {
+        CavitySums own;
+        for (const std::size_t last = std::min(end, items.first[c + 1]); n < last; ++n)
+          add(n, c, own);
+        const std::lock_guard lock(mutex);
+        sums_[c].add(own);
+      }
+    });
+    cancel_.throw_if_cancelled();
+  }
+  void add_tetrahedra() {
+    sum_by_cavity(tetrahedra_, [&](std::size_t n, std::size_t c, CavitySums& sums) {
+      const OutsidePart of = part(tetrahedra_.index[n]);
+      sums.add(of, sum_);
+      const auto& balls = ground_.triangulation->tetrahedra[tetrahedra_.index[n]];
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (SharedFixedSum* const area = area_of(balls[k], c)) area->add(of.area[k], sum_.area);
+      }
+    });
   }
 
   // Takes the balls of a tetrahedron by their centres, so that the order of the file changes no
@@ -129,29 +196,24 @@ class CavityMeasurer {
     return part;
   }
 
-  void sum_tetrahedra(std::size_t c, std::vector<WideFixedSum>& area_of_ball,
-                      CavityMeasures& measures) {
-    const Cavity& cavity = cavities_[c];
-    CavitySums sums;
-    for (std::size_t n = 0; n < cavity.tetrahedra.size(); ++n) {
-      const OutsidePart& part = parts_[first_[c] + n];
-      const auto& balls = ground_.triangulation->tetrahedra[cavity.tetrahedra[n]];
-      sums.add(part, sum_);
-      for (std::size_t k = 0; k < 4; ++k) area_of_ball[balls[k]].add(part.area[k], sum_.area);
-    }
-    for (const BallIndex v : cavity.atoms) {
-      const GrownBall grown = ball(v);
-      const double area = std::exchange(area_of_ball[v], {}).value(sum_.area);
+  void add_atoms() {
+    sum_by_cavity(atoms_, [&](std::size_t n, std::size_t, CavitySums& sums) {
+      const GrownBall grown = ball(atoms_.index[n]);
+      const double area = area_of_atom_[n].value(sum_.area);
       sums.area.add(area, sum_.area);
-      if (area > kLeastArea * grown.square_radius) measures.lining.push_back(v);
-      if (grown.square_radius == 0) continue;
+      if (grown.square_radius == 0) return;
       // The patch is moved by the solvent radius into its ball, but not beyond the ball's centre.
       const double share = std::max(0.0, 1 - scale_.solvent_on_lattice / grown.grown_radius);
       sums.offset_volume.add(area * grown.grown_radius * (1 - share * share * share) / 3,
                              sum_.volume);
       sums.offset_area.add(area * share * share, sum_.area);
+    });
+  }
+  void list_lining(std::size_t c, CavityMeasures& measures) const {
+    for (std::size_t n = atoms_.first[c]; n < atoms_.first[c + 1]; ++n) {
+      if (area_of_atom_[n].value(sum_.area) > kLeastArea * ball(atoms_.index[n]).square_radius)
+        measures.lining.push_back(atoms_.index[n]);
     }
-    set_sums(sums, measures);
   }
 
   void set_sums(const CavitySums& sums, CavityMeasures& measures) const {
@@ -169,25 +231,28 @@ class CavityMeasurer {
   }
 
   void measure_mouths(const Cavity& cavity, CavityMeasures& measures) const {
-    for (const Mouth& mouth : cavity.mouths) {
-      WideFixedSum area, length;
-      for (const std::uint32_t f : mouth.triangles) {
-        const auto& balls = ground_.incidence.triangles[f];
-        const std::array<unsigned, 3> order = order_by_centres(*ground_.balls, balls);
-        FacesIn in;
-        for (unsigned k = 0; k < 3; ++k) {
-          in.balls |= unsigned{in_.vertices[balls[order[k]]]} << k;
-          in.edges |= unsigned{in_.edges[ground_.incidence.edges_of_triangle[f][order[k]]]} << k;
-        }
-        const GrownBall grown[3] = {ball(balls[order[0]]), ball(balls[order[1]]),
-                                    ball(balls[order[2]])};
-        const MouthPart part = mouth_part(grown, in);
-        area.add(part.area, sum_.area);
-        length.add(part.length, sum_.length);
+    measures.mouths.resize(cavity.mouths.size());
+    parallel_each(0, cavity.mouths.size(), [&](std::size_t m) {
+      if (!cancel_.cancelled()) measures.mouths[m] = measured(cavity.mouths[m]);
+    });
+  }
+  MouthMeasures measured(const Mouth& mouth) const {
+    WideFixedSum area, length;
+    for (const std::uint32_t f : mouth.triangles) {
+      const auto& balls = ground_.incidence.triangles[f];
+      const std::array<unsigned, 3> order = order_by_centres(*ground_.balls, balls);
+      FacesIn in;
+      for (unsigned k = 0; k < 3; ++k) {
+        in.balls |= unsigned{in_.vertices[balls[order[k]]]} << k;
+        in.edges |= unsigned{in_.edges[ground_.incidence.edges_of_triangle[f][order[k]]]} << k;
       }
-      measures.mouths.push_back(
-          {area.value(sum_.area) * unit_ * unit_, length.value(sum_.length) * unit_});
+      const GrownBall grown[3] = {ball(balls[order[0]]), ball(balls[order[1]]),
+                                  ball(balls[order[2]])};
+      const MouthPart part = mouth_part(grown, in);
+      area.add(part.area, sum_.area);
+      length.add(part.length, sum_.length);
     }
+    return {area.value(sum_.area) * unit_ * unit_, length.value(sum_.length) * unit_};
   }
 
   GrownBall ball(BallIndex i) const {
@@ -204,8 +269,11 @@ class CavityMeasurer {
   const CancelToken& cancel_;
   const double unit_;  // Å
   const Scales sum_;
-  std::vector<std::size_t> first_;
-  ResultArray<OutsidePart> parts_;
+  Items tetrahedra_, atoms_;
+  Buckets of_ball_;
+  ResultArray<std::uint32_t> place_;  // among atoms_, by ball
+  ResultArray<SharedFixedSum> area_of_atom_;
+  std::vector<CavitySums> sums_;
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/membership.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 
 namespace alphascope {
 namespace {
@@ -24,6 +25,15 @@ double sum_over(const CavityTable& table, bool of_voids, const Value& value) {
     if (table.cavity(row).is_void() == of_voids) sum += value(table.measure(row));
   }
   return sum;
+}
+
+Membership membership_of(const CavityGround& ground, const LatticeAlpha& alpha,
+                         const CancelToken& cancel, TriangulationMaker* maker) {
+  if (maker != nullptr) {
+    if (auto made = maker->membership(ground.incidence, alpha, cancel)) return *std::move(made);
+  }
+  return membership(*ground.balls, *ground.triangulation, ground.incidence, ground.flow, alpha,
+                    cancel);
 }
 
 }  // namespace
@@ -65,7 +75,8 @@ bool differs_from_exact(double sa_angstrom3, double exact_angstrom3) {
 }
 
 CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
-                              const CavityParameters& question, const RunContext& context) {
+                              const CavityParameters& question, const RunContext& context,
+                              TriangulationMaker* maker) {
   if (std::isnan(question.alpha_angstrom2.nearest()))
     throw std::invalid_argument("alpha is not a number");
   CavityTable table;
@@ -76,13 +87,12 @@ CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
   const Lattice& lattice = of.balls->lattice;
   const LatticeAlpha alpha = lattice.alpha_on_lattice(question.alpha_angstrom2);
   context.report(stage::kCavities, 0);
-  const Membership in =
-      membership(*of.balls, *of.triangulation, of.incidence, of.flow, alpha, context.cancel);
+  const Membership in = membership_of(of, alpha, context.cancel, maker);
   context.report(stage::kCavities, 0.4);
   table.found = find_cavities(of, in, question.rule, context.cancel);
   if (question.split_networks) {
     table.found = split_networks(of, in, std::move(table.found), question.alpha_angstrom2,
-                                 question.rule, context.cancel);
+                                 question.rule, context.cancel, maker);
   }
   context.report(stage::kCavities, 0.6);
   table.measures = measure_cavities(

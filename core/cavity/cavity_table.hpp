@@ -10,6 +10,8 @@
 
 namespace alphascope {
 
+class TriangulationMaker;
+
 struct CavityParameters {
   Alpha alpha_angstrom2;
   double solvent_radius_angstrom = 0;  // already part of the radii of the ground's balls
@@ -49,8 +51,10 @@ std::vector<ExactCavityMeasures> measure_all_exactly(const CavityTable& table,
 bool differs_from_exact(double sa_angstrom3, double exact_angstrom3);
 
 // Makes the table for the balls of the ground. Works in the caller's task arena; the result does
-// not depend on the number of threads. Throws Cancelled, and std::invalid_argument if alpha is NaN.
+// not depend on the number of threads. `maker`: whose device helps, if there is one. Throws
+// Cancelled, and std::invalid_argument if alpha is NaN.
 CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
-                              const CavityParameters& question, const RunContext& context = {});
+                              const CavityParameters& question, const RunContext& context = {},
+                              TriangulationMaker* maker = nullptr);
 
 }  // namespace alphascope

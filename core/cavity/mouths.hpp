@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "core/cavity/cavities.hpp"
+#include "core/triangulation/grouped.hpp"
 
 namespace alphascope {
 
-// `opening[c]` holds the triangles through which cavity c opens, ascending. Their groups become its
-// mouths.
-void set_mouths(const CavityGround& ground, const Membership& membership,
-                const std::vector<std::vector<std::uint32_t>>& opening,
+// Group c of `opening` holds the triangles through which cavity c opens, ascending. Their own
+// groups become its mouths.
+void set_mouths(const CavityGround& ground, const Membership& membership, const Grouped& opening,
                 std::vector<Cavity>& cavities);
 
 }  // namespace alphascope

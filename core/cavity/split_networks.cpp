@@ -15,6 +15,8 @@
 #include "core/cavity/tetrahedron_order.hpp"
 #include "core/cavity/watershed.hpp"
 #include "core/run/internal_error.hpp"
+#include "core/triangulation/grouped.hpp"
+#include "core/triangulation/indices_where.hpp"
 #include "core/triangulation/membership.hpp"
 
 namespace alphascope {
@@ -26,12 +28,13 @@ class NetworkSplitter {
                   const CancelToken& cancel)
       : ground_(ground), in_(membership), found_(std::move(found)), cancel_(cancel) {}
 
-  Cavities split(const Alpha& alpha, OutsideRule rule) {
+  Cavities split(const Alpha& alpha, OutsideRule rule, TriangulationMaker* maker) {
     const auto is_network = [](const Cavity& cavity) { return cavity.is_network(); };
     if (std::none_of(found_.cavities.begin(), found_.cavities.end(), is_network)) {
       return std::move(found_);
     }
-    const Filtration filtration(ground_.balls, ground_.triangulation, RunContext{cancel_, {}});
+    const Filtration filtration(ground_.balls, ground_.triangulation, RunContext{cancel_, {}},
+                                maker);
     for (std::uint32_t c = 0; c < found_.cavities.size(); ++c) {
       if (!is_network(found_.cavities[c])) {
         kept_.push_back(std::move(found_.cavities[c]));
@@ -78,19 +81,31 @@ class NetworkSplitter {
       list_atoms(parts_[p]);
       look_for_sinks(parts_[p]);
     }
-    std::vector<std::vector<std::uint32_t>> opening(parts_.size());
+    const auto& sides = ground_.incidence.tetrahedra_of_triangle;
+    const auto parts_at = [&](std::uint32_t f) {
+      const auto [a, b] = sides[f];
+      return std::pair(part_of[a], b == Incidence::kOutside ? kNone : part_of[b]);
+    };
+    const ResultArray<std::uint32_t> triangles = indices_where(
+        sides.size(),
+        [&](std::size_t f) {
+          const auto [of_a, of_b] = parts_at(static_cast<std::uint32_t>(f));
+          return !in_.triangles[f] && of_a != of_b;
+        },
+        cancel_);
+    std::vector<std::uint32_t> open, part_of_open;
     Passages passages;
-    for (std::uint32_t f = 0; f < ground_.incidence.triangles.size(); ++f) {
-      if (in_.triangles[f]) continue;
-      const auto [a, b] = ground_.incidence.tetrahedra_of_triangle[f];
-      const std::uint32_t of_a = part_of[a], of_b = b == Incidence::kOutside ? kNone : part_of[b];
-      if (of_a == of_b) continue;
+    for (const std::uint32_t f : triangles) {
+      const auto [of_a, of_b] = parts_at(f);
       if (of_a == kNone || of_b == kNone) {
-        opening[of_a != kNone ? of_a : of_b].push_back(f);
+        open.push_back(f);
+        part_of_open.push_back(of_a != kNone ? of_a : of_b);
       } else {
         passages[std::minmax(of_a, of_b)].push_back(f);
       }
     }
+    const Grouped opening = grouped(
+        open, parts_.size(), [&](std::size_t n) { return part_of_open[n]; }, cancel_);
     set_mouths(ground_, in_, opening, parts_);
     add_passages(passages);
     if (bodies_wanted_) {
@@ -104,10 +119,17 @@ class NetworkSplitter {
   // For each pair of parts the triangles between them. They are grouped as those of a mouth.
   using Passages = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>;
   void add_passages(const Passages& passages) {
-    std::vector<std::vector<std::uint32_t>> opening;
-    for (const auto& [pair, triangles] : passages) opening.push_back(triangles);
-    std::vector<Cavity> between(opening.size());
-    set_mouths(ground_, in_, opening, between);
+    std::vector<std::uint32_t> all_triangles, passage_of;
+    for (std::uint32_t n = 0; const auto& [pair, triangles] : passages) {
+      all_triangles.insert(all_triangles.end(), triangles.begin(), triangles.end());
+      passage_of.resize(all_triangles.size(), n++);
+    }
+    std::vector<Cavity> between(passages.size());
+    set_mouths(
+        ground_, in_,
+        grouped(
+            all_triangles, passages.size(), [&](std::size_t n) { return passage_of[n]; }, cancel_),
+        between);
     std::size_t n = 0;
     for (const auto& [pair, triangles] : passages) {
       for (const std::uint32_t p : {pair.first, pair.second}) {
@@ -185,9 +207,11 @@ class NetworkSplitter {
 }  // namespace
 
 Cavities split_networks(const CavityGround& ground, const Membership& membership, Cavities found,
-                        const Alpha& alpha_angstrom2, OutsideRule rule, const CancelToken& cancel) {
+                        const Alpha& alpha_angstrom2, OutsideRule rule, const CancelToken& cancel,
+                        TriangulationMaker* maker) {
   if (ground.triangulation->dimension < 3) return found;
-  return NetworkSplitter(ground, membership, std::move(found), cancel).split(alpha_angstrom2, rule);
+  return NetworkSplitter(ground, membership, std::move(found), cancel)
+      .split(alpha_angstrom2, rule, maker);
 }
 
 }  // namespace alphascope

@@ -133,7 +133,7 @@ class RadiusSearch {
     const auto ground = std::make_shared<const CavityGround>(make_cavity_ground(
         std::move(balls), std::move(triangulation), search_.ties, quiet(), search_.maker.get()));
     const CavityParameters question{table_.question.alpha_angstrom2, radius, table_.question.rule};
-    const CavityTable there = make_cavity_table(ground, question, quiet());
+    const CavityTable there = make_cavity_table(ground, question, quiet(), search_.maker.get());
     const CavityMatch match = match_cavities(table_, there, context_.cancel);
     Left left;
     for (std::uint32_t c = 0; c < match.came_from.size(); ++c) {

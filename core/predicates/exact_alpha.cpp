@@ -15,23 +15,18 @@ LiftedSimplex<N> lift(const BallSet& balls, std::span<const BallIndex> simplex) 
   return s;
 }
 
-// Returns body(bracket, exact); exact() computes rho as a fraction, and is called only if needed.
-template <int N, class Body>
-auto with_rho_of(const BallSet& balls, std::span<const BallIndex> simplex, const Body& body) {
-  const LiftedSimplex<N> s = lift<N>(balls, simplex);
-  return body(rho_bracket(s, within_bracket_limit(s)), [&] { return exact_rho(s); });
-}
+// Returns body(simplex), with the lifted simplex.
 template <class Body>
-auto with_rho(const BallSet& balls, std::span<const BallIndex> simplex, const Body& body) {
+auto with_lifted(const BallSet& balls, std::span<const BallIndex> simplex, const Body& body) {
   switch (simplex.size()) {
     case 1:
-      return with_rho_of<1>(balls, simplex, body);
+      return body(lift<1>(balls, simplex));
     case 2:
-      return with_rho_of<2>(balls, simplex, body);
+      return body(lift<2>(balls, simplex));
     case 3:
-      return with_rho_of<3>(balls, simplex, body);
+      return body(lift<3>(balls, simplex));
     default:
-      return with_rho_of<4>(balls, simplex, body);
+      return body(lift<4>(balls, simplex));
   }
 }
 
@@ -39,10 +34,8 @@ auto with_rho(const BallSet& balls, std::span<const BallIndex> simplex, const Bo
 
 int compare_ortho_radius(const BallSet& balls, std::span<const BallIndex> simplex,
                          const LatticeAlpha& alpha_on_lattice) {
-  return with_rho(balls, simplex, [&](const Bracket& rho, const auto& exact) {
-    const int side = compare_bracket(rho, alpha_on_lattice);
-    return side != 0 ? side : compare_exact(exact(), alpha_on_lattice);
-  });
+  return with_lifted(balls, simplex,
+                     [&](const auto& s) { return compare_rho(s, alpha_on_lattice); });
 }
 
 int compare_ortho_radii(const BallSet& balls, std::span<const BallIndex, 4> a,
@@ -51,16 +44,7 @@ int compare_ortho_radii(const BallSet& balls, std::span<const BallIndex, 4> a,
 }
 
 float ortho_radius_rounded(const BallSet& balls, std::span<const BallIndex> simplex) {
-  switch (simplex.size()) {
-    case 1:
-      return rounded_rho(lift<1>(balls, simplex));
-    case 2:
-      return rounded_rho(lift<2>(balls, simplex));
-    case 3:
-      return rounded_rho(lift<3>(balls, simplex));
-    default:
-      return rounded_rho(lift<4>(balls, simplex));
-  }
+  return with_lifted(balls, simplex, [](const auto& s) { return rounded_rho(s); });
 }
 
 int conflict_with_smallest_orthosphere(const BallSet& balls, std::span<const BallIndex> simplex,
@@ -76,7 +60,7 @@ int conflict_with_smallest_orthosphere(const BallSet& balls, std::span<const Bal
 int compare_ortho_radii_of(const BallSet& balls, std::span<const BallIndex> a,
                            std::span<const BallIndex> b) {
   const auto rho = [&](std::span<const BallIndex> simplex) {
-    return with_rho(balls, simplex, [](const Bracket&, const auto& exact) { return exact(); });
+    return with_lifted(balls, simplex, [](const auto& s) { return exact_rho(s); });
   };
   return compare_exact(rho(a), rho(b));
 }

@@ -157,6 +157,18 @@ ALPHASCOPE_HOST_DEVICE inline bool round_bracket(const Bracket& rho, float* roun
   return low == *rounded;
 }
 
+// Sign of rho - alpha, in integers.
+template <int N>
+ALPHASCOPE_DEVICE_CALL int compare_rho_exactly(const LiftedSimplex<N>& s,
+                                               const LatticeAlpha& alpha) {
+  return compare_exact(exact_rho(s), alpha);
+}
+// Sign of rho - alpha.
+template <int N>
+ALPHASCOPE_HOST_DEVICE int compare_rho(const LiftedSimplex<N>& s, const LatticeAlpha& alpha) {
+  const int side = compare_bracket(rho_bracket(s, within_bracket_limit(s)), alpha);
+  return side != 0 ? side : compare_rho_exactly(s, alpha);
+}
 // The float nearest to rho, in integers.
 template <int N>
 ALPHASCOPE_DEVICE_CALL float exact_rounded_rho(const LiftedSimplex<N>& s) {

@@ -13,6 +13,7 @@
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/filtration_parts.hpp"
 #include "core/triangulation/ground.hpp"
+#include "core/triangulation/membership.hpp"
 #include "core/triangulation/triangulation_report.hpp"
 
 namespace alphascope {
@@ -51,6 +52,12 @@ class DeviceTriangulator {
                                                     const Triangulation& triangulation,
                                                     FlowTies ties, const RunContext& context,
                                                     std::string& why_not) = 0;
+
+  // Membership at one alpha (core/triangulation/membership.hpp), if these incidences are those of
+  // the last ground() and are still on the device. Else empty; also if the device fails.
+  virtual std::optional<Membership> membership(const Incidence& incidence,
+                                               const LatticeAlpha& alpha_on_lattice,
+                                               const CancelToken& cancel) = 0;
 
   // Whether the memory that is kept for the next call takes room that others may need: less than
   // half of the device's memory is free. Asks the driver only if the last call had more balls than

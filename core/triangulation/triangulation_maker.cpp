@@ -78,6 +78,14 @@ std::optional<TriangulationGround> TriangulationMaker::ground(const BallSet& bal
   });
 }
 
+std::optional<Membership> TriangulationMaker::membership(const Incidence& incidence,
+                                                         const LatticeAlpha& alpha,
+                                                         const CancelToken& cancel) {
+  if (incidence.triangles.size() == 0) return std::nullopt;
+  const std::unique_lock lock = lock_unless_cancelled(mutex_, cancel);
+  return device_ ? device_->membership(incidence, alpha, cancel) : std::nullopt;
+}
+
 void TriangulationMaker::release_kept() {
   device_->release_memory();
   holds_memory_ = false;

@@ -40,6 +40,12 @@ class TriangulationMaker {
                                             const Triangulation& triangulation, FlowTies ties,
                                             const RunContext& context);
 
+  // Membership at one alpha, made on the device. Empty unless the device made the last ground with
+  // these incidences, and still has it. Throws Cancelled.
+  std::optional<Membership> membership(const Incidence& incidence,
+                                       const LatticeAlpha& alpha_on_lattice,
+                                       const CancelToken& cancel);
+
   // Frees the device's memory that is kept for the next triangulation. Returns whether there was
   // any. Engines call it when they are short of memory.
   bool release_memory();

@@ -18,6 +18,7 @@
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/memory_need.hpp"
 #include "gpu/filtration/edges.cuh"
+#include "gpu/filtration/membership.cuh"
 #include "gpu/filtration/steps.cuh"
 #include "gpu/filtration/tetrahedra.cuh"
 #include "gpu/memory/device_buffer.cuh"
@@ -83,6 +84,14 @@ struct FiltrationLayout : Layout {
         of_edges(*this, count.edges),
         of_vertices(*this, count.vertices) {}
 };
+struct MembershipLayout : Layout {
+  std::size_t tetrahedra, triangles, edges, vertices;
+  MembershipLayout(const SimplexCount& count, std::size_t balls)
+      : tetrahedra(add<std::uint8_t>(count.tetrahedra)),
+        triangles(add<std::uint8_t>(count.triangles)),
+        edges(add<std::uint8_t>(count.edges)),
+        vertices(add<std::uint8_t>(balls)) {}
+};
 struct GroundLayout : Layout {
   std::size_t triangles, edges, of_tetrahedron, tetrahedra, of_triangle, marks, values;
   explicit GroundLayout(const SimplexCount& count)
@@ -111,7 +120,8 @@ struct FacesMaker::State {
   DeviceBuffer<Told> told, told_balls;
   DeviceBuffer<float> samples;
   DeviceBuffer<StepValues> steps;
-  DeviceBuffer<unsigned char> result, scratch;
+  DeviceBuffer<unsigned char> result, in_complex, scratch;
+  std::weak_ptr<unsigned char> last_ground;  // on the host; it is also in `result`
   PinnedBuffer<std::uint64_t> host_sums;
   PinnedBuffer<std::uint32_t> host_numbers;
   PinnedBuffer<float> host_samples;
@@ -183,6 +193,7 @@ struct FacesMaker::State {
       throw DeviceError("the GPU found a wrong number of edges");
   }
   void make_room(const Layout& layout) {
+    last_ground = {};
     result.reserve(layout.bytes());
     to_host = results->take(layout.bytes()).memory;
   }
@@ -488,8 +499,67 @@ std::optional<TriangulationGround> FacesMaker::ground(const BallSet& balls,
   ground.flow.marks = s.array<std::uint8_t>(layout.marks, s.count.tetrahedra);
   ground.flow.alpha_values = s.array<float>(layout.values, s.count.tetrahedra);
   ground.flow.ties = s.host_numbers.get()[0];
+  s.last_ground = s.to_host;
   s.to_host.reset();
   return ground;
+}
+
+void FacesMaker::forget_ground() {
+  state_->last_ground = {};
+}
+
+std::optional<Membership> FacesMaker::membership(const Incidence& incidence,
+                                                 const LatticeAlpha& alpha,
+                                                 const CancelToken& cancel) {
+  State& s = *state_;
+  const GroundLayout ground(s.count);
+  const std::shared_ptr<unsigned char> last = s.last_ground.lock();
+  if (!last || incidence.triangles.data()->data() !=
+                   reinterpret_cast<const BallIndex*>(last.get() + ground.triangles))
+    return std::nullopt;
+  const MembershipLayout layout(s.count, s.in.ball_count);
+  const WaitAtEnd waits{s.stream, s.copier};
+  s.in_complex.reserve(layout.bytes());
+  s.attached_balls.reserve(s.in.ball_count);
+  s.to_host = s.results->take(layout.bytes()).memory;
+  unsigned char* const marks = s.in_complex.get();
+  const MembershipAt at{s.in,
+                        s.at<float>(ground.values),
+                        s.at<std::uint8_t>(ground.marks),
+                        s.at<std::uint32_t>(ground.triangles),
+                        s.at<uint2>(ground.edges),
+                        s.at<std::uint32_t>(ground.of_tetrahedron),
+                        s.at<uint2>(ground.tetrahedra),
+                        s.at<std::uint32_t>(ground.of_triangle),
+                        alpha,
+                        alpha.nearest_float(),
+                        marks + layout.tetrahedra,
+                        marks + layout.triangles,
+                        marks + layout.edges,
+                        marks + layout.vertices,
+                        s.attached_balls.get()};
+  const SimplexCount& n = s.count;
+  const std::size_t balls = s.in.ball_count;
+  s.stream.fill(s.in_complex, 0, layout.bytes());
+  s.stream.fill(s.attached_balls, 0, balls);
+  s.stream.each(mark_tetrahedra, n.tetrahedra, at);
+  s.stream.each(mark_triangles, n.triangles, at);
+  s.stream.each(ask_edges, n.edges, at);
+  s.stream.each(leave_out_attached_edges, n.triangles, at);
+  s.stream.each(mark_edges, n.edges, at);
+  s.stream.each(ask_vertices, balls, at);
+  s.stream.each(leave_out_attached_vertices, n.edges, at);
+  s.stream.each(mark_vertices_in, balls, at);
+  s.stream.fetch(s.to_host.get(), marks, layout.bytes());
+  s.stream.wait("finding what is in the complex");
+  cancel.throw_if_cancelled();
+  Membership in;
+  in.tetrahedra = s.array<std::uint8_t>(layout.tetrahedra, n.tetrahedra);
+  in.triangles = s.array<std::uint8_t>(layout.triangles, n.triangles);
+  in.edges = s.array<std::uint8_t>(layout.edges, n.edges);
+  in.vertices = s.array<std::uint8_t>(layout.vertices, balls);
+  s.to_host.reset();
+  return in;
 }
 
 }  // namespace alphascope::gpu

@@ -9,6 +9,7 @@
 
 #include "core/triangulation/filtration_parts.hpp"
 #include "core/triangulation/ground.hpp"
+#include "core/triangulation/membership.hpp"
 
 namespace alphascope::gpu {
 
@@ -33,6 +34,13 @@ class FacesMaker {
                                             const Triangulation& triangulation,
                                             const TriangulationOnDevice& there, FlowTies ties,
                                             const RunContext& context, std::string& why_not);
+
+  // Membership at one alpha, if these incidences are those of the last ground that was made, and
+  // nothing was made since. Else empty.
+  std::optional<Membership> membership(const Incidence& incidence, const LatticeAlpha& alpha,
+                                       const CancelToken& cancel);
+  // Must be called when the triangulation that was there is not any more.
+  void forget_ground();
 
  private:
   struct State;

@@ -143,6 +143,14 @@ class GpuTriangulator : public DeviceTriangulator {
     });
   }
 
+  std::optional<Membership> membership(const Incidence& incidence, const LatticeAlpha& alpha,
+                                       const CancelToken& cancel) override {
+    std::string why_not;
+    if (!faces_) return std::nullopt;
+    return made_of<Membership>(
+        why_not, [&](FacesMaker& faces) { return faces.membership(incidence, alpha, cancel); });
+  }
+
   bool takes_much_room() override {
     std::size_t free = 0, all = 0;
     if (!std::exchange(grown_, false)) return false;
@@ -284,6 +292,7 @@ class GpuTriangulator : public DeviceTriangulator {
     const std::size_t hull_room = std::size_t{2} * all.hull + 64;
     const TriangulationLayout layout(count, n, hull_room);
     last_ = {};
+    if (faces_) faces_->forget_ground();
     m.prepare(layout);
     const std::shared_ptr<unsigned char> memory = results_->take(layout.kept).memory;
     const WaitAtEnd waits{stream, m.copier};

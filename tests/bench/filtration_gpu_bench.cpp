@@ -104,14 +104,14 @@ bool time_set(const std::shared_ptr<TriangulationMaker>& maker, const std::strin
   const auto table_of = [&](const std::shared_ptr<TriangulationMaker>& by) {
     auto triangulation =
         std::make_shared<const Triangulation>(make_triangulation_by(by, *balls, 0, {}));
-    return std::make_shared<const CavityTable>(
-        make_cavity_table(make_ground(std::move(triangulation), by.get()),
-                          {Alpha{0.0}, solvent, OutsideRule::castp, false}, RunContext{}));
+    return std::make_shared<const CavityTable>(make_cavity_table(
+        make_ground(std::move(triangulation), by.get()),
+        {Alpha{0.0}, solvent, OutsideRule::castp, false}, RunContext{}, by.get()));
   };
   std::shared_ptr<const CavityTable> table, table_of_cpu;
   const double table_alone = time_of(runs, table, [&] {
-    return std::make_shared<const CavityTable>(
-        make_cavity_table(ground, {Alpha{0.0}, solvent, OutsideRule::castp, false}, RunContext{}));
+    return std::make_shared<const CavityTable>(make_cavity_table(
+        ground, {Alpha{0.0}, solvent, OutsideRule::castp, false}, RunContext{}, device));
   });
   ground = ground_of_cpu = nullptr;
   const double table_on_device = time_of(runs, table, [&] { return table_of(maker); });

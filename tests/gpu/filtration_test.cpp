@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/triangulation/make_triangulation.hpp"
@@ -71,6 +74,27 @@ class GpuFiltration : public ::testing::Test {
     EXPECT_TRUE(same_bits(made->flow.alpha_values, expected.alpha_values));
     EXPECT_EQ(made->flow.ties, expected.ties);
     ties_ += expected.ties;
+    expect_memberships(balls, whole, *made);
+  }
+  // At alphas between values and at values, where integers decide.
+  void expect_memberships(const BallSet& balls, const Triangulation& whole,
+                          const TriangulationGround& ground) {
+    const Flow& flow = ground.flow;
+    std::vector<LatticeAlpha> alphas{-1e30, 0.0, 1e30};
+    for (const std::size_t part : {8, 4, 2}) {
+      const std::size_t t = flow.alpha_values.size() / part;
+      const double value = static_cast<double>(flow.alpha_values[t]);
+      if (std::isfinite(value)) alphas.insert(alphas.end(), {value, value / 2});
+    }
+    for (const LatticeAlpha& alpha : alphas) {
+      const std::optional<Membership> in = device_->membership(ground.incidence, alpha, {});
+      ASSERT_TRUE(in);
+      const Membership expected = membership(balls, whole, ground.incidence, flow, alpha);
+      EXPECT_TRUE(*in == expected);
+      ties_at_alpha_ +=
+          std::count(flow.alpha_values.begin(), flow.alpha_values.end(), alpha.nearest_float());
+      in_part_ += expected.counts()[2] > 0 && expected.counts()[2] < expected.triangles.size();
+    }
   }
   void expect_all(const BallSet& balls, const Triangulation& whole) {
     expect_filtration(balls, whole);
@@ -89,7 +113,8 @@ class GpuFiltration : public ::testing::Test {
   }
 
   std::unique_ptr<DeviceTriangulator> device_;
-  std::size_t hidden_ = 0, ties_ = 0;
+  std::size_t hidden_ = 0, ties_ = 0, in_part_ = 0;
+  std::ptrdiff_t ties_at_alpha_ = 0;
 };
 
 TEST_F(GpuFiltration, IsTheOneOfTheCpuForHardSets) {
@@ -101,6 +126,8 @@ TEST_F(GpuFiltration, IsTheOneOfTheCpuForHardSets) {
   }
   EXPECT_GT(hidden_, 10u);
   EXPECT_GT(ties_, 100u);
+  EXPECT_GT(ties_at_alpha_, 100);
+  EXPECT_GT(in_part_, 100u);
 }
 
 TEST_F(GpuFiltration, IsTheOneOfTheCpuForSmallHardSets) {
@@ -136,6 +163,27 @@ TEST_F(GpuFiltration, TellsTriangulationsApart) {
   ASSERT_TRUE(of_first.triangulation && of_second.triangulation);
   expect_all(first, *of_first.triangulation);
   expect_all(second, *of_second.triangulation);
+}
+
+// Membership is of the last ground only.
+TEST_F(GpuFiltration, KnowsItsLastGround) {
+  Random random(95);
+  const BallSet balls = testing::random_balls(random, 150, 400, 20, 200);
+  const Triangulation whole = make_triangulation(balls, 1, {});
+  std::string why_not;
+  const auto first = device_->ground(balls, whole, FlowTies::perturbed, {}, why_not);
+  ASSERT_TRUE(first && device_->membership(first->incidence, 0.0, {}));
+  const TriangulationGround copy = *first;
+  EXPECT_FALSE(device_->membership(copy.incidence, 0.0, {}));
+  EXPECT_FALSE(device_->membership(make_incidence(whole), 0.0, {}));
+  const auto second = device_->ground(balls, whole, FlowTies::perturbed, {}, why_not);
+  EXPECT_FALSE(device_->membership(first->incidence, 0.0, {}));
+  EXPECT_TRUE(device_->membership(second->incidence, 0.0, {}));
+  EXPECT_TRUE(device_->filtration_parts(balls, whole, {}, why_not));
+  EXPECT_FALSE(device_->membership(second->incidence, 0.0, {}));
+  const auto third = device_->ground(balls, whole, FlowTies::perturbed, {}, why_not);
+  EXPECT_TRUE(device_->make(balls, {}).triangulation);
+  EXPECT_FALSE(device_->membership(third->incidence, 0.0, {}));
 }
 
 TEST_F(GpuFiltration, IsCancelled) {

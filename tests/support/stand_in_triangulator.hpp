@@ -13,6 +13,7 @@ namespace alphascope::testing {
 
 struct TriangulatorCalls {
   int made = 0, asked = 0, released = 0;
+  int filtrations = 0, grounds = 0, memberships = 0;
   bool takes_much_room = false;
 };
 
@@ -31,6 +32,27 @@ class StandInTriangulator : public DeviceTriangulator {
     made.report.why_not = why_not_;
     if (why_not_.empty()) made.triangulation = make_cgal_triangulation(balls, 1);
     return made;
+  }
+  // It makes no filtrations, the CPU's grounds, and knows no ground.
+  std::optional<FiltrationParts> filtration_parts(const BallSet&, const Triangulation&,
+                                                  const RunContext& context,
+                                                  std::string& why_not) override {
+    ++calls_.filtrations;
+    context.cancel.throw_if_cancelled();
+    why_not = "it makes none";
+    return std::nullopt;
+  }
+  std::optional<TriangulationGround> ground(const BallSet& balls,
+                                            const Triangulation& triangulation, FlowTies ties,
+                                            const RunContext& context, std::string&) override {
+    ++calls_.grounds;
+    return TriangulationGround{make_incidence(triangulation, context.cancel),
+                               make_flow(balls, triangulation, ties, context.cancel)};
+  }
+  std::optional<Membership> membership(const Incidence&, const LatticeAlpha&,
+                                       const CancelToken&) override {
+    ++calls_.memberships;
+    return std::nullopt;
   }
   bool takes_much_room() override { return calls_.takes_much_room; }
   void release_memory() override { ++calls_.released; }

@@ -142,7 +142,7 @@ const Definition<CavityTable>& cavity_table() {
         return std::make_shared<const CavityTable>(make_cavity_table(
             in.share(cavity_ground()),
             {in.alpha_angstrom2, in.solvent_radius_angstrom, in.outside_rule, in.split_networks},
-            context));
+            context, in.triangulation_maker.get()));
       }};
   return definition;
 }

@@ -59,6 +59,32 @@ TEST_F(TriangulationMakerTest, TheCpuMakesThoseOfFewBalls) {
 }
 
 // Another thread uses the device meanwhile.
+// What follows from a triangulation: asked of the device where that pays off, and made by the CPU
+// where the device makes none.
+TEST_F(TriangulationMakerTest, TheDeviceMakesWhatFollowsFromManyBalls) {
+  TriangulationMaker triangulations = maker(), failing = maker("it is broken");
+  const Triangulation many = triangulations.make(many_, 1, {}), failed = failing.make(many_, 1, {}),
+                      few = make_triangulation(few_, 1);
+  EXPECT_FALSE(triangulations.ground(few_, few, FlowTies::strict, {}));
+  EXPECT_FALSE(failing.ground(many_, failed, FlowTies::strict, {}));
+  EXPECT_EQ(calls_.grounds, 0);
+  const auto ground = triangulations.ground(many_, many, FlowTies::strict, {});
+  ASSERT_TRUE(ground);
+  EXPECT_TRUE(ground->incidence == make_incidence(many));
+  EXPECT_EQ(calls_.grounds, 1);
+  EXPECT_FALSE(triangulations.membership(ground->incidence, 0.0, {}));
+  EXPECT_EQ(calls_.memberships, 1);
+  const auto shared = std::make_shared<const Triangulation>(many);
+  const auto balls = std::make_shared<const BallSet>(many_);
+  const Filtration filtration(balls, shared, {}, &triangulations), expected(balls, shared);
+  EXPECT_EQ(calls_.filtrations, 1);
+  EXPECT_FALSE(filtration.made_by_device());
+  EXPECT_TRUE(filtration.top().edges.simplices == expected.top().edges.simplices);
+  RunContext cancelled;
+  cancelled.cancel.cancel();
+  EXPECT_THROW(triangulations.filtration_parts(many_, many, cancelled), Cancelled);
+}
+
 TEST_F(TriangulationMakerTest, IsCancelledWhileItWaitsForTheDevice) {
   std::promise<void> begun, end;
   TriangulationMaker slow([&](std::string&) {

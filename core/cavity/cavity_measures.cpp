@@ -7,6 +7,7 @@
 #include <cmath>
 #include <mutex>
 #include <numeric>
+#include <optional>
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/tetrahedron_order.hpp"
@@ -21,6 +22,7 @@
 #include "core/triangulation/buckets.hpp"
 #include "core/triangulation/incidence.hpp"
 #include "core/triangulation/membership.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 
 namespace alphascope {
 namespace {
@@ -84,11 +86,11 @@ class CavityMeasurer {
         sum_(scales_of(*ground.balls, scale)),
         of_ball_(ground.balls->size()) {}
 
-  std::vector<CavityMeasures> measure() {
+  std::vector<CavityMeasures> measure(TriangulationMaker* maker) {
     number_items();
     number_atoms_of_balls();
     sums_.resize(cavities_.size());
-    add_tetrahedra();
+    add_tetrahedra(maker);
     std::vector<CavityMeasures> measures(cavities_.size());
     add_atoms();
     parallel_each(0, cavities_.size(), [&](std::size_t c) {
@@ -147,7 +149,6 @@ class CavityMeasurer {
   // Calls add(n, cavity, sums) for all items. Each thread sums on its own.
   template <class Add>
   void sum_by_cavity(const Items& items, const Add& add) {
-    constexpr std::size_t kGrain = 512;
     std::mutex mutex;
     parallel_ranges(0, items.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       if (cancel_.cancelled()) return;
@@ -161,9 +162,21 @@ class CavityMeasurer {
     });
     cancel_.throw_if_cancelled();
   }
-  void add_tetrahedra() {
+  // A device has no pieces of balls that are smaller than the solvent radius.
+  bool has_small_balls() const {
+    return 0 != parallel_sum(0, ground_.balls->size(), kGrain, [&](std::size_t v, std::size_t end) {
+             std::uint64_t small = 0;
+             for (; v != end; ++v)
+               small += ball(static_cast<BallIndex>(v)).grown_radius < scale_.solvent_on_lattice;
+             return small;
+           });
+  }
+  void add_tetrahedra(TriangulationMaker* maker) {
+    std::optional<ResultArray<OutsidePart>> parts;
+    if (maker != nullptr && !has_small_balls())
+      parts = maker->outside_parts(in_, tetrahedra_.index, scale_.solvent_on_lattice, cancel_);
     sum_by_cavity(tetrahedra_, [&](std::size_t n, std::size_t c, CavitySums& sums) {
-      const OutsidePart of = part(tetrahedra_.index[n]);
+      const OutsidePart of = parts ? (*parts)[n] : part(tetrahedra_.index[n]);
       sums.add(of, sum_);
       const auto& balls = ground_.triangulation->tetrahedra[tetrahedra_.index[n]];
       for (std::size_t k = 0; k < 4; ++k) {
@@ -191,7 +204,7 @@ class CavityMeasurer {
     const GrownBall grown[4] = {ball(balls[order[0]]), ball(balls[order[1]]), ball(balls[order[2]]),
                                 ball(balls[order[3]])};
     OutsidePart part = outside_part(grown, in, scale_.solvent_on_lattice);
-    const std::array<double, 4> area = part.area;
+    const double area[4] = {part.area[0], part.area[1], part.area[2], part.area[3]};
     for (unsigned k = 0; k < 4; ++k) part.area[order[k]] = area[k];
     return part;
   }
@@ -262,6 +275,8 @@ class CavityMeasurer {
   // Areas below this are rounding errors of sums of angles (on a sphere of radius 1).
   static constexpr double kLeastArea = 1e-11;
 
+  static constexpr std::size_t kGrain = 512;
+
   const CavityGround& ground_;
   const Membership& in_;
   const std::vector<Cavity>& cavities_;
@@ -295,8 +310,9 @@ MouthMeasures CavityMeasures::all_mouths() const {
 
 std::vector<CavityMeasures> measure_cavities(const CavityGround& ground,
                                              const Membership& membership, const Cavities& cavities,
-                                             const CavityScale& scale, const CancelToken& cancel) {
-  return CavityMeasurer(ground, membership, cavities, scale, cancel).measure();
+                                             const CavityScale& scale, const CancelToken& cancel,
+                                             TriangulationMaker* maker) {
+  return CavityMeasurer(ground, membership, cavities, scale, cancel).measure(maker);
 }
 
 std::vector<std::uint32_t> by_falling_volume(const CavityGround& ground, const Cavities& cavities,

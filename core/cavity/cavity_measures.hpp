@@ -13,6 +13,7 @@ namespace alphascope {
 
 struct CavityGround;
 struct Membership;
+class TriangulationMaker;
 
 struct MouthMeasures {
   double area_angstrom2 = 0;   // area of its triangles outside the balls
@@ -52,11 +53,13 @@ struct CavityScale {
 };
 
 // Measures each of cavities.cavities. Works in the caller's task arena. The same bits for any
-// number of threads and for any order of the balls. Throws Cancelled.
+// number of threads and for any order of the balls, with and without a device. `maker`: whose
+// device helps, if there is one. Throws Cancelled.
 std::vector<CavityMeasures> measure_cavities(const CavityGround& ground,
                                              const Membership& membership, const Cavities& cavities,
                                              const CavityScale& scale,
-                                             const CancelToken& cancel = {});
+                                             const CancelToken& cancel = {},
+                                             TriangulationMaker* maker = nullptr);
 
 // Volume and area exactly outside all balls, within the tetrahedra of a cavity. Takes about 20
 // microseconds per tetrahedron.

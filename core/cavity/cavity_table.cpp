@@ -97,7 +97,7 @@ CavityTable make_cavity_table(std::shared_ptr<const CavityGround> ground,
   context.report(stage::kCavities, 0.6);
   table.measures = measure_cavities(
       of, in, table.found, {alpha, lattice.nearest_units(question.solvent_radius_angstrom)},
-      context.cancel);
+      context.cancel, maker);
   table.order = by_falling_volume(of, table.found, table.measures);
   for (const Cavity& cavity : table.found.cavities) {
     ++(cavity.is_void() ? table.voids : table.pockets);

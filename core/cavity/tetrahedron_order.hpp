@@ -8,6 +8,7 @@
 #include <array>
 
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/host_device.hpp"
 #include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
@@ -27,19 +28,28 @@ inline bool comes_first(const BallSet& balls, const std::array<BallIndex, 4>& a,
 }
 
 // The order of a simplex' balls by their centres. Computations in this order give the same bits
-// whatever the indices of the balls are.
+// whatever the indices of the balls are. comes_first(a, b): whether ball a does. Host and device.
+template <unsigned N, class ComesFirst>
+ALPHASCOPE_INLINE void order_balls(unsigned (&order)[N], const ComesFirst& comes_first) {
+  for (unsigned n = 0; n < N; ++n) order[n] = n;
+  for (unsigned n = 1; n < N; ++n) {
+    for (unsigned m = n; m > 0 && comes_first(order[m], order[m - 1]); --m) {
+      const unsigned kept = order[m];
+      order[m] = order[m - 1];
+      order[m - 1] = kept;
+    }
+  }
+}
 template <std::size_t N>
 std::array<unsigned, N> order_by_centres(const BallSet& balls,
                                          const std::array<BallIndex, N>& simplex) {
-  std::array<unsigned, N> order;
-  for (unsigned n = 0; n < N; ++n) order[n] = n;
-  for (std::size_t n = 1; n < N; ++n) {
-    for (std::size_t m = n;
-         m > 0 && balls.centres[simplex[order[m]]] < balls.centres[simplex[order[m - 1]]]; --m) {
-      std::swap(order[m], order[m - 1]);
-    }
-  }
-  return order;
+  unsigned order[N];
+  order_balls(order, [&](unsigned a, unsigned b) {
+    return balls.centres[simplex[a]] < balls.centres[simplex[b]];
+  });
+  std::array<unsigned, N> result;
+  std::copy_n(order, N, result.begin());
+  return result;
 }
 
 }  // namespace alphascope

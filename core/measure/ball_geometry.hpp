@@ -15,6 +15,7 @@
 #include "core/geometry/lattice.hpp"
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
+#include "core/measure/arc_tangent.hpp"
 #include "core/predicates/lifted.hpp"
 
 namespace alphascope {
@@ -60,14 +61,14 @@ template <class V>
 ALPHASCOPE_INLINE double solid_angle(const V& a, const V& b, const V& c) {
   const double la = sqrt(dot(a, a)), lb = sqrt(dot(b, b)), lc = sqrt(dot(c, c));
   const double below = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
-  return 2 * atan2(fabs(dot(a, cross(b, c))), below);
+  return 2 * arc_tangent(fabs(dot(a, cross(b, c))), below);
 }
 
 // The angle at edge `u` between the half-planes towards a and b, 0 to pi.
 template <class V>
 ALPHASCOPE_INLINE double dihedral_angle(const V& u, const V& a, const V& b) {
   const auto ua = cross(u, a), ub = cross(u, b);
-  return atan2(sqrt(dot(u, u)) * fabs(dot(a, ub)), dot(ua, ub));
+  return arc_tangent(sqrt(dot(u, u)) * fabs(dot(a, ub)), dot(ua, ub));
 }
 
 // Two balls i and j whose spheres meet: the distances of their centres from the radical plane, and

@@ -71,7 +71,7 @@ ALPHASCOPE_INLINE double dihedral_at(const BallTetrahedron& t, int e) {
   constexpr int kFaces[6][2] = {{2, 3}, {1, 3}, {1, 2}, {0, 3}, {0, 2}, {0, 1}};
   const auto& m = t.at.normal[kFaces[e][0]];
   const auto& n = t.at.normal[kFaces[e][1]];
-  return atan2(sqrt(t.square_edge[e]) * t.at.six_volumes, -dot(m, n));
+  return arc_tangent(sqrt(t.square_edge[e]) * t.at.six_volumes, -dot(m, n));
 }
 
 }  // namespace alphascope

@@ -37,7 +37,7 @@ ALPHASCOPE_INLINE double triple_corner_area(const TripleCorner& at, double chord
   const double c0 = h0 < r ? r - h0 : 0, c1 = h1 < r ? r - h1 : 0;
   const double e01 = at.edge[0] * at.edge[1];
   const double below = r * (e01 + s0 * s1 * at.product) + (h0 + h1) * e01;
-  const double excess = 2 * atan2(chord_normal, below);
+  const double excess = 2 * arc_tangent(chord_normal, below);
   double area =
       r * (s0 * c0 * at.half_angle[0] + s1 * c1 * at.half_angle[1] - s0 * s1 * r * excess);
   if (s0 < 0 && s1 < 0) area += 2 * kPi * r * r;
@@ -62,7 +62,7 @@ ALPHASCOPE_INLINE BallTriple ball_triple(const GrownBall (&ball)[3], const BallP
     }
   }
   of.half_chord = square > 0 ? sqrt(square) : 0;
-  for (int m = 0; m < 3; ++m) of.half_angle[m] = atan2(of.half_chord, of.reach[m]);
+  for (int m = 0; m < 3; ++m) of.half_angle[m] = arc_tangent(of.half_chord, of.reach[m]);
   const double chord_normal = of.half_chord * normal;
   for (int m = 0; m < 3; ++m) {
     const int j = m == 0 ? 1 : 0, k = m == 2 ? 1 : 2;  // the others; edge k joins m and j

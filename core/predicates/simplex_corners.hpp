@@ -11,7 +11,7 @@
 
 namespace alphascope {
 
-// The balls of a simplex on the host. On a device gpu/filtration/corners.cuh takes its place.
+// The balls of a simplex on the host. On a device gpu/whole/corners.cuh takes its place.
 template <std::size_t N>
 struct SimplexCorners {
   const BallSet& balls;

@@ -5,8 +5,10 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
+#include "core/complex/outside_part.hpp"
 #include "core/complex/triangulation.hpp"
 #include "core/geometry/ball_index.hpp"
 #include "core/predicates/flow_ties.hpp"
@@ -58,6 +60,13 @@ class DeviceTriangulator {
   virtual std::optional<Membership> membership(const Incidence& incidence,
                                                const LatticeAlpha& alpha_on_lattice,
                                                const CancelToken& cancel) = 0;
+
+  // The parts outside the balls (core/cavity/tetrahedron_outside.hpp) of these tetrahedra, if `in`
+  // is the last membership() and is still on the device. Else empty; also if the device fails. At
+  // that alpha no ball may be smaller than the solvent radius, lattice units.
+  virtual std::optional<ResultArray<OutsidePart>> outside_parts(
+      const Membership& in, std::span<const std::uint32_t> tetrahedra, double solvent_on_lattice,
+      const CancelToken& cancel) = 0;
 
   // Whether the memory that is kept for the next call takes room that others may need: less than
   // half of the device's memory is free. Asks the driver only if the last call had more balls than

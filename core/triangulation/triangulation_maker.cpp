@@ -86,6 +86,13 @@ std::optional<Membership> TriangulationMaker::membership(const Incidence& incide
   return device_ ? device_->membership(incidence, alpha, cancel) : std::nullopt;
 }
 
+std::optional<ResultArray<OutsidePart>> TriangulationMaker::outside_parts(
+    const Membership& in, std::span<const std::uint32_t> tetrahedra, double solvent,
+    const CancelToken& cancel) {
+  const std::unique_lock lock = lock_unless_cancelled(mutex_, cancel);
+  return device_ ? device_->outside_parts(in, tetrahedra, solvent, cancel) : std::nullopt;
+}
+
 void TriangulationMaker::release_kept() {
   device_->release_memory();
   holds_memory_ = false;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/complex/triangulation.hpp"
@@ -45,6 +46,12 @@ class TriangulationMaker {
   std::optional<Membership> membership(const Incidence& incidence,
                                        const LatticeAlpha& alpha_on_lattice,
                                        const CancelToken& cancel);
+
+  // As DeviceTriangulator::outside_parts(). Throws Cancelled.
+  std::optional<ResultArray<OutsidePart>> outside_parts(const Membership& in,
+                                                        std::span<const std::uint32_t> tetrahedra,
+                                                        double solvent_on_lattice,
+                                                        const CancelToken& cancel);
 
   // Frees the device's memory that is kept for the next triangulation. Returns whether there was
   // any. Engines call it when they are short of memory.

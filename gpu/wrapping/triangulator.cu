@@ -17,11 +17,11 @@
 #include "core/run/stage_timer.hpp"
 #include "core/wrapping/hull_proof.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
-#include "gpu/filtration/faces_maker.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "gpu/memory/device_allocation.hpp"
 #include "gpu/memory/prefix_sum.cuh"
 #include "gpu/memory/result_memory.cuh"
+#include "gpu/whole/faces_maker.hpp"
 #include "gpu/wrapping/arrange.cuh"
 #include "gpu/wrapping/certificate.cuh"
 #include "gpu/wrapping/wrapped.cuh"
@@ -149,6 +149,17 @@ class GpuTriangulator : public DeviceTriangulator {
     if (!faces_) return std::nullopt;
     return made_of<Membership>(
         why_not, [&](FacesMaker& faces) { return faces.membership(incidence, alpha, cancel); });
+  }
+
+  std::optional<ResultArray<OutsidePart>> outside_parts(const Membership& in,
+                                                        std::span<const std::uint32_t> tetrahedra,
+                                                        double solvent,
+                                                        const CancelToken& cancel) override {
+    std::string why_not;
+    if (!faces_) return std::nullopt;
+    return made_of<ResultArray<OutsidePart>>(why_not, [&](FacesMaker& faces) {
+      return faces.outside_parts(in, tetrahedra, solvent, cancel);
+    });
   }
 
   bool takes_much_room() override {

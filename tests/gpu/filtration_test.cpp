@@ -10,8 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "core/cavity/cavity_ground.hpp"
+#include "core/cavity/cavity_table.hpp"
 #include "core/complex/alpha_complex.hpp"
 #include "core/triangulation/make_triangulation.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
+#include "core/triangulation/triangulation_report.hpp"
 #include "core/wrapping/seed.hpp"
 #include "gpu/gpu_engine.hpp"
 #include "gpu/wrapping/triangulator.hpp"
@@ -42,7 +46,7 @@ class GpuFiltration : public ::testing::Test {
   template <int N>
   void expect_list(const SimplexList<N>& found, const ClassLevels& levels,
                    const SimplexList<N>& expected, const ClassLevels& expected_levels) {
-    if (N > 1) EXPECT_TRUE(found.simplices == expected.simplices);
+    if constexpr (N > 1) EXPECT_TRUE(found.simplices == expected.simplices);
     EXPECT_TRUE(same_bits(found.alpha_values, expected.alpha_values));
     EXPECT_TRUE(found.classes == expected.classes);
     EXPECT_TRUE(same_bits(levels.regular_from, expected_levels.regular_from));
@@ -184,6 +188,41 @@ TEST_F(GpuFiltration, KnowsItsLastGround) {
   const auto third = device_->ground(balls, whole, FlowTies::perturbed, {}, why_not);
   EXPECT_TRUE(device_->make(balls, {}).triangulation);
   EXPECT_FALSE(device_->membership(third->incidence, 0.0, {}));
+}
+
+// Tables of cavities, of which the device makes all but the sums.
+TEST_F(GpuFiltration, TablesHaveTheBitsOfTheCpu) {
+  Random random(96);
+  const auto balls =
+      std::make_shared<const BallSet>(testing::random_balls(random, 2300, 600, 20, 60));
+  TriangulationMaker maker([](std::string&) { return make_gpu_triangulator(seed_tetrahedron); });
+  const auto whole = std::make_shared<const Triangulation>(maker.make(*balls, 1, {}));
+  ASSERT_TRUE(made_by_device(*whole));
+  const auto table_by = [&](TriangulationMaker* by, double alpha, double solvent) {
+    const auto ground = std::make_shared<const CavityGround>(
+        make_cavity_ground(balls, whole, FlowTies::perturbed, {}, by));
+    return make_cavity_table(ground, {Alpha{alpha}, solvent}, {}, by);
+  };
+  // With the largest solvent radius some balls are smaller than it.
+  for (const double solvent : {0.0, 15.0, 40.0}) {
+    const CavityTable found = table_by(&maker, 300, solvent),
+                      expected = table_by(nullptr, 300, solvent);
+    EXPECT_GT(expected.found.cavities.size(), 3u);
+    EXPECT_TRUE(found.found == expected.found);
+    EXPECT_EQ(found.order, expected.order);
+    for (std::size_t c = 0; c < expected.measures.size(); ++c) {
+      const CavityMeasures &a = found.measures[c], &b = expected.measures[c];
+      EXPECT_EQ(a.volume_sa_angstrom3, b.volume_sa_angstrom3);
+      EXPECT_EQ(a.area_sa_angstrom2, b.area_sa_angstrom2);
+      EXPECT_EQ(a.volume_ms_angstrom3, b.volume_ms_angstrom3);
+      EXPECT_EQ(a.area_ms_angstrom2, b.area_ms_angstrom2);
+      EXPECT_EQ(a.area_ms_steiner_angstrom2, b.area_ms_steiner_angstrom2);
+      EXPECT_EQ(a.volume_of_tetrahedra_angstrom3, b.volume_of_tetrahedra_angstrom3);
+      EXPECT_EQ(a.arc_length_angstrom, b.arc_length_angstrom);
+      EXPECT_EQ(a.corners, b.corners);
+      EXPECT_EQ(a.lining, b.lining);
+    }
+  }
 }
 
 TEST_F(GpuFiltration, IsCancelled) {

@@ -54,6 +54,11 @@ class StandInTriangulator : public DeviceTriangulator {
     ++calls_.memberships;
     return std::nullopt;
   }
+  std::optional<ResultArray<OutsidePart>> outside_parts(const Membership&,
+                                                        std::span<const std::uint32_t>, double,
+                                                        const CancelToken&) override {
+    return std::nullopt;
+  }
   bool takes_much_room() override { return calls_.takes_much_room; }
   void release_memory() override { ++calls_.released; }
 

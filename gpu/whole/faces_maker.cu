@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Memory, copies and the order of kernels of FacesMaker. A finished array travels to the host while
 // the next is made.
-#include "gpu/filtration/faces_maker.hpp"
+#include "gpu/whole/faces_maker.hpp"
 
 #include <thrust/iterator/counting_iterator.h>
 #include <thrust/iterator/transform_iterator.h>
@@ -17,14 +17,15 @@
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
 #include "core/triangulation/memory_need.hpp"
-#include "gpu/filtration/edges.cuh"
-#include "gpu/filtration/membership.cuh"
-#include "gpu/filtration/steps.cuh"
-#include "gpu/filtration/tetrahedra.cuh"
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/prefix_sum.cuh"
 #include "gpu/memory/result_memory.cuh"
 #include "gpu/memory/work_stream.cuh"
+#include "gpu/whole/edges.cuh"
+#include "gpu/whole/membership.cuh"
+#include "gpu/whole/outside.cuh"
+#include "gpu/whole/steps.cuh"
+#include "gpu/whole/tetrahedra.cuh"
 
 namespace alphascope::gpu {
 namespace {
@@ -121,7 +122,11 @@ struct FacesMaker::State {
   DeviceBuffer<float> samples;
   DeviceBuffer<StepValues> steps;
   DeviceBuffer<unsigned char> result, in_complex, scratch;
-  std::weak_ptr<unsigned char> last_ground;  // on the host; it is also in `result`
+  DeviceBuffer<std::uint32_t> chosen;
+  DeviceBuffer<OutsidePart> parts;
+  // On the host; they are also in `result` and `in_complex`.
+  std::weak_ptr<unsigned char> last_ground, last_membership;
+  MembershipAt last_at{};
   PinnedBuffer<std::uint64_t> host_sums;
   PinnedBuffer<std::uint32_t> host_numbers;
   PinnedBuffer<float> host_samples;
@@ -192,8 +197,12 @@ struct FacesMaker::State {
     if (host_numbers.get()[2] != in.edge_count)
       throw DeviceError("the GPU found a wrong number of edges");
   }
-  void make_room(const Layout& layout) {
+  void forget_ground() {
     last_ground = {};
+    last_membership = {};
+  }
+  void make_room(const Layout& layout) {
+    forget_ground();
     result.reserve(layout.bytes());
     to_host = results->take(layout.bytes()).memory;
   }
@@ -505,7 +514,7 @@ std::optional<TriangulationGround> FacesMaker::ground(const BallSet& balls,
 }
 
 void FacesMaker::forget_ground() {
-  state_->last_ground = {};
+  state_->forget_ground();
 }
 
 std::optional<Membership> FacesMaker::membership(const Incidence& incidence,
@@ -517,6 +526,7 @@ std::optional<Membership> FacesMaker::membership(const Incidence& incidence,
   if (!last || incidence.triangles.data()->data() !=
                    reinterpret_cast<const BallIndex*>(last.get() + ground.triangles))
     return std::nullopt;
+  s.last_membership = {};
   const MembershipLayout layout(s.count, s.in.ball_count);
   const WaitAtEnd waits{s.stream, s.copier};
   s.in_complex.reserve(layout.bytes());
@@ -558,8 +568,36 @@ std::optional<Membership> FacesMaker::membership(const Incidence& incidence,
   in.triangles = s.array<std::uint8_t>(layout.triangles, n.triangles);
   in.edges = s.array<std::uint8_t>(layout.edges, n.edges);
   in.vertices = s.array<std::uint8_t>(layout.vertices, balls);
+  s.last_membership = s.to_host;
+  s.last_at = at;
   s.to_host.reset();
   return in;
+}
+
+std::optional<ResultArray<OutsidePart>> FacesMaker::outside_parts(
+    const Membership& in, std::span<const std::uint32_t> tetrahedra, double solvent,
+    const CancelToken& cancel) {
+  State& s = *state_;
+  const std::shared_ptr<unsigned char> last = s.last_membership.lock();
+  if (!last || in.tetrahedra.data() != last.get()) return std::nullopt;
+  const std::size_t count = tetrahedra.size();
+  const WaitAtEnd waits{s.stream, s.copier};
+  s.chosen.reserve(count);
+  s.parts.reserve(count);
+  const std::shared_ptr<unsigned char> memory = s.results->take(count * sizeof(OutsidePart)).memory;
+  const std::span<OutsidePart> parts{reinterpret_cast<OutsidePart*>(memory.get()), count};
+  s.stream.send(s.chosen, tetrahedra.data(), count);
+  constexpr unsigned kThreads = 128;
+  if (count > 0) {
+    launch(measure_outside,
+           {static_cast<unsigned>((count + kThreads - 1) / kThreads), kThreads, s.stream},
+           s.last_at, s.chosen.get(), static_cast<std::uint32_t>(count), solvent, s.parts.get());
+    check(cudaGetLastError(), "starting a kernel");
+  }
+  s.stream.fetch(parts.data(), s.parts.get(), count);
+  s.stream.wait("measuring cavities");
+  cancel.throw_if_cancelled();
+  return in_place(memory, parts);
 }
 
 }  // namespace alphascope::gpu

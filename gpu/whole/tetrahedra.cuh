@@ -4,7 +4,7 @@
 
 #include "core/triangulation/flow.hpp"
 #include "core/triangulation/tetrahedron_flow.hpp"
-#include "gpu/filtration/whole.cuh"
+#include "gpu/whole/whole.cuh"
 
 namespace alphascope::gpu {
 

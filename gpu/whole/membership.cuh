@@ -6,7 +6,7 @@
 
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/predicates/attached_edges.hpp"
-#include "gpu/filtration/whole.cuh"
+#include "gpu/whole/whole.cuh"
 
 namespace alphascope::gpu {
 

@@ -4,7 +4,7 @@
 
 #include "core/complex/simplex_hash.hpp"
 #include "core/triangulation/hash_steps.hpp"
-#include "gpu/filtration/whole.cuh"
+#include "gpu/whole/whole.cuh"
 
 namespace alphascope::gpu {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/predicates/orthosphere.hpp"
-#include "gpu/filtration/whole.cuh"
+#include "gpu/whole/whole.cuh"
 
 namespace alphascope::gpu {
 

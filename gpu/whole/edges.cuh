@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/predicates/attached_edges.hpp"
-#include "gpu/filtration/triangles.cuh"
+#include "gpu/whole/triangles.cuh"
 
 namespace alphascope::gpu {
 

@@ -5,8 +5,10 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
+#include "core/complex/outside_part.hpp"
 #include "core/triangulation/filtration_parts.hpp"
 #include "core/triangulation/ground.hpp"
 #include "core/triangulation/membership.hpp"
@@ -39,6 +41,12 @@ class FacesMaker {
   // nothing was made since. Else empty.
   std::optional<Membership> membership(const Incidence& incidence, const LatticeAlpha& alpha,
                                        const CancelToken& cancel);
+  // The parts outside the balls of these tetrahedra, if `in` is the last membership that was made,
+  // and nothing was made since. Else empty. No grown ball is smaller than the solvent radius.
+  std::optional<ResultArray<OutsidePart>> outside_parts(const Membership& in,
+                                                        std::span<const std::uint32_t> tetrahedra,
+                                                        double solvent_on_lattice,
+                                                        const CancelToken& cancel);
   // Must be called when the triangulation that was there is not any more.
   void forget_ground();
 

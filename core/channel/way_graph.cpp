@@ -2,6 +2,8 @@
 // Builds the graph of empty tetrahedra.
 #include "core/channel/way_graph.hpp"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,6 +12,7 @@
 
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"
+#include "core/triangulation/indices_where.hpp"
 
 namespace alphascope {
 namespace {
@@ -116,32 +119,35 @@ WayGraph::WayGraph(const BallSet& balls, const Envelope& envelope, const RunCont
     kinds[t] = envelope.holds(corners[t]) ? kWayInside : kWayOutside;
     powers[t] = ortho_radius_rounded(scene_->balls, tetrahedra[t]);
   });
-  const std::vector<OpenFace> open = open_faces(kinds, powers, context.cancel);
+  const ResultArray<OpenFace> open = sorted(open_faces(kinds, powers, context.cancel));
   std::vector<std::uint32_t> number(count, kNothing);
-  for (const OpenFace& face : open) number[face.from] = number[face.to] = 0;
-  for (std::uint32_t t = 0; t < count; ++t) {
-    if (number[t] == kNothing) continue;
-    number[t] = static_cast<std::uint32_t>(original_.size());
-    original_.push_back(t);
-    corner_.push_back(corners[t]);
-    is_outside_.push_back(kinds[t] == kWayOutside);
+  for (const OpenFace& face : open) {
+    for (const std::uint32_t t : {face.from, face.to}) {
+      if (number[t] != kNothing) continue;
+      number[t] = static_cast<std::uint32_t>(original_.size());
+      original_.push_back(t);
+    }
   }
-  // By falling power, then as listed. Bits of floats that are not negative rise with these.
-  std::vector<std::uint64_t> order(open.size());
-  for (std::size_t n = 0; n < open.size(); ++n) {
-    order[n] = std::uint64_t{~std::bit_cast<std::uint32_t>(open[n].power)} << 32 | n;
-  }
-  std::sort(order.begin(), order.end());
+  corner_.resize(original_.size());
+  is_outside_.resize(original_.size());
   links_.resize(original_.size());
-  faces_.reserve(open.size());
-  for (const std::uint64_t entry : order) {
-    const OpenFace& face = open[static_cast<std::uint32_t>(entry)];
+  parallel_many(original_.size(), context.cancel, [&](std::size_t t) {
+    corner_[t] = corners[original_[t]];
+    is_outside_[t] = kinds[original_[t]] == kWayOutside ? 1 : 0;
+    links_[t].fill({kNothing, 0, 0, std::numeric_limits<float>::infinity()});
+  });
+  faces_.resize(open.size());
+  parallel_many(open.size(), context.cancel, [&](std::size_t n) {
+    const OpenFace& face = open[n];
     const std::uint32_t a = number[face.from], b = number[face.to];
-    const auto own = static_cast<std::uint32_t>(faces_.size());
+    const auto own = static_cast<std::uint32_t>(n);
     links_[a][face.k] = {b, own, face.power, face.gap_angstrom};
     links_[b][face.back] = {a, own, face.power, face.gap_angstrom};
-    faces_.push_back({a, b, face.power});
-    if (face.ring_angstrom >= 0) rings_.push_back({own, face.ring_angstrom, 0});
+    faces_[n] = {std::min(a, b), std::max(a, b), face.power};
+  });
+  const auto is_ring = [&](std::size_t n) { return open[n].ring_angstrom >= 0; };
+  for (const std::uint32_t n : indices_where(open.size(), is_ring, context.cancel)) {
+    rings_.push_back({n, open[n].ring_angstrom, 0});
   }
   double widest = 0;
   for (auto ring = rings_.rbegin(); ring != rings_.rend(); ++ring) {
@@ -152,6 +158,19 @@ WayGraph::WayGraph(const BallSet& balls, const Envelope& envelope, const RunCont
                static_cast<double>(balls.lattice.nearest_units(kEnough)),
                static_cast<BallIndex>(scene_->original.size())};
   costs_ = std::vector<std::atomic<double>>(faces_.size());
+}
+
+// By falling power, then as listed. Bits of floats that are not negative rise with these.
+ResultArray<WayGraph::OpenFace> WayGraph::sorted(const ResultArray<OpenFace>& faces) {
+  ResultArray<std::uint64_t> order(faces.size());
+  parallel_many(faces.size(), {}, [&](std::size_t n) {
+    order[n] = std::uint64_t{~std::bit_cast<std::uint32_t>(faces[n].power)} << 32 | n;
+  });
+  tbb::parallel_sort(order.begin(), order.end());
+  ResultArray<OpenFace> result(faces.size());
+  parallel_many(faces.size(), {},
+                [&](std::size_t n) { result[n] = faces[static_cast<std::uint32_t>(order[n])]; });
+  return result;
 }
 
 EqualClearance WayGraph::gap_of(const std::array<BallIndex, 3>& triangle) const {
@@ -170,21 +189,28 @@ std::size_t WayGraph::link_to(std::uint32_t from, std::uint32_t to) const {
   return k;
 }
 
+// Sets the width of a face that is a gap. Returns whether it is open.
+bool WayGraph::set_gap(OpenFace& face) const {
+  const std::array<BallIndex, 3> triangle = space_->face(face.from, face.k);
+  if (!space_->is_open_gap(triangle)) return false;
+  face.power = ortho_radius_rounded(scene_->balls, triangle);
+  const EqualClearance gap = gap_of(triangle);
+  if (gap.found && gap.clearance_angstrom >= 0) {
+    face.gap_angstrom = static_cast<float>(gap.clearance_angstrom);
+    if (space_->is_ringed_gap(triangle)) face.ring_angstrom = gap.clearance_angstrom;
+  } else {
+    const auto ball_end = static_cast<BallIndex>(scene_->original.size());
+    const double units = space_->width_by_power(triangle, 0, ball_end);
+    face.gap_angstrom = static_cast<float>(balls_.lattice.unit_angstrom() * std::max(units, 0.0));
+  }
+  return true;
+}
+
 // Visits each face once, from the tetrahedron of the lower index. The list is in their order.
-std::vector<WayGraph::OpenFace> WayGraph::open_faces(const std::vector<std::uint8_t>& kinds,
+ResultArray<WayGraph::OpenFace> WayGraph::open_faces(const std::vector<std::uint8_t>& kinds,
                                                      const std::vector<float>& powers,
                                                      const CancelToken& cancel) const {
   const auto& neighbours = scene_->triangulation.neighbours;
-  const double unit = balls_.lattice.unit_angstrom();
-  const auto known_width = [&](const EqualClearance& gap) {
-    return gap.found && gap.clearance_angstrom >= 0;
-  };
-  const WayWidth width{[&](const std::array<BallIndex, 3>& triangle) -> std::optional<double> {
-                         const EqualClearance gap = gap_of(triangle);
-                         if (!known_width(gap)) return std::nullopt;
-                         return gap.clearance_angstrom / unit;
-                       },
-                       0, static_cast<BallIndex>(scene_->original.size())};
   const auto add_faces = [&](std::uint32_t t, std::vector<OpenFace>& out) {
     if (kinds[t] == kWayFull) return;
     for (std::uint8_t k = 0; k < 4; ++k) {
@@ -194,14 +220,7 @@ std::vector<WayGraph::OpenFace> WayGraph::open_faces(const std::vector<std::uint
       if (kinds[t] == kWayOutside && kinds[across.index()] == kWayOutside) continue;
       OpenFace face{t, across.index(), k, 0, 0, std::numeric_limits<float>::infinity(), -1};
       if (space_->is_gap(t, k)) {
-        if (!space_->is_open(t, k)) continue;
-        face.power = ortho_radius_rounded(scene_->balls, space_->face(t, k));
-        const auto wide = static_cast<float>(unit * space_->width_across(t, k, width));
-        face.gap_angstrom = std::max(wide, 0.0F);
-        const EqualClearance gap = gap_of(space_->face(t, k));
-        if (known_width(gap) && space_->is_ringed_gap(t, k)) {
-          face.ring_angstrom = gap.clearance_angstrom;
-        }
+        if (!set_gap(face)) continue;
       } else {
         face.power = std::min(powers[t], powers[across.index()]);
       }
@@ -219,14 +238,14 @@ std::vector<WayGraph::OpenFace> WayGraph::open_faces(const std::vector<std::uint
       add_faces(static_cast<std::uint32_t>(t), parts[n]);
     }
   });
-  std::vector<OpenFace> faces;
-  std::size_t count = 0;
-  for (const std::vector<OpenFace>& part : parts) count += part.size();
-  faces.reserve(count);
-  for (std::vector<OpenFace>& part : parts) {
-    faces.insert(faces.end(), part.begin(), part.end());
-    part = {};
-  }
+  std::vector<std::size_t> first{0};
+  for (const std::vector<OpenFace>& part : parts) first.push_back(first.back() + part.size());
+  ResultArray<OpenFace> faces(first.back());
+  parallel_each(0, parts.size(), [&](std::size_t n) {
+    std::copy(parts[n].begin(), parts[n].end(),
+              faces.begin() + static_cast<std::ptrdiff_t>(first[n]));
+    parts[n] = {};
+  });
   return faces;
 }
 

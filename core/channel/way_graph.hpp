@@ -15,6 +15,7 @@
 #include "core/clearance/empty_space.hpp"
 #include "core/clearance/equal_clearance.hpp"
 #include "core/clearance/grown_triangulation.hpp"
+#include "core/complex/simplices.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/geometry/real_point.hpp"
 #include "core/run/cancel_token.hpp"
@@ -71,7 +72,7 @@ struct WayRing {
 };
 
 // The tetrahedra that a way can pass, with the open faces between them. They have numbers of their
-// own, in the triangulation's order.
+// own, in the order of faces(): a search that goes through these finds tetrahedra near each other.
 class WayGraph {
  public:
   // `balls` must be on a lattice that passage_digits() allows, and outlive this object.
@@ -80,23 +81,22 @@ class WayGraph {
   static constexpr std::uint32_t kNothing = ~std::uint32_t{0};
   // A face as seen from one of its tetrahedra. `to` is kNothing where no way leads through.
   struct Link {
-    std::uint32_t to = kNothing;
-    std::uint32_t face = 0;  // index in faces()
-    float power = 0;
-    // The clearance (Å) if a way across is narrowest on the face.
-    float gap_angstrom = std::numeric_limits<float>::infinity();
+    std::uint32_t to;
+    std::uint32_t face;  // index in faces()
+    float power;
+    float gap_angstrom;  // the clearance (Å) if a way across is narrowest on the face, or infinity
   };
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(corner_.size()); }
   const RealPoint& corner(std::uint32_t tetrahedron) const { return corner_[tetrahedron]; }  // Å
   // Returns whether it is outside the envelope. Ways end there.
-  bool is_outside(std::uint32_t tetrahedron) const { return is_outside_[tetrahedron]; }
+  bool is_outside(std::uint32_t tetrahedron) const { return is_outside_[tetrahedron] != 0; }
   const std::array<Link, 4>& links(std::uint32_t tetrahedron) const { return links_[tetrahedron]; }
   // The link from one tetrahedron to another beside it.
   std::size_t link_to(std::uint32_t from, std::uint32_t to) const;
 
   // Sorted by falling power. Equal powers have a fixed order.
-  const std::vector<WayFace>& faces() const { return faces_; }
+  const ResultArray<WayFace>& faces() const { return faces_; }
   // In the order of faces().
   const std::vector<WayRing>& rings() const { return rings_; }
   EqualClearance gap_at(std::uint32_t tetrahedron, std::size_t link) const;
@@ -107,9 +107,11 @@ class WayGraph {
  private:
   struct OpenFace;
 
-  std::vector<OpenFace> open_faces(const std::vector<std::uint8_t>& kinds,
+  ResultArray<OpenFace> open_faces(const std::vector<std::uint8_t>& kinds,
                                    const std::vector<float>& powers,
                                    const CancelToken& cancel) const;
+  bool set_gap(OpenFace& face) const;
+  static ResultArray<OpenFace> sorted(const ResultArray<OpenFace>& faces);
   EqualClearance gap_of(const std::array<BallIndex, 3>& triangle) const;
 
   const BallSet& balls_;
@@ -117,9 +119,9 @@ class WayGraph {
   std::optional<EmptySpace> space_;
   std::vector<std::uint32_t> original_;  // of each tetrahedron its index in the triangulation
   std::vector<RealPoint> corner_;
-  std::vector<bool> is_outside_;
-  std::vector<std::array<Link, 4>> links_;
-  std::vector<WayFace> faces_;
+  std::vector<std::uint8_t> is_outside_;
+  ResultArray<std::array<Link, 4>> links_;
+  ResultArray<WayFace> faces_;
   std::vector<WayRing> rings_;
   WayCost way_cost_;
   mutable std::vector<std::atomic<double>> costs_;  // of each face; 0 is not known yet

@@ -101,7 +101,7 @@ void WaySearch::sweep(std::size_t most, double least_angstrom, const CancelToken
   struct Entry {
     std::uint32_t from, to;
   };
-  const std::vector<WayFace>& faces = graph_.faces();
+  const ResultArray<WayFace>& faces = graph_.faces();
   JoinedTetrahedra joined(graph_.size());
   std::vector<float> widest(graph_.size(), std::numeric_limits<float>::infinity());
   std::vector<Entry> entries;

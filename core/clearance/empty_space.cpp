@@ -52,8 +52,11 @@ bool EmptySpace::is_empty(std::uint32_t tetrahedron) const {
 // 0, and no ball conflicts with its smallest orthosphere. Only the apexes of its two tetrahedra can
 // conflict.
 bool EmptySpace::is_open(std::uint32_t tetrahedron, std::size_t k) const {
-  const auto f = face(tetrahedron, k);
-  return compare_ortho_radius(balls_, f, 0) > 0 || !is_gap(tetrahedron, k);
+  return is_open_gap(face(tetrahedron, k)) || !is_gap(tetrahedron, k);
+}
+
+bool EmptySpace::is_open_gap(const std::array<BallIndex, 3>& gap) const {
+  return compare_ortho_radius(balls_, gap, 0) > 0;
 }
 
 bool EmptySpace::leads_out(std::uint32_t tetrahedron) const {
@@ -87,12 +90,10 @@ bool EmptySpace::is_gap(std::uint32_t tetrahedron, std::size_t k) const {
   return !attaches(apex<3>(triangulation_.tetrahedra[across.index()], f));
 }
 
-bool EmptySpace::is_ringed_gap(std::uint32_t tetrahedron, std::size_t k) const {
-  if (!is_gap(tetrahedron, k)) return false;
-  const auto f = face(tetrahedron, k);
+bool EmptySpace::is_ringed_gap(const std::array<BallIndex, 3>& gap) const {
   for (std::size_t n = 0; n < 3; ++n) {
-    const std::array<BallIndex, 2> edge{f[n == 0 ? 1 : 0], f[n == 2 ? 1 : 2]};
-    if (conflict_with_smallest_orthosphere(balls_, edge, f[n]) < 0) return false;
+    const std::array<BallIndex, 2> edge{gap[n == 0 ? 1 : 0], gap[n == 2 ? 1 : 2]};
+    if (conflict_with_smallest_orthosphere(balls_, edge, gap[n]) < 0) return false;
   }
   return true;
 }
@@ -143,20 +144,28 @@ std::optional<EmptySpace::Way> EmptySpace::least_way(BallIndex from, BallIndex t
   return std::nullopt;
 }
 
+double EmptySpace::width_of(double power, std::span<const BallIndex> balls, double grown,
+                            BallIndex ball_end) const {
+  const double radius = largest_radius(balls, ball_end);
+  return std::sqrt(std::max(0.0, power) + radius * radius) - radius + grown;
+}
+
+double EmptySpace::width_by_power(const std::array<BallIndex, 3>& gap, double grown,
+                                  BallIndex ball_end) const {
+  return width_of(ortho_radius_rounded(balls_, gap), gap, grown, ball_end);
+}
+
 double EmptySpace::width_across(std::uint32_t tetrahedron, std::size_t k,
                                 const WayWidth& width) const {
-  const auto by_power = [&](double power, std::span<const BallIndex> balls) {
-    const double radius = largest_radius(balls, width.ball_end);
-    return std::sqrt(std::max(0.0, power) + radius * radius) - radius + width.grown;
-  };
-  const auto f = face(tetrahedron, k);
   if (is_gap(tetrahedron, k)) {
+    const auto f = face(tetrahedron, k);
     const std::optional<double> known = width.at_gap(f);
-    return known ? *known : by_power(ortho_radius_rounded(balls_, f), f);
+    return known ? *known : width_by_power(f, width.grown, width.ball_end);
   }
-  const std::uint32_t across = triangulation_.neighbours[tetrahedron][k].index();
-  return std::min(by_power(power(tetrahedron), triangulation_.tetrahedra[tetrahedron]),
-                  by_power(power(across), triangulation_.tetrahedra[across]));
+  const auto within = [&](std::uint32_t t) {
+    return width_of(power(t), triangulation_.tetrahedra[t], width.grown, width.ball_end);
+  };
+  return std::min(within(tetrahedron), within(triangulation_.neighbours[tetrahedron][k].index()));
 }
 
 std::optional<EmptySpace::Way> EmptySpace::widest_way(BallIndex from, BallIndex to,

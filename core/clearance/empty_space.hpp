@@ -84,10 +84,16 @@ class EmptySpace {
   // Returns whether a way across this face is narrowest on it. Then no ball conflicts with the
   // smallest orthosphere of the face.
   bool is_gap(std::uint32_t tetrahedron, std::size_t k) const;
-  // Returns whether such a gap is ringed: its edges are in K before its triangle is, as the balls
-  // grow. The triangle then enters K alone and closes a tunnel or a void.
-  bool is_ringed_gap(std::uint32_t tetrahedron, std::size_t k) const;
   std::array<BallIndex, 3> face(std::uint32_t tetrahedron, std::size_t k) const;
+
+  // The following are for the triangle of a gap.
+  bool is_open_gap(const std::array<BallIndex, 3>& gap) const;
+  // Returns whether its edges are in K before it is, as the balls grow. It then enters K alone and
+  // closes a tunnel or a void.
+  bool is_ringed_gap(const std::array<BallIndex, 3>& gap) const;
+  // The width by power distance, for a gap whose width is not known otherwise. Lattice units.
+  double width_by_power(const std::array<BallIndex, 3>& gap, double grown,
+                        BallIndex ball_end) const;
 
   // The way of least length / clearance² along the edges of the power diagram. Throws Cancelled.
   std::optional<Way> cheapest_way(BallIndex from, BallIndex to, const WayCost& cost,
@@ -102,6 +108,8 @@ class EmptySpace {
   RealPoint corner(std::uint32_t tetrahedron) const;
 
  private:
+  double width_of(double power, std::span<const BallIndex> balls, double grown,
+                  BallIndex ball_end) const;
   double largest_radius(std::span<const BallIndex> balls, BallIndex end) const;
   // Power distance of its corner, square lattice units.
   double power(std::uint32_t tetrahedron) const;

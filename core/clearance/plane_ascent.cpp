@@ -3,6 +3,7 @@
 #include "core/clearance/plane_ascent.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -26,31 +27,52 @@ struct Step {
 };
 
 // Finds the step of at most `longest` that maximises the least of all slopes. The maximum is
-// limited by one slope and the length, by two slopes and the length, or by three slopes.
+// limited by one slope and the length, by two slopes and the length, or by three slopes. Most
+// slopes limit nothing. So the step is found for few of them, and the one that is least at its end
+// is added, until that one is among them.
 class BestStep {
  public:
-  BestStep(const std::vector<Slope>& slopes, double longest) : slopes_(slopes), longest_(longest) {
-    best_.value = -std::numeric_limits<double>::infinity();
-    try_step(0, 0);
-  }
+  BestStep(const std::vector<Slope>& slopes, double longest) : slopes_(slopes), longest_(longest) {}
   Step find() {
-    const std::size_t count = slopes_.size();
-    for (std::size_t a = 0; a < count; ++a) {
-      const double size = std::hypot(slopes_[a].gx, slopes_[a].gy);
-      if (size > 0) try_step(slopes_[a].gx / size * longest_, slopes_[a].gy / size * longest_);
-      for (std::size_t b = a + 1; b < count; ++b) {
-        try_equal(slopes_[a], slopes_[b]);
-        for (std::size_t c = b + 1; c < count; ++c) try_corner(slopes_[a], slopes_[b], slopes_[c]);
-      }
+    const Step none{0, 0, slopes_[least_at(0, 0)].at(0, 0)};
+    for (std::size_t next = least_at(0, 0);; next = least_at(best_.x, best_.y)) {
+      if (count_ > 0 && !(slopes_[next].at(best_.x, best_.y) < best_.value)) break;
+      add(next);
     }
-    return best_;
+    return best_.value > none.value ? best_ : none;
   }
 
  private:
+  std::size_t least_at(double x, double y) const {
+    std::size_t least = 0;
+    for (std::size_t n = 1; n < slopes_.size(); ++n) {
+      if (slopes_[n].at(x, y) < slopes_[least].at(x, y)) least = n;
+    }
+    return least;
+  }
+  // The best step for one slope more. The new slope limits it, because it is below the last one.
+  void add(std::size_t next) {
+    const Slope* own = &slopes_[next];
+    std::size_t place = count_++;
+    for (; place > 0 && used_[place - 1] > own; --place) used_[place] = used_[place - 1];
+    used_[place] = own;
+    best_.value = -std::numeric_limits<double>::infinity();
+    try_step(0, 0);
+    const double size = std::hypot(own->gx, own->gy);
+    if (size > 0) try_step(own->gx / size * longest_, own->gy / size * longest_);
+    for (std::size_t a = 0; a < count_; ++a) {
+      for (std::size_t b = a + 1; b < count_; ++b) {
+        if (a == place || b == place) try_equal(*used_[a], *used_[b]);
+        for (std::size_t c = b + 1; c < count_; ++c) {
+          if (a == place || b == place || c == place) try_corner(*used_[a], *used_[b], *used_[c]);
+        }
+      }
+    }
+  }
   void try_step(double x, double y) {
-    double least = slopes_[0].at(x, y);
-    for (const Slope& slope : slopes_) {
-      least = std::min(least, slope.at(x, y));
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n < count_; ++n) {
+      least = std::min(least, used_[n]->at(x, y));
       if (!(least > best_.value)) return;
     }
     best_ = {x, y, least};
@@ -83,6 +105,8 @@ class BestStep {
 
   const std::vector<Slope>& slopes_;
   double longest_;
+  std::array<const Slope*, kMostSurfaces> used_;
+  std::size_t count_ = 0;
   Step best_;
 };
 

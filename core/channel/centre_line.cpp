@@ -27,29 +27,38 @@ constexpr double kTangentReach = 0.5, kTangentShare = 0.5;
 constexpr int kRounds = 60;
 constexpr double kStill = 0.004;  // Å: rounds end when no place moves farther
 
+// While the line moves, spacing and moves are larger where it is wide, by this factor. Otherwise a
+// line through a wide chamber does not settle in kRounds. Up to 8 Å the factor is 1.
+double scale_at(double clearance) {
+  constexpr double kBegin = 6, kDouble = 2, kMost = 4;
+  return std::clamp((clearance - kBegin) / kDouble, 1.0, kMost);
+}
+
 double line_length(const Line& line) {
   double sum = 0;
   for (std::size_t n = 1; n < line.size(); ++n) sum += length(line[n] - line[n - 1]);
   return sum;
 }
 
-// Places at equal distances along the line, at most `spacing` (Å) apart. Both ends stay.
-Line resampled(const Line& line, double spacing) {
-  const double whole = line_length(line);
+// Places along the line, at most `spacing` (Å) apart. Both ends stay. Distances are equal, or
+// proportional to the scales of all places where these are given.
+Line resampled(const Line& line, double spacing, const std::vector<double>& scales = {}) {
+  std::vector<double> sizes;  // of each segment, Å
+  double whole = 0;
+  for (std::size_t n = 1; n < line.size(); ++n) {
+    const double scale = scales.empty() ? 1 : (scales[n] + scales[n - 1]) / 2;
+    sizes.push_back(length(line[n] - line[n - 1]) / scale);
+    whole += sizes.back();
+  }
   const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(whole / spacing)));
   Line result{line.front()};
   double passed = 0;
-  std::size_t segment = 1;
+  std::size_t segment = 0;
   for (std::size_t n = 1; n < count; ++n) {
     const double at = whole * static_cast<double>(n) / static_cast<double>(count);
-    double size = length(line[segment] - line[segment - 1]);
-    while (passed + size < at && segment + 1 < line.size()) {
-      passed += size;
-      ++segment;
-      size = length(line[segment] - line[segment - 1]);
-    }
-    const double share = size > 0 ? std::min(1.0, (at - passed) / size) : 0;
-    result.push_back(line[segment - 1] + share * (line[segment] - line[segment - 1]));
+    while (passed + sizes[segment] < at && segment + 1 < sizes.size()) passed += sizes[segment++];
+    const double share = sizes[segment] > 0 ? std::min(1.0, (at - passed) / sizes[segment]) : 0;
+    result.push_back(line[segment] + share * (line[segment + 1] - line[segment]));
   }
   result.push_back(line.back());
   return result;
@@ -195,18 +204,30 @@ void cut_ends(const Scene& scene, Line& line) {
 }
 
 // Moves each place to a maximum of clearance in the plane normal to the line. Fixed ends and places
-// in the open stay.
-Line ascended(const Scene& scene, const Line& line, double spacing, const AscentLimits& limits) {
+// in the open stay. The limits are those at `spacing`; with `scales` both are scaled, and the
+// scales at the new places are written there.
+Line ascended(const Scene& scene, const Line& line, double spacing, const AscentLimits& limits,
+              std::vector<double>* scales = nullptr) {
   Line result = line;
+  if (scales != nullptr) scales->resize(line.size());
   constexpr std::size_t kTogether = 32;
   parallel_ranges(0, line.size(), kTogether, [&](std::size_t first, std::size_t last) {
     ClearanceNearby nearby(scene.clearance);
-    for (std::size_t n = first; n < last && !scene.cancel.cancelled(); ++n) {
-      if (scene.stays(line, n)) continue;
+    // Returns the clearance at the new place.
+    const auto ascend = [&](std::size_t n) {
+      if (scene.stays(line, n)) return scene.clearance.at(line[n]);
       const double own = nearby.look_around(line[n], 2 * limits.longest_step_angstrom);
-      const RealPoint normal = tangent(own, line, n, spacing);
-      if (normal == RealPoint{}) continue;
-      result[n] = ascend_in_plane(nearby, line[n], normal, limits).place;
+      const double scale = scales != nullptr ? scale_at(own) : 1;
+      const RealPoint normal = tangent(own, line, n, scale * spacing);
+      if (normal == RealPoint{}) return own;
+      const Ascent ascent =
+          ascend_in_plane(nearby, line[n], normal, limits.with_steps_scaled(scale));
+      result[n] = ascent.place;
+      return ascent.clearance_angstrom;
+    };
+    for (std::size_t n = first; n < last && !scene.cancel.cancelled(); ++n) {
+      const double clearance = ascend(n);
+      if (scales != nullptr) (*scales)[n] = scale_at(clearance);
     }
   });
   scene.cancel.throw_if_cancelled();
@@ -221,9 +242,8 @@ Line smoothed(const Scene& scene, const Line& line) {
   return result;
 }
 
-// The largest distance (Å) of a place of `line` from the line `before`.
-double farthest_move(const Line& line, const Line& before) {
-  double farthest = 0;
+// Returns whether no place of `line` is far from the line `before`.
+bool is_settled(const Scene& scene, const Line& line, const Line& before) {
   std::size_t near = 0;
   for (const RealPoint& p : line) {
     // Both lines run the same way, so the search for the nearest place continues from the last one.
@@ -238,9 +258,10 @@ double farthest_move(const Line& line, const Line& before) {
       const double share = square > 0 ? std::clamp(dot(from, along) / square, 0.0, 1.0) : 0;
       distance = std::min(distance, length(from - share * along));
     }
-    farthest = std::max(farthest, distance);
+    if (distance < kStill) continue;
+    if (distance >= kStill * scale_at(scene.clearance.at(p))) return false;
   }
-  return farthest;
+  return true;
 }
 
 }  // namespace
@@ -298,17 +319,18 @@ std::vector<ChannelSample> centre_line(const Clearance& clearance, const Envelop
   // this much longer (plus 1 Å) is therefore undone.
   constexpr double kMostLonger = 1.25;
   const double most = kMostLonger * line_length(line) + 1;
+  std::vector<double> scales;  // of all places in a round
   for (int round = 0; round < kRounds; ++round) {
     context.report(kCentreLineStage, static_cast<double>(round) / kRounds);
     const Line before = line;
-    line = ascended(scene, smoothed(scene, line), kCoarseSpacing, in_rounds);
-    line = resampled(line, kCoarseSpacing);
+    line = ascended(scene, smoothed(scene, line), kCoarseSpacing, in_rounds, &scales);
+    line = resampled(line, kCoarseSpacing, scales);
     cut_ends(scene, line);
     if (line_length(line) > most) {
       line = before;
       break;
     }
-    if (farthest_move(line, before) < kStill) break;
+    if (is_settled(scene, line, before)) break;
   }
   line = resampled(without_folds(clearance, line, context.cancel), kFineSpacing);
   line = ascended(scene, line, kFineSpacing, {0.1, 1e-7, kAnywhere, 0.4});

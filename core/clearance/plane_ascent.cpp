@@ -124,11 +124,11 @@ Ascent ascend_in_plane(ClearanceNearby& nearby, const RealPoint& x, const RealPo
   constexpr double kRounding = 1e-9;  // Å
   RealPoint first, second;
   normals_of(normal, first, second);
-  Ascent ascent{x, false};
+  Ascent ascent{x, nearby.look_around(x, 0), false};
   std::vector<Surface> surfaces;
   std::vector<Slope> slopes;
   double step_length = limits.longest_step_angstrom;
-  double value = nearby.look_around(x, 0);
+  double& value = ascent.clearance_angstrom;
   for (int n = 0; n < kMostSteps; ++n) {
     if (value >= limits.most_clearance_angstrom) return ascent;
     if (length(ascent.place - x) >= limits.farthest_angstrom) return ascent;

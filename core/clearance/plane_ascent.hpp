@@ -14,11 +14,17 @@ struct AscentLimits {
   double shortest_step_angstrom = 1e-7;
   double most_clearance_angstrom;  // the ascent ends where clearance reaches this
   double farthest_angstrom;        // the ascent ends at this distance from its start
+
+  AscentLimits with_steps_scaled(double by) const {
+    return {by * longest_step_angstrom, by * shortest_step_angstrom, most_clearance_angstrom,
+            by * farthest_angstrom};
+  }
 };
 
 struct Ascent {
   RealPoint place;
-  bool settled = false;  // true at a local maximum; false if a limit ended the ascent
+  double clearance_angstrom = 0;  // there
+  bool settled = false;           // true at a local maximum; false if a limit ended the ascent
 };
 
 // Starts at x (Å) and stays in the plane through x normal to the unit vector `normal`. Clearance

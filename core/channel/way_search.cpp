@@ -97,7 +97,7 @@ bool WaySearch::may_pass(std::uint32_t from, std::uint32_t to) const {
 // whose label comes from the wider way is first, so one tetrahedron between both sides counts to
 // the wider one. The sweep ends when no face that is left can be among the crossings asked for.
 void WaySearch::sweep(std::size_t most, double least_angstrom, const CancelToken& cancel) {
-  constexpr std::size_t kOften = 1024;
+  constexpr std::size_t kTogether = 1024;
   struct Entry {
     std::uint32_t from, to;
   };
@@ -105,46 +105,64 @@ void WaySearch::sweep(std::size_t most, double least_angstrom, const CancelToken
   JoinedTetrahedra joined(graph_.size());
   std::vector<float> widest(graph_.size(), std::numeric_limits<float>::infinity());
   std::vector<Entry> entries;
-  std::size_t checked = 0;
+  std::vector<std::uint32_t> open;
   auto ring = graph_.rings().begin();
   for (std::size_t first = 0, end = 0; first < faces.size(); first = end) {
     if (ring == graph_.rings().end() || ring->widest_angstrom < least_angstrom) return;
-    if (first >= checked) {
-      cancel.throw_if_cancelled();
-      if (is_settled(most, ring->widest_angstrom)) return;
-      checked = first + kOften;
-    }
-    const float power = faces[first].power;
-    entries.clear();
-    for (; end < faces.size() && faces[end].power == power; ++end) {
-      const std::uint32_t a = faces[end].a, b = faces[end].b;
-      const std::int8_t at_a = label_[a], at_b = label_[b];
-      if (at_a != 0 && at_b != 0) continue;
-      if (at_a != 0 || at_b != 0) {
-        if (at_a == kNowhere || at_b == kNowhere) continue;
-        const Entry entry = at_a != 0 ? Entry{a, b} : Entry{b, a};
-        if (may_pass(entry.from, entry.to)) entries.push_back(entry);
-      } else {
-        const std::uint32_t first_a = joined.first_of(a), first_b = joined.first_of(b);
-        if (first_a != first_b && may_pass(a, b)) joined.join(first_a, first_b);
+    cancel.throw_if_cancelled();
+    if (is_settled(most, ring->widest_angstrom)) return;
+    end = std::min(first + kTogether, faces.size());
+    while (end < faces.size() && faces[end].power == faces[end - 1].power) ++end;
+    find_unsettled(first, end, open);
+    for (std::size_t n = 0; n < open.size();) {
+      const float power = faces[open[n]].power;
+      entries.clear();
+      for (; n < open.size() && faces[open[n]].power == power; ++n) {
+        const std::uint32_t a = faces[open[n]].a, b = faces[open[n]].b;
+        const std::int8_t at_a = label_[a], at_b = label_[b];
+        if (at_a != 0 && at_b != 0) continue;
+        if (at_a != 0 || at_b != 0) {
+          const Entry entry = at_a != 0 ? Entry{a, b} : Entry{b, a};
+          if (may_pass(entry.from, entry.to)) entries.push_back(entry);
+        } else {
+          const std::uint32_t first_a = joined.first_of(a), first_b = joined.first_of(b);
+          if (first_a != first_b && may_pass(a, b)) joined.join(first_a, first_b);
+        }
+      }
+      if (entries.size() > 1) {
+        std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+          return std::tie(widest[a.from], a.from, a.to) > std::tie(widest[b.from], b.from, b.to);
+        });
+      }
+      for (const Entry& entry : entries) {
+        if (label_[entry.to] != 0) continue;
+        joined.visit_all(entry.to, [&](std::uint32_t t) {
+          label_[t] = label_[entry.from];
+          widest[t] = power;
+        });
       }
     }
-    if (entries.size() > 1) {
-      std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-        return std::tie(widest[a.from], a.from, a.to) > std::tie(widest[b.from], b.from, b.to);
-      });
-    }
-    for (const Entry& entry : entries) {
-      if (label_[entry.to] != 0) continue;
-      joined.visit_all(entry.to, [&](std::uint32_t t) {
-        label_[t] = label_[entry.from];
-        widest[t] = power;
-      });
-    }
+    // Both sides of a face that was opened have their labels now, or will get the same one.
     for (; ring != graph_.rings().end() && ring->face < end; ++ring) {
       if (ring->clearance_angstrom >= least_angstrom) add_crossing(*ring);
     }
   }
+}
+
+// Sets `open` to those of the faces [first, end) that may still give a label or join tetrahedra.
+// Labels stay, so no other face matters. The loop has no branch: more than half of the faces are
+// left out, and which ones is hard to predict.
+void WaySearch::find_unsettled(std::size_t first, std::size_t end,
+                               std::vector<std::uint32_t>& open) const {
+  const ResultArray<WayFace>& faces = graph_.faces();
+  open.resize(end - first);
+  std::size_t count = 0;
+  for (std::size_t n = first; n < end; ++n) {
+    const std::int8_t a = label_[faces[n].a], b = label_[faces[n].b];
+    open[count] = static_cast<std::uint32_t>(n);
+    count += static_cast<std::size_t>(((a == 0) & (b != kNowhere)) | ((b == 0) & (a != kNowhere)));
+  }
+  open.resize(count);
 }
 
 // Returns whether crossings no wider than this change nothing about the widest ones.

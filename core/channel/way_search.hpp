@@ -47,6 +47,7 @@ class WaySearch {
 
  private:
   void sweep(std::size_t most, double least_angstrom, const CancelToken& cancel);
+  void find_unsettled(std::size_t first, std::size_t end, std::vector<std::uint32_t>& open) const;
   std::vector<WayCrossing> widest_apart(std::size_t most) const;
   bool is_settled(std::size_t most, double later_angstrom) const;
   void add_crossing(const WayRing& ring);

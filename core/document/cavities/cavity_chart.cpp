@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes charts of cavity curves, finds splits and joins on them, and writes them as CSV.
+// Makes charts of cavity curves and traces, finds splits and joins on curves, and writes CSV.
 #include "core/document/cavities/cavity_chart.hpp"
 
 #include <optional>
 
 #include "core/cavity_identity/cavity_curves.hpp"
+#include "core/cavity_identity/cavity_trace.hpp"
 #include "core/complex/face_class.hpp"
 #include "core/geometry/shortest_number.hpp"
 #include "core/predicates/orthosphere.hpp"
@@ -22,14 +23,34 @@ double value_of(const CurveCavity& cavity, CurveQuantity quantity) {
                                            : cavity.volume_exact_angstrom3;
 }
 
-CavityChart empty_chart(const CavityCurves& curves, CurveQuantity quantity) {
+CavityChart empty_chart(CurveAxis axis, CurveQuantity quantity) {
   CavityChart chart;
   chart.chart.kind = ChartKind::lines;
   chart.chart.id = "cavity-curves";
   chart.chart.title = "Cavities";
   chart.chart.value_label = quantity_label(quantity);
-  chart.chart.x_label = axis_label(curves.axis);
+  chart.chart.x_label = axis_label(axis);
   return chart;
+}
+
+// The value of a cavity or of totals. None if the trace does not have this quantity.
+template <class Traced>
+std::optional<double> traced_value(const Traced& of, CurveQuantity quantity) {
+  if (quantity == CurveQuantity::volume) return of.volume_sa_angstrom3;
+  if (quantity == CurveQuantity::area) return of.area_sa_angstrom2;
+  return {};
+}
+
+// A series with a value of each point.
+template <class Value>
+ChartSeries traced_series(const CavityTrace& trace, const std::string& name, const Value& value) {
+  ChartSeries series;
+  series.name = name;
+  for (const auto& point : trace.points) {
+    series.x.push_back(point->solvent_radius_angstrom);
+    series.values.push_back(value(*point));
+  }
+  return series;
 }
 
 ChartSeries series_named(const CavityCurves& curves, const std::string& name) {
@@ -38,6 +59,10 @@ ChartSeries series_named(const CavityCurves& curves, const std::string& name) {
   for (const CurveSample& sample : curves.samples) series.x.push_back(sample.at);
   series.values.resize(curves.samples.size());
   return series;
+}
+
+const char* name_of_total(bool voids) {
+  return voids ? "all voids" : "all pockets";
 }
 
 const char* unit_of(CurveAxis axis) {
@@ -118,7 +143,7 @@ std::string axis_text(CurveAxis axis, double at) {
 
 CavityChart chart_of_cavities(const CavityCurves& curves, CurveQuantity quantity,
                               const CurveLinks& links, const std::vector<ChartedCavity>& chosen) {
-  CavityChart chart = empty_chart(curves, quantity);
+  CavityChart chart = empty_chart(curves.axis, quantity);
   for (const ChartedCavity& cavity : chosen) {
     const std::vector<std::uint32_t>& line = links.of.at(cavity.cavity);
     ChartSeries series = series_named(curves, cavity.name);
@@ -133,9 +158,9 @@ CavityChart chart_of_cavities(const CavityCurves& curves, CurveQuantity quantity
 }
 
 CavityChart chart_of_totals(const CavityCurves& curves, CurveQuantity quantity) {
-  CavityChart chart = empty_chart(curves, quantity);
+  CavityChart chart = empty_chart(curves.axis, quantity);
   for (const bool voids : {true, false}) {
-    ChartSeries series = series_named(curves, voids ? "all voids" : "all pockets");
+    ChartSeries series = series_named(curves, name_of_total(voids));
     for (std::size_t n = 0; n < curves.samples.size(); ++n) {
       if (!curves.samples[n].known) continue;
       double sum = 0;
@@ -147,6 +172,59 @@ CavityChart chart_of_totals(const CavityCurves& curves, CurveQuantity quantity) 
     chart.chart.series.push_back(std::move(series));
   }
   return chart;
+}
+
+CavityChart chart_of_trace(const CavityTrace& trace, CurveQuantity quantity,
+                           const std::vector<TracedSeries>& chosen) {
+  CavityChart chart = empty_chart(CurveAxis::solvent, quantity);
+  chart.traced.assign(trace.points.size(), true);
+  for (const TracedSeries& one : chosen) {
+    chart.chart.series.push_back(traced_series(trace, one.name, [&](const TracedPoint& point) {
+      const TracedCavity* cavity = point.find(one.number);
+      return cavity ? traced_value(*cavity, quantity) : std::nullopt;
+    }));
+  }
+  return chart;
+}
+
+CavityChart totals_of_trace(const CavityTrace& trace, CurveQuantity quantity) {
+  CavityChart chart = empty_chart(CurveAxis::solvent, quantity);
+  chart.traced.assign(trace.points.size(), true);
+  for (const bool voids : {true, false}) {
+    chart.chart.series.push_back(
+        traced_series(trace, name_of_total(voids), [&](const TracedPoint& point) {
+          return traced_value(voids ? point.voids : point.pockets, quantity);
+        }));
+  }
+  return chart;
+}
+
+CavityChart with_trace(const CavityChart& whole, const CavityChart& trace) {
+  if (whole.chart.series.empty() || trace.chart.series.empty()) return whole;
+  const std::vector<double>&a = whole.chart.series.front().x, &b = trace.chart.series.front().x;
+  CavityChart both = whole;
+  both.traced.clear();
+  for (ChartSeries& series : both.chart.series) {
+    series.x.clear();
+    series.values.clear();
+  }
+  std::vector<std::size_t> place(a.size());  // of samples of `whole` among both
+  for (std::size_t i = 0, k = 0; i < a.size() || k < b.size();) {
+    const bool of_whole = i < a.size() && (k == b.size() || a[i] <= b[k]);
+    const bool of_trace = k < b.size() && (i == a.size() || b[k] <= a[i]);
+    const CavityChart& from = of_whole ? whole : trace;
+    const std::size_t n = of_whole ? i : k;
+    for (std::size_t s = 0; s < both.chart.series.size(); ++s) {
+      both.chart.series[s].x.push_back(of_whole ? a[i] : b[k]);
+      both.chart.series[s].values.push_back(from.chart.series[s].values[n]);
+    }
+    if (of_whole) place[i] = both.traced.size();
+    both.traced.push_back(of_trace);
+    i += of_whole;
+    k += of_trace;
+  }
+  for (CurveMark& mark : both.marks) mark.sample = place[mark.sample];
+  return both;
 }
 
 std::string chart_csv(const Chart& chart, const std::vector<std::string>& comments) {

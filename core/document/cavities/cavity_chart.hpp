@@ -13,6 +13,7 @@ namespace alphascope {
 enum class CurveAxis;
 enum class CurveNumbers;
 struct CavityCurves;
+struct CavityTrace;
 struct CurveLinks;
 
 // SA volume (Å³), SA area (Å²), exact volume (Å³; only on curves that have it).
@@ -34,6 +35,7 @@ struct CurveMark {
 struct CavityChart {
   Chart chart;  // lines; a gap where the cavity does not exist
   std::vector<CurveMark> marks;
+  std::vector<bool> traced;  // for each sample: it is a point of a trace; empty: none is
 };
 
 // Labels with units: "SA volume (Å³)", "solvent radius (Å)".
@@ -47,6 +49,19 @@ CavityChart chart_of_cavities(const CavityCurves& curves, CurveQuantity quantity
                               const CurveLinks& links, const std::vector<ChartedCavity>& chosen);
 // Sums over all voids, and over all pockets.
 CavityChart chart_of_totals(const CavityCurves& curves, CurveQuantity quantity);
+
+// The same of the points of a trace (core/cavity_identity/cavity_trace.hpp). It has no exact
+// volumes, so a chart of these is empty.
+struct TracedSeries {
+  std::uint32_t number = 0;  // of CavityNumbers
+  std::string name;
+};
+CavityChart chart_of_trace(const CavityTrace& trace, CurveQuantity quantity,
+                           const std::vector<TracedSeries>& chosen);
+CavityChart totals_of_trace(const CavityTrace& trace, CurveQuantity quantity);
+// The samples of both charts, which must have the same series. Where both have a sample, that of
+// `whole` counts.
+CavityChart with_trace(const CavityChart& whole, const CavityChart& trace);
 
 // A CSV table with all digits: x, then each series; empty in a gap. `comments` come first, each
 // after "# ".

@@ -8,6 +8,7 @@
 #include "core/cavity/cavity_measures.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
+#include "core/cavity_identity/cavity_trace.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/reference/reference.hpp"
 #include "core/document/store/definition.hpp"
@@ -49,6 +50,12 @@ Key key_of_rule(const Inputs& in) {
   return key;
 }
 
+// What lines take over from those before them. Both are null where there are none.
+struct Followed {
+  std::shared_ptr<const CavityNumbers> numbers;
+  std::shared_ptr<const CavityTrace> trace;
+};
+
 CavityLine make_line(const CavityTable& table, const BallReferences& atoms, std::size_t row) {
   const CavityMeasures& m = table.measure(row);
   CavityLine line;
@@ -67,13 +74,15 @@ CavityLine make_line(const CavityTable& table, const BallReferences& atoms, std:
   return line;
 }
 
-std::shared_ptr<const CavityLines> make_lines(const Inputs& in, const CavityNumbers* before,
+std::shared_ptr<const CavityLines> make_lines(const Inputs& in, const Followed& before,
                                               const RunContext& context) {
   auto lines = std::make_shared<CavityLines>();
   lines->table = in.share(cavity_table());
   lines->atoms = in.atoms;
   lines->numbers = std::make_shared<const CavityNumbers>(
-      before ? next_numbers(*before, lines->table, context.cancel) : first_numbers(lines->table));
+      before.numbers ? next_numbers(*before.numbers, lines->table, context.cancel)
+                     : first_numbers(lines->table));
+  lines->trace = next_trace(before.trace.get(), *lines->numbers);
   lines->of.resize(lines->table->size());
   parallel_many(lines->of.size(), context.cancel, [&](std::size_t row) {
     lines->of[row] = make_line(*lines->table, *lines->atoms, row);
@@ -176,18 +185,33 @@ bool CavityLines::is_of(const Inputs& in) const {
          table->question.split_networks == in.split_networks;
 }
 
-Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before) {
+bool CavityLines::is_of_but_for_radius(const Inputs& in) const {
+  return in.atoms && &atoms->prepared() == &in.atoms->prepared() &&
+         table->question == CavityParameters{in.alpha_angstrom2,
+                                             table->question.solvent_radius_angstrom,
+                                             in.outside_rule, in.split_networks};
+}
+
+bool CavityLines::continues(const CavityLines& earlier) const {
+  return &atoms->prepared() == &earlier.atoms->prepared() &&
+         numbers->steps >= earlier.numbers->steps;
+}
+
+Definition<CavityLines> cavity_lines(const std::shared_ptr<const CavityLines>& lines) {
+  const Followed before = lines ? Followed{lines->numbers, lines->trace} : Followed{};
   const auto key = [before](const Inputs& in) {
     if (!in.atoms) return Key{};
     Key all = key_of_balls_and_alpha(in);
-    if (before) all.more = before->steps + 1;
+    if (before.numbers) all.more = before.numbers->steps + 1;
     return all;
   };
   const auto memory = [before](const Inputs& in) {
     constexpr std::size_t kNumber = 100;  // bytes: a number, and a node in the map of known sinks
-    MemoryNeed need = row_memory(in.of(cavity_table()), sizeof(CavityLine) + kNumber);
-    const std::uint64_t known = before ? kNumber * before->known.size() : 0;
-    return MemoryNeed{need.held + known, need.peak + known};
+    constexpr std::size_t kRow = sizeof(CavityLine) + kNumber + sizeof(TracedCavity);
+    MemoryNeed need = row_memory(in.of(cavity_table()), kRow);
+    const std::uint64_t known = before.numbers ? kNumber * before.numbers->known.size() : 0;
+    const std::uint64_t traced = before.trace ? bytes_of(*before.trace) : 0;
+    return MemoryNeed{need.held + known + traced, need.peak + known + traced};
   };
   return {{.id = "cavities.lines",
            .title = "Rows of the table of cavities",
@@ -196,7 +220,7 @@ Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before
            .memory = memory,
            .lane = Lane::interactive},
           [before](const Inputs& in, const RunContext& context) {
-            return make_lines(in, before.get(), context);
+            return make_lines(in, before, context);
           }};
 }
 

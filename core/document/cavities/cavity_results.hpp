@@ -14,6 +14,7 @@ namespace alphascope {
 
 class BallReferences;
 struct CavityNumbers;
+struct CavityTrace;
 template <class T>
 struct Definition;
 struct CavityGround;
@@ -55,14 +56,19 @@ struct CavityLines {
   std::shared_ptr<const CavityTable> table;
   std::shared_ptr<const BallReferences> atoms;
   std::shared_ptr<const CavityNumbers> numbers;  // identify cavities between alphas
+  std::shared_ptr<const CavityTrace> trace;      // of this table and those before it
   std::vector<CavityLine> of;                    // by row of the table
 
   // Whether these lines belong to the present table, so that no new ones need be requested.
   bool is_of(const Inputs& in) const;
+  // The same, but the solvent radius may be another.
+  bool is_of_but_for_radius(const Inputs& in) const;
+  // Whether cavities keep their numbers from those lines to these.
+  bool continues(const CavityLines& earlier) const;
 };
-// Cavities keep the numbers that they have in `before` (core/cavity_identity/cavity_numbers.hpp);
-// null: numbers begin anew. Requires Inputs::atoms.
-Definition<CavityLines> cavity_lines(std::shared_ptr<const CavityNumbers> before);
+// Cavities keep the numbers that they have in `before` (core/cavity_identity/cavity_numbers.hpp),
+// and the trace goes on (cavity_trace.hpp). Null: both begin anew. Requires Inputs::atoms.
+Definition<CavityLines> cavity_lines(const std::shared_ptr<const CavityLines>& before);
 
 // Depths take longer and follow in the background, like exact volumes.
 struct CavityDepths {

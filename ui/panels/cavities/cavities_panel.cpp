@@ -125,7 +125,7 @@ void cancelled_line(PanelContext& ctx, const CavityPage& page, const Derived<Cav
   constexpr const char* kAgain = "Find cavities";
   same_line_where_it_fits(button_width(kAgain), ctx.px(8));
   if (button(ctx, "cavities.again", kAgain)) {
-    ctx.store.retry_whole(cavity_lines(page.rows.lines ? page.rows.lines->numbers : nullptr));
+    ctx.store.retry_whole(cavity_lines(page.rows.lines));
   }
 }
 

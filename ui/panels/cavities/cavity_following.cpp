@@ -81,12 +81,12 @@ void take_lines(CavityPage& page, const std::shared_ptr<const CavityLines>& line
 bool follow_lines(PanelContext& ctx, CavityPage& page, Derived<CavityLines>& wanted) {
   if (page.rows.lines && page.rows.lines->is_of(ctx.inputs)) return true;
   const bool same_body = page.rows.lines && page.body_key == ctx.inputs.body_key;
-  const auto before = same_body ? page.rows.lines->numbers : nullptr;
+  const auto before = same_body ? page.rows.lines : nullptr;
   wanted = ctx.store.want(cavity_lines(before), ctx.inputs);
   if (!wanted.value || wanted.have.balls != wanted.wanted.balls) return false;
   // Rows whose computation began before those on screen were made do not continue their numbers.
   const std::uint64_t steps = wanted.value->numbers->steps;
-  if (before ? steps != before->steps + 1 : steps != 0) return false;
+  if (before ? steps != before->numbers->steps + 1 : steps != 0) return false;
   page.body_key = ctx.inputs.body_key;
   take_lines(page, wanted.value);
   return page.rows.lines->is_of(ctx.inputs);

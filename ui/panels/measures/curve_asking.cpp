@@ -55,10 +55,14 @@ bool curves_are_asked_for(PanelContext& ctx, CurveState& memory) {
   return false;
 }
 
+bool is_on_its_way(DerivedState state) {
+  return state == DerivedState::running || state == DerivedState::waiting;
+}
+
 void curves_cancel_button(PanelContext& ctx, const CurveState& memory,
                           const Derived<CavityCurves>& curves) {
   const std::string_view id = curves_wanted(memory).id;
-  if (curves.state == DerivedState::running || curves.state == DerivedState::waiting) {
+  if (is_on_its_way(curves.state)) {
     if (button(ctx, "curves.cancel", "Cancel")) ctx.store.cancel(id);
   } else if (curves.state == DerivedState::cancelled) {
     if (button(ctx, "curves.again", "Compute")) ctx.store.retry(id);
@@ -78,6 +82,7 @@ std::string curves_waiting_text(const PanelContext& ctx, const CurveState& memor
   if (curves.state != DerivedState::waiting && !curves.why.empty()) {
     return "There are no curves. " + curves.why;
   }
+  if (memory.trace) return "The other radii follow when the slider rests.";
   return "The triangulations are still being computed. Curves appear here afterwards.";
 }
 

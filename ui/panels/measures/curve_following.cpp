@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Follows the curves and the chosen cavities, and makes the chart of them.
+// Follows the curves, the points of tables on screen, and the chosen cavities.
 #include <memory>
-#include <string>
-#include <vector>
 
-#include "core/cavity/cavity_table.hpp"
-#include "core/cavity_identity/cavity_numbers.hpp"
-#include "core/chart/chart.hpp"
-#include "core/chart/colour_map.hpp"
+#include "core/cavity_identity/cavity_trace.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_curve_results.hpp"
 #include "core/document/cavities/cavity_results.hpp"
@@ -23,28 +18,35 @@
 namespace alphascope {
 namespace {
 
-constexpr std::size_t kMostLines = kCavityColours;
+// The points of the tables so far, if they are of the atoms, the alpha and the choices on screen.
+std::shared_ptr<const CavityTrace> trace_on_screen(const PanelContext& ctx,
+                                                   const CurveState& memory) {
+  const auto& page = ctx.state.cavities.page;
+  const bool has_them = curve_axis(memory) == CurveAxis::solvent &&
+                        numbers_for(curve_quantity(memory)) == CurveNumbers::sums;
+  if (!has_them || !page || !page->rows.lines) return nullptr;
+  return page->rows.lines->is_of_but_for_radius(ctx.inputs) ? page->rows.lines->trace : nullptr;
+}
 
-// Makes the chart. `lines` is null for the totals.
-void make_chart(CurveState& memory, const CavityCurves& curves, const CurveLinks* links,
-                const CavityLines* lines, const std::vector<std::size_t>& rows) {
-  memory.chart_axis = curves.axis;
-  memory.colours.clear();
-  if (!lines) {
-    memory.chart = chart_of_totals(curves, curve_quantity(memory));
-    memory.colours = {chart_colour(0), chart_colour(1)};
-    return;
-  }
-  const CavityTable& table = *lines->table;
-  std::vector<ChartedCavity> chosen;
-  for (const std::size_t row : rows) {
-    const Cavity& cavity = table.cavity(row);
-    const char* kind = cavity.is_void() ? "void " : cavity.is_part() ? "part " : "pocket ";
-    chosen.push_back({table.order[row], kind + std::to_string(row + 1)});
-    // The colour is the same as in the view.
-    memory.colours.push_back(cavity_colour(lines->numbers->of[table.order[row]]));
-  }
-  memory.chart = chart_of_cavities(curves, curve_quantity(memory), *links, chosen);
+void follow_chosen(PanelContext& ctx, const CurveState& memory, const Derived<CavityCurves>& curves,
+                   CurveResults& now) {
+  // Cavities are followed even without curves. If a step of a slider were missed, their numbers
+  // would be lost.
+  const bool current = follow_cavities(ctx).current;
+  CavityPage& page = *ctx.state.cavities.page;
+  if (!page.rows.lines) return;
+  draw_layers_of_cavities(ctx, page, current);
+  now.lines = page.rows.lines;
+  now.rows = page.selected_rows;
+  now.chosen = series_of_rows(*now.lines, now.rows);
+  // The curve of a cavity that has left the table stays, since it shows where the cavity exists.
+  const bool goes_on = memory.lines && now.lines->continues(*memory.lines);
+  if (now.rows.empty() && goes_on) now.chosen = memory.chosen;
+  now.links_follow = curves.ready() && !current;
+  if (!current || !curves.ready()) return;
+  const auto linked = ctx.store.want(curve_links(curves.value, curves.have), ctx.inputs);
+  now.links_follow = is_on_its_way(linked.state);
+  if (linked.ready()) now.links = linked.value;
 }
 
 }  // namespace
@@ -66,37 +68,31 @@ const Definition<CavityCurves>& curves_wanted(const CurveState& memory) {
 }
 
 bool follow_curves(PanelContext& ctx, CurveState& memory, const Derived<CavityCurves>& curves) {
-  std::shared_ptr<const CurveLinks> links;
-  std::shared_ptr<const CavityLines> lines;
-  std::vector<std::size_t> rows;
-  if (!ctx.state.settings.selection.cavities.empty()) {
-    // Cavities are followed even without curves. If a step of a slider were missed, their numbers
-    // would be lost.
-    const bool current = follow_cavities(ctx).current;
-    CavityPage& page = *ctx.state.cavities.page;
-    if (page.rows.lines) draw_layers_of_cavities(ctx, page, current);
-    if (!current || !curves.ready()) return false;
-    const auto linked = ctx.store.want(curve_links(curves.value, curves.have), ctx.inputs);
-    if (!linked.ready()) return false;
-    links = linked.value;
-    lines = page.rows.lines;
-    rows = page.selected_rows;
-    if (rows.size() > kMostLines) rows.resize(kMostLines);
+  const bool chosen = !ctx.state.settings.selection.cavities.empty();
+  const bool traces = curve_axis(memory) == CurveAxis::solvent;
+  CurveResults now;
+  if (curves.ready()) now.curves = curves.value;
+  if (chosen) {
+    follow_chosen(ctx, memory, curves, now);
+    if (!now.lines) return false;
+  } else if (traces && !now.curves) {
+    follow_cavities(ctx);
   }
-  if (!curves.ready()) return false;
-  const bool same = memory.curves == curves.value && memory.links == links && memory.rows == rows &&
-                    memory.lines == lines && memory.chart_quantity == memory.quantity;
-  if (same) return true;
-  // The curve of a cavity that has left the table stays, since it shows where the cavity exists.
-  const bool gone = lines && rows.empty() && !memory.rows.empty();
-  if (gone && memory.curves == curves.value && memory.chart_quantity == memory.quantity)
-    return true;
-  make_chart(memory, *curves.value, links.get(), lines.get(), rows);
-  memory.curves = curves.value;
-  memory.links = links;
-  memory.lines = lines;
-  memory.rows = rows;
-  memory.chart_quantity = memory.quantity;
+  now.trace = trace_on_screen(ctx, memory);
+  const bool same =
+      memory.curves == now.curves && memory.links == now.links && memory.trace == now.trace &&
+      memory.lines == now.lines && memory.chart_axis == curve_axis(memory) &&
+      memory.chart_quantity == memory.quantity && same_numbers(memory.chosen, now.chosen);
+  if (same) return now.trace || now.curves;
+  const bool has_whole = follow_whole_chart(memory, now);
+  if (!has_whole) {
+    if (!now.trace || now.links_follow) return false;
+    // A single point is no curve: it does not replace one while another is on its way.
+    const bool old = !memory.chart.chart.empty() && memory.chart_axis == curve_axis(memory);
+    const bool single = now.trace->points.size() == 1;
+    if (single && old && is_on_its_way(curves.state)) return false;
+  }
+  make_curves_chart(memory, now, has_whole);
   return true;
 }
 

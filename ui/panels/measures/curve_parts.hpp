@@ -2,13 +2,22 @@
 // Functions that the sources of the page of curves share.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
+
+#include "core/document/cavities/cavity_chart.hpp"
 
 namespace alphascope {
 
 enum class CurveAxis;
-enum class CurveQuantity;
+enum class DerivedState : std::uint8_t;
 struct CavityCurves;
+struct CavityLines;
+struct CavityTrace;
+struct CurveLinks;
 struct CurveState;
 struct PanelContext;
 template <class T>
@@ -26,6 +35,27 @@ const Definition<CavityCurves>& curves_wanted(const CurveState& memory);
 // belongs to the picture.
 bool follow_curves(PanelContext& ctx, CurveState& memory, const Derived<CavityCurves>& curves);
 
+// --- curve_charting.cpp
+
+// The results that there are for the present choices.
+struct CurveResults {
+  std::shared_ptr<const CavityCurves> curves;  // null: not known yet
+  std::shared_ptr<const CurveLinks> links;
+  bool links_follow = false;  // they are on their way
+  std::shared_ptr<const CavityTrace> trace;
+  std::shared_ptr<const CavityLines> lines;  // null: no cavity is chosen
+  std::vector<std::size_t> rows;             // of the chosen cavities
+  std::vector<TracedSeries> chosen;
+};
+
+// A series for each row. Rows for which there are no colours left are dropped.
+std::vector<TracedSeries> series_of_rows(const CavityLines& lines, std::vector<std::size_t>& rows);
+bool same_numbers(const std::vector<TracedSeries>& a, const std::vector<TracedSeries>& b);
+// Makes CurveState::whole, or keeps it if it is of the same cavities. Returns whether there is one.
+bool follow_whole_chart(CurveState& memory, const CurveResults& now);
+// Makes the chart. `has_whole`: CurveState::whole is a part of it.
+void make_curves_chart(CurveState& memory, const CurveResults& now, bool has_whole);
+
 // --- curve_asking.cpp
 
 // Returns whether the curves may be computed. Curves that take long wait until the user starts
@@ -34,7 +64,9 @@ bool curves_are_asked_for(PanelContext& ctx, CurveState& memory);
 // Draws a button that cancels the computation, or starts it again.
 void curves_cancel_button(PanelContext& ctx, const CurveState& memory,
                           const Derived<CavityCurves>& curves);
-// Says why there are no curves yet.
+// Waiting or running.
+bool is_on_its_way(DerivedState state);
+// Says why there are no curves yet, or not all of them.
 std::string curves_waiting_text(const PanelContext& ctx, const CurveState& memory,
                                 const Derived<CavityCurves>& curves);
 

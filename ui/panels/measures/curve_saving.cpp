@@ -28,6 +28,7 @@ std::string csv_of(const PanelContext& ctx, const CurveState& memory) {
   if (memory.chart_axis != CurveAxis::alpha) {
     comments.push_back("alpha: " + axis_text(CurveAxis::alpha, ctx.inputs.alpha_angstrom2) + " Å²");
   }
+  if (memory.trace) comments.push_back("radii: among them those that were on screen");
   comments.push_back("values: " + memory.chart.chart.value_label);
   return chart_csv(memory.chart.chart, comments);
 }

@@ -15,6 +15,7 @@
 namespace alphascope {
 
 struct CavityLines;
+struct CavityTrace;
 
 struct CurveState {
   static constexpr int kLives = 3;  // not a CurveQuantity
@@ -31,9 +32,19 @@ struct CurveState {
   std::vector<Rgb8> colours;  // one for each series
   CurveAxis chart_axis{};     // of alpha
   std::shared_ptr<const void> curves, links;
+  std::shared_ptr<const CavityTrace> trace;  // null: the chart has none of its points
   std::shared_ptr<const CavityLines> lines;  // null: no cavity is chosen
-  std::vector<std::size_t> rows;             // rows of `lines` that are plotted
+  std::vector<TracedSeries> chosen;          // cavities of `lines` that are plotted
   int chart_quantity = -1;
+
+  // The part of the chart that is of curves. It serves as long as cavities keep their numbers.
+  struct Whole {
+    CavityChart chart;
+    std::shared_ptr<const void> curves;
+    std::shared_ptr<const CavityLines> lines;
+    std::vector<TracedSeries> chosen;
+    int quantity = -1;
+  } whole;
 
   ShownLives lives;
 };

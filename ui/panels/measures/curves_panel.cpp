@@ -31,6 +31,11 @@ void legend(PanelContext& ctx, const CurveState& memory) {
     ImGui::AlignTextToFramePadding();
     muted_text(ctx, "ring: splits or joins");
   }
+  if (memory.trace) {
+    ImGui::SameLine(0, ctx.px(14));
+    ImGui::AlignTextToFramePadding();
+    muted_text(ctx, "dot: was on screen");
+  }
   record(ctx, "curves.legend");
 }
 
@@ -78,12 +83,16 @@ void draw_curves(PanelContext& ctx, CurveState& memory) {
   // Between two pictures the atoms of the balls are unknown.
   const bool unknown = !ctx.inputs.atoms;
   const bool none = !unknown && axis == CurveAxis::model && !why_no_model_curve(ctx.inputs).empty();
-  if (!unknown && !none && !curves_are_asked_for(ctx, memory)) return;
+  const bool asked = unknown || none || curves_are_asked_for(ctx, memory);
+  // Points of the solvent radius appear unasked, since they are of tables that are there.
+  if (!asked && axis != CurveAxis::solvent) return;
+  const bool wanted = asked && !unknown && !none;
   const Derived<CavityCurves> curves =
-      unknown || none ? Derived<CavityCurves>{} : ctx.store.want(curves_wanted(memory), ctx.inputs);
+      wanted ? ctx.store.want(curves_wanted(memory), ctx.inputs) : Derived<CavityCurves>{};
   const bool current = follow_curves(ctx, memory, curves);
-  const bool old = memory.curves && memory.chart_axis == axis && !none;
+  const bool old = memory.chart_quantity >= 0 && memory.chart_axis == axis && !none;
   if (!current && !old) {
+    if (!asked) return;
     muted_wrapped(ctx, curves_waiting_text(ctx, memory, curves));
     record(ctx, "curves.waiting");
     curves_cancel_button(ctx, memory, curves);
@@ -99,7 +108,7 @@ void draw_curves(PanelContext& ctx, CurveState& memory) {
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, current ? 1.0f : 0.55f);
   legend(ctx, memory);
   ImGui::PopStyleVar();
-  if (!current && !curves.ready()) {
+  if (asked && !curves.ready()) {
     ImGui::SameLine(0, ctx.px(14));
     ImGui::AlignTextToFramePadding();
     muted_text(ctx, curves_waiting_text(ctx, memory, curves));

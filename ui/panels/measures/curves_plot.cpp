@@ -9,6 +9,7 @@
 #include "core/cavity_identity/cavity_curves.hpp"
 #include "core/chart/readable_number.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
+#include "core/document/cavities/cavity_curve_results.hpp"
 #include "ui/panels/measures/curve_state.hpp"
 #include "ui/widgets/plot.hpp"
 
@@ -40,6 +41,19 @@ void set_ranges(Plot& plot, CurveAxis axis, double shown) {
   if (axis == CurveAxis::solvent) x.low = std::max(x.low, 0.0);
 }
 
+// A dot at each value of a table that was on screen.
+void add_traced_dots(Plot& plot, const CurveState& memory) {
+  constexpr float kRadius = 2.6f;  // pixels at scale 1
+  const std::vector<ChartSeries>& all = memory.chart.chart.series;
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    for (std::size_t n = 0; n < memory.chart.traced.size(); ++n) {
+      if (!memory.chart.traced[n] || !all[s].values[n]) continue;
+      plot.dots.push_back(
+          {all[s].x[n], *all[s].values[n], plot_colour(memory.colours[s]), kRadius});
+    }
+  }
+}
+
 }  // namespace
 
 Plot curves_plot(const CurveState& memory, double shown) {
@@ -58,6 +72,7 @@ Plot curves_plot(const CurveState& memory, double shown) {
     }
     plot.curves.push_back(std::move(curve));
   }
+  add_traced_dots(plot, memory);
   for (const CurveMark& mark : memory.chart.marks) {
     const ChartSeries& series = chart.series[mark.series];
     plot.dots.push_back({series.x[mark.sample], *series.values[mark.sample],
@@ -65,6 +80,10 @@ Plot curves_plot(const CurveState& memory, double shown) {
   }
   plot.lines.push_back({shown, plot_ink(ChartColourRole::accent), 1.5f});
   set_ranges(plot, memory.chart_axis, shown);
+  // Points alone have the axis of the slider, which stays where it is while the hand moves.
+  if (!memory.curves && memory.trace) {
+    plot.x.range = {0, std::max(kCurveSolventMostAngstrom, shown)};
+  }
   return plot;
 }
 

@@ -11,6 +11,7 @@
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_identity.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
+#include "core/cavity_identity/cavity_trace.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/reference.hpp"
@@ -209,13 +210,14 @@ TEST_F(CavityContentsResult, FollowsTheTableAndNumbersGoOn) {
   }
   EXPECT_GT(interfaces, 0u);
   EXPECT_EQ(lines->of[3].bodies, 1u);
-  // Memory of a line: itself and 100 bytes for its number. A megabyte is added.
+  // Memory of a line: itself, 100 bytes for its number, and its cavity in the trace. A megabyte is
+  // added.
   EXPECT_EQ(store.held_bytes() - held_before,
-            1'000'000 + body.table->size() * (sizeof(CavityLine) + 100));
+            1'000'000 + body.table->size() * (sizeof(CavityLine) + 100 + sizeof(TracedCavity)));
   const auto first = lines->numbers;
   Inputs higher = body.inputs;
   higher.alpha_angstrom2 = 0.3;
-  const auto later = settle(cavity_lines(first), higher).value;
+  const auto later = settle(cavity_lines(lines), higher).value;
   ASSERT_TRUE(later);
   EXPECT_FALSE(later->is_of(body.inputs));
   const auto next = later->numbers;

@@ -5,12 +5,15 @@
 #include <optional>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
+#include <map>
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/cavity_identity/cavity_curves.hpp"
 #include "core/cavity_identity/cavity_numbers.hpp"
+#include "core/cavity_identity/cavity_trace.hpp"
 #include "core/document/cavities/cavity_names.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/store/inputs.hpp"
@@ -34,6 +37,43 @@ class CurvesTest : public ViewerTest {
   void open_curves() { run("click bottom.curves\nwait-idle\nframes 3\nwait-idle\nframes 3\n"); }
   void settle() { run("wait-idle\nframes 3\nwait-idle\nframes 3\n"); }
   const CurveState& memory() { return memory_of<CurveState>(viewer_->panels(), "curves"); }
+  // Opens the page, and ends the computation of its curves.
+  void open_curves_cancelled() {
+    run("click bottom.curves\nframes 2\nclick curves.cancel\n");
+    settle();
+    ASSERT_TRUE(has("curves.again"));
+  }
+  // Drags the slider of the solvent radius over these radii (Å), and waits for a table of each.
+  // `at_each` is called while the button is down.
+  template <class AtEach>
+  void drag_solvent(const std::vector<double>& radii, const AtEach& at_each) {
+    const WidgetRect slider = viewer_->widgets().at("alpha.solvent");
+    ScriptedInput input;
+    input.y = (slider.y0 + slider.y1) / 2;
+    for (const double radius : radii) {
+      input.x = slider.x0 + static_cast<float>(radius / 5) * (slider.x1 - slider.x0);
+      viewer_->step(&input);
+      input.down[0] = true;
+      const auto begin = std::chrono::steady_clock::now();
+      do {
+        ASSERT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+        viewer_->step(&input);
+      } while (page().rows.table().question.solvent_radius_angstrom != radius_set());
+      viewer_->step(&input);
+      at_each();
+    }
+    input.down[0] = false;
+    viewer_->step(&input);
+  }
+  const CavityPage& page() { return *viewer_->state().cavities.page; }
+  double radius_set() { return viewer_->state().settings.request.solvent_radius_angstrom; }
+  // The plotted value at a radius; none if there is none.
+  std::optional<double> value_at(std::size_t n, double radius) {
+    const auto& x = series(n).x;
+    const auto at = std::find(x.begin(), x.end(), radius);
+    return at == x.end() ? std::nullopt
+                         : series(n).values[static_cast<std::size_t>(at - x.begin())];
+  }
   const ChartSeries& series(std::size_t n) { return memory().chart.chart.series.at(n); }
   bool has(const char* widget) { return viewer_->widgets().contains(widget); }
 };
@@ -115,6 +155,75 @@ TEST_F(CurvesTest, AChosenCavityIsFollowedAndAClickSetsTheSolventRadiusAsOneEntr
   EXPECT_NE(svg.find("SA area (Å²)"), std::string::npos);
   EXPECT_NE(svg.find("pocket 4"), std::string::npos);
   EXPECT_NE(svg.find("<polyline"), std::string::npos);
+}
+
+TEST_F(CurvesTest, WhileTheSolventRadiusMovesEachTableAddsItsPointToTheTotals) {
+  open_haemoglobin();
+  open_curves_cancelled();
+  ASSERT_TRUE(has("curves.plot")) << "the table on screen is a point";
+  std::map<double, double> seen;  // by radius: the sum over all pockets
+  drag_solvent({1.4, 1.55, 1.7, 1.6}, [&] {
+    ASSERT_TRUE(has("curves.plot"));
+    EXPECT_FALSE(memory().curves) << "nothing but points";
+    ASSERT_EQ(memory().chart.chart.series.size(), 2u);
+    const CavityTable& table = page().rows.table();
+    seen[radius_set()] = table.volume_sa_angstrom3(false);
+    const auto value = value_at(1, radius_set());
+    ASSERT_TRUE(value) << radius_set();
+    EXPECT_NEAR(*value, seen[radius_set()], 1e-9 * seen[radius_set()]);
+    EXPECT_TRUE(std::is_sorted(series(1).x.begin(), series(1).x.end()));
+  });
+  settle();
+  ASSERT_GE(seen.size(), 4u);
+  for (const auto& [radius, volume] : seen) EXPECT_NEAR(*value_at(1, radius), volume, 1e-6);
+  const std::size_t points = series(1).x.size();
+  EXPECT_EQ(memory().chart.traced, std::vector<bool>(points, true));
+  // Undo brings back a radius that is there already.
+  run("edit.undo\n");
+  settle();
+  EXPECT_EQ(radius_set(), 1.4);
+  EXPECT_EQ(series(1).x.size(), points);
+  // A curve fills the rest.
+  run("click curves.again\n");
+  settle();
+  EXPECT_TRUE(memory().curves);
+  EXPECT_EQ(series(1).x.front(), 0);
+  EXPECT_EQ(series(1).x.back(), 5);
+  EXPECT_GE(series(1).x.size(), 51u);
+  for (const auto& [radius, volume] : seen) EXPECT_NEAR(*value_at(1, radius), volume, 1e-6);
+  EXPECT_EQ(std::adjacent_find(series(1).x.begin(), series(1).x.end()), series(1).x.end());
+}
+
+TEST_F(CurvesTest, PointsOfAChosenCavityAreThoseOfItsNumberAndBeginAnewWithAlphaAndFile) {
+  open_haemoglobin();
+  run("click cavities.row.4 0.2\n");
+  settle();
+  open_curves_cancelled();
+  const auto first = page().rows.lines;
+  const std::uint32_t number = first->numbers->of[first->table->order[3]];
+  drag_solvent({1.4, 1.5, 1.6}, [&] {
+    ASSERT_EQ(memory().chart.chart.series.size(), 1u);
+    const auto lines = page().rows.lines;
+    const std::uint32_t cavity = lines->numbers->cavity(number);
+    ASSERT_NE(cavity, CavityMatch::kNone);
+    EXPECT_EQ(value_at(0, radius_set()), lines->table->measures[cavity].volume_sa_angstrom3);
+  });
+  settle();
+  EXPECT_GE(series(0).x.size(), 3u);
+  EXPECT_EQ(value_at(0, 1.4), first->table->measure(3).volume_sa_angstrom3);
+  run("click curves.quantity.1\n");
+  settle();
+  EXPECT_EQ(value_at(0, 1.4), first->table->measure(3).area_sa_angstrom2);
+  run("alpha.set 0.3\n");
+  settle();
+  ASSERT_TRUE(memory().trace);
+  EXPECT_EQ(memory().trace->points.size(), 1u) << "another alpha";
+  EXPECT_EQ(std::ranges::count(memory().chart.traced, true), 1);
+  EXPECT_TRUE(memory().curves) << "the new curve is not cancelled";
+  run("open " + crambin().string() + "\nwait-idle\n");
+  settle();
+  ASSERT_TRUE(memory().trace || memory().curves);
+  if (memory().trace) EXPECT_EQ(memory().trace->points.size(), 1u) << "another file";
 }
 
 // The page of cavities is not drawn meanwhile.

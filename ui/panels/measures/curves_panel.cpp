@@ -34,7 +34,7 @@ void legend(PanelContext& ctx, const CurveState& memory) {
   if (memory.trace) {
     ImGui::SameLine(0, ctx.px(14));
     ImGui::AlignTextToFramePadding();
-    muted_text(ctx, "dot: was on screen");
+    muted_text(ctx, "dot: from the table");
   }
   record(ctx, "curves.legend");
 }

@@ -10,6 +10,8 @@
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_measures.hpp"
 #include "core/cavity/cavity_table.hpp"
+#include "core/cavity_identity/cavity_numbers.hpp"
+#include "core/cavity_identity/cavity_trace.hpp"
 #include "core/document/cavities/cavity_chart.hpp"
 #include "core/document/cavities/cavity_results.hpp"
 #include "core/document/reference/reference.hpp"
@@ -135,6 +137,54 @@ TEST(CavityChart, SaysWhereACavitySplitsAndLeavesGaps) {
   EXPECT_NEAR(*totals.chart.series[0].values[4], table.area_sa_angstrom2(true), 1e-9);
   EXPECT_EQ(totals.chart.series[1].values[4], 0);
   EXPECT_EQ(totals.chart.value_label, "SA area (Å²)");
+}
+
+// The hand goes from 2 to 0.75 and to 1: the second void becomes a part of the first, and parts.
+TEST(CavityChart, PointsOfATraceLieAmongTheSamplesOfACurve) {
+  const BallSet balls = two_chambers();
+  CavityNumbers numbers;
+  std::shared_ptr<const CavityTrace> trace;
+  for (const double radius : {2.0, 0.75, 1.0}) {
+    const auto table = std::make_shared<const CavityTable>(
+        make_cavity_table(ground_of(with_solvent(balls, radius)), {0, radius}));
+    numbers = numbers.table ? next_numbers(numbers, table) : first_numbers(table);
+    trace = next_trace(trace.get(), numbers);
+  }
+  const CavityTable& table = *numbers.table;
+  ASSERT_EQ(table.voids, 2u);
+  const std::vector<TracedSeries> chosen = {{numbers.of[table.order[0]], "void 1"},
+                                            {numbers.of[table.order[1]], "void 2"}};
+  const CavityChart points = chart_of_trace(*trace, CurveQuantity::volume, chosen);
+  ASSERT_EQ(points.chart.series.size(), 2u);
+  EXPECT_EQ(points.chart.series[1].x, (std::vector<double>{0.75, 1, 2}));
+  EXPECT_EQ(points.chart.x_label, "solvent radius (Å)");
+  EXPECT_FALSE(points.chart.series[1].values[0]) << "there it is a part of the larger one";
+  EXPECT_EQ(points.chart.series[1].values[1], table.measure(1).volume_sa_angstrom3);
+
+  const CavityCurves curves = curves_against_solvent(balls, 0, {0, 0.5, 1, 1.5});
+  const CavityChart whole =
+      chart_of_cavities(curves, CurveQuantity::volume, link_curves(curves, table, 1),
+                        {{table.order[0], "void 1"}, {table.order[1], "void 2"}});
+  const CavityChart both = with_trace(whole, points);
+  const std::vector<ChartSeries>& series = both.chart.series;
+  EXPECT_EQ(series[0].x, (std::vector<double>{0, 0.5, 0.75, 1, 1.5, 2}));
+  EXPECT_EQ(series[1].x, series[0].x);
+  EXPECT_EQ(both.traced, (std::vector<bool>{false, false, true, true, false, true}));
+  for (std::size_t n = 0; n + 1 < series[0].x.size(); ++n) {
+    ASSERT_TRUE(series[0].values[n] && series[0].values[n + 1]);
+    EXPECT_GT(*series[0].values[n], *series[0].values[n + 1]) << "it is one cavity";
+  }
+  ASSERT_EQ(both.marks.size(), whole.marks.size());
+  ASSERT_FALSE(both.marks.empty());
+  for (std::size_t k = 0; k < both.marks.size(); ++k) {
+    EXPECT_EQ(series[0].x[both.marks[k].sample], whole.chart.series[0].x[whole.marks[k].sample]);
+  }
+  EXPECT_TRUE(chart_of_trace(*trace, CurveQuantity::exact_volume, chosen).chart.empty());
+  const CavityChart sums = with_trace(chart_of_totals(curves, CurveQuantity::area),
+                                      totals_of_trace(*trace, CurveQuantity::area));
+  EXPECT_EQ(sums.chart.series[0].x, series[0].x);
+  EXPECT_EQ(sums.chart.series[0].values[5], trace->points.back()->voids.area_sa_angstrom2);
+  EXPECT_EQ(sums.chart.series[0].name, "all voids");
 }
 
 TEST(CavityCurves, OverAlphaACavityIsThereFromBirthToEnd) {

@@ -34,7 +34,8 @@ CurveSample sample_of(double at, const CavityTable& table,
     const CavityMeasures& m = table.measures[c];
     sample.cavities.push_back({table.ground->triangulation->tetrahedra[cavity.deepest_sink],
                                cavity.is_void(), m.volume_sa_angstrom3, m.area_sa_angstrom2,
-                               exact.empty() ? 0 : exact[c].volume_sa_angstrom3});
+                               exact.empty() ? 0 : exact[c].volume_sa_angstrom3,
+                               cavity.mouths.size()});
   }
   return sample;
 }

@@ -22,6 +22,7 @@ struct CurveCavity {
   bool is_void = false;
   double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
   double volume_exact_angstrom3 = 0;  // of ExactCavityMeasures; for CurveNumbers::exact only
+  std::size_t mouths = 0;
 };
 
 // The volumes computed for each cavity. Exact volumes take about twenty times as long as all else.

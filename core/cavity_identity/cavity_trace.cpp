@@ -20,11 +20,13 @@ Point point_of(const CavityNumbers& numbers) {
   point.cavities.reserve(numbers.of.size());
   for (std::size_t c = 0; c < numbers.of.size(); ++c) {
     const CavityMeasures& m = table.measures[c];
-    const bool is_void = table.found.cavities[c].is_void();
-    point.cavities.push_back({m.volume_sa_angstrom3, m.area_sa_angstrom2, numbers.of[c], is_void});
-    TracedTotals& totals = is_void ? point.voids : point.pockets;
+    const Cavity& cavity = table.found.cavities[c];
+    const auto mouths = static_cast<std::uint32_t>(cavity.mouths.size());
+    point.cavities.push_back({m.volume_sa_angstrom3, m.area_sa_angstrom2, numbers.of[c], mouths});
+    TracedTotals& totals = cavity.is_void() ? point.voids : point.pockets;
     totals.volume_sa_angstrom3 += m.volume_sa_angstrom3;
     totals.area_sa_angstrom2 += m.area_sa_angstrom2;
+    totals.mouths += mouths;
   }
   std::sort(point.cavities.begin(), point.cavities.end(),
             [](const TracedCavity& a, const TracedCavity& b) { return a.number < b.number; });

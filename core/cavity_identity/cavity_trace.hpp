@@ -17,11 +17,12 @@ struct CavityNumbers;
 struct TracedCavity {
   double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
   std::uint32_t number = 0;  // of CavityNumbers
-  bool is_void = false;
+  std::uint32_t mouths = 0;
 };
 
 struct TracedTotals {
   double volume_sa_angstrom3 = 0, area_sa_angstrom2 = 0;
+  std::size_t mouths = 0;
 };
 
 // The values of one table at its solvent radius, exactly as the table has them.

@@ -18,9 +18,10 @@ namespace {
 constexpr std::uint32_t kNone = CavityMatch::kNone;
 
 double value_of(const CurveCavity& cavity, CurveQuantity quantity) {
-  return quantity == CurveQuantity::volume ? cavity.volume_sa_angstrom3
-         : quantity == CurveQuantity::area ? cavity.area_sa_angstrom2
-                                           : cavity.volume_exact_angstrom3;
+  return quantity == CurveQuantity::volume   ? cavity.volume_sa_angstrom3
+         : quantity == CurveQuantity::area   ? cavity.area_sa_angstrom2
+         : quantity == CurveQuantity::mouths ? static_cast<double>(cavity.mouths)
+                                             : cavity.volume_exact_angstrom3;
 }
 
 CavityChart empty_chart(CurveAxis axis, CurveQuantity quantity) {
@@ -38,6 +39,7 @@ template <class Traced>
 std::optional<double> traced_value(const Traced& of, CurveQuantity quantity) {
   if (quantity == CurveQuantity::volume) return of.volume_sa_angstrom3;
   if (quantity == CurveQuantity::area) return of.area_sa_angstrom2;
+  if (quantity == CurveQuantity::mouths) return static_cast<double>(of.mouths);
   return {};
 }
 
@@ -125,9 +127,14 @@ CurveNumbers numbers_for(CurveQuantity quantity) {
 }
 
 std::string quantity_label(CurveQuantity quantity) {
-  return quantity == CurveQuantity::volume ? "SA volume (Å³)"
-         : quantity == CurveQuantity::area ? "SA area (Å²)"
-                                           : "exact volume (Å³)";
+  return quantity == CurveQuantity::volume   ? "SA volume (Å³)"
+         : quantity == CurveQuantity::area   ? "SA area (Å²)"
+         : quantity == CurveQuantity::mouths ? "mouths"
+                                             : "exact volume (Å³)";
+}
+
+std::string quantity_unit(CurveQuantity quantity) {
+  return quantity == CurveQuantity::area ? "Å²" : quantity == CurveQuantity::mouths ? "" : "Å³";
 }
 
 std::string axis_label(CurveAxis axis) {

@@ -16,8 +16,8 @@ struct CavityCurves;
 struct CavityTrace;
 struct CurveLinks;
 
-// SA volume (Å³), SA area (Å²), exact volume (Å³; only on curves that have it).
-enum class CurveQuantity { volume, area, exact_volume };
+// SA volume (Å³), SA area (Å²), exact volume (Å³; only on curves that have it), number of mouths.
+enum class CurveQuantity { volume, area, exact_volume, mouths };
 CurveNumbers numbers_for(CurveQuantity quantity);
 
 // A cavity of the table that is plotted.
@@ -40,6 +40,7 @@ struct CavityChart {
 
 // Labels with units: "SA volume (Å³)", "solvent radius (Å)".
 std::string quantity_label(CurveQuantity quantity);
+std::string quantity_unit(CurveQuantity quantity);  // may be empty
 std::string axis_label(CurveAxis axis);
 // A position on the axis, without unit: "1.4"; for models the number, counted from 1.
 std::string axis_text(CurveAxis axis, double at);

@@ -77,7 +77,7 @@ TEST(CavityTrace, PointsAreTheValuesOfTheirTablesWithTheNumbersThatStay) {
       ASSERT_TRUE(cavity);
       EXPECT_EQ(cavity->volume_sa_angstrom3, table.measures[c].volume_sa_angstrom3);
       EXPECT_EQ(cavity->area_sa_angstrom2, table.measures[c].area_sa_angstrom2);
-      EXPECT_EQ(cavity->is_void, table.found.cavities[c].is_void());
+      EXPECT_EQ(cavity->mouths, table.found.cavities[c].mouths.size());
       ++checked;
     }
     EXPECT_EQ(point.find(followed.numbers().used), nullptr);
@@ -92,10 +92,14 @@ TEST(CavityTrace, TotalsAreThoseOfTheCurves) {
   followed.go(0.8);
   const CavityCurves curves = curves_against_solvent(followed.balls(), 0, {0.8});
   double voids = 0, pockets = 0, area = 0;
+  std::size_t mouths = 0;
   for (const CurveCavity& cavity : curves.samples[0].cavities) {
     (cavity.is_void ? voids : pockets) += cavity.volume_sa_angstrom3;
     if (!cavity.is_void) area += cavity.area_sa_angstrom2;
+    mouths += cavity.mouths;
   }
+  EXPECT_GT(mouths, 0u);
+  EXPECT_EQ(followed.point(0).pockets.mouths, mouths);
   EXPECT_GT(pockets, 0);
   EXPECT_EQ(followed.point(0).voids.volume_sa_angstrom3, voids);
   EXPECT_EQ(followed.point(0).pockets.volume_sa_angstrom3, pockets);

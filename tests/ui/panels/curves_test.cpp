@@ -214,6 +214,11 @@ TEST_F(CurvesTest, PointsOfAChosenCavityAreThoseOfItsNumberAndBeginAnewWithAlpha
   run("click curves.quantity.1\n");
   settle();
   EXPECT_EQ(value_at(0, 1.4), first->table->measure(3).area_sa_angstrom2);
+  run("click curves.quantity.3\n");
+  settle();
+  const std::size_t mouths = first->table->cavity(3).mouths.size();
+  EXPECT_GT(mouths, 0u);
+  EXPECT_EQ(value_at(0, 1.4), static_cast<double>(mouths));
   run("alpha.set 0.3\n");
   settle();
   ASSERT_TRUE(memory().trace);
@@ -284,7 +289,7 @@ TEST_F(CurvesTest, ExactVolumesAreMadeOnRequestAndCanBeCancelled) {
 TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereItIs) {
   open_haemoglobin();
   open_curves();
-  run("click curves.quantity.3\n");
+  run("click curves.quantity.4\n");
   settle();
   ASSERT_TRUE(has("curves.lives"));
   EXPECT_FALSE(has("curves.plot"));
@@ -325,7 +330,7 @@ TEST_F(CurvesTest, LivesAreBarsAndAClickChoosesACavityThatIsThereOrGoesToWhereIt
 TEST_F(CurvesTest, ADragOverLivesSetsAlphaAsOneEntryAndTheirTableIsSaved) {
   open_haemoglobin();
   open_curves();
-  run("click curves.quantity.3\n");
+  run("click curves.quantity.4\n");
   settle();
   ASSERT_TRUE(has("curves.lives"));
   const std::string undo = viewer_->state().undo_text;

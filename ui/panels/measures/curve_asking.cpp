@@ -46,12 +46,14 @@ bool curves_are_asked_for(PanelContext& ctx, CurveState& memory) {
   const std::pair<int, int> question{memory.axis, memory.quantity};
   if (work.seconds <= kMostSecondsUnasked || memory.asked_for == question) return true;
   const long minutes = std::lround(std::ceil(work.seconds / 60));
+  if (button(ctx, "curves.compute", "Compute")) memory.asked_for = question;
+  ImGui::SameLine(0, ctx.px(8));
+  ImGui::AlignTextToFramePadding();
   muted_wrapped(ctx, "These curves are of " + with_separators(static_cast<long long>(work.balls)) +
                          " balls in all samples together. They take about " +
                          std::to_string(minutes) + (minutes == 1 ? " minute" : " minutes") +
                          " in the background.");
   record(ctx, "curves.waiting");
-  if (button(ctx, "curves.compute", "Compute")) memory.asked_for = question;
   return false;
 }
 

@@ -44,9 +44,11 @@ double shown_on_axis(const PanelContext& ctx, CurveAxis axis) {
 }
 
 void draw_curves_plot(PanelContext& ctx, const CurveState& memory) {
-  auto area = plot_area(ctx, {});
-  if (!area) return;
   const Plot plot = curves_plot(memory, shown_on_axis(ctx, memory.chart_axis));
+  PlotMargins margins;
+  if (plot.y.range.high >= 1e6) margins.left += 16;  // for "1,000,000"
+  auto area = plot_area(ctx, margins);
+  if (!area) return;
   draw_plot(ctx, plot, *area);
   const PlotMouse mouse = plot_mouse(ctx, *area, "curves.plot");
   const auto sample = nearest_point(plot.curves.front(), mouse.x);

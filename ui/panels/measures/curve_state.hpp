@@ -18,7 +18,7 @@ struct CavityLines;
 struct CavityTrace;
 
 struct CurveState {
-  static constexpr int kLives = 3;  // not a CurveQuantity
+  static constexpr int kLives = 4;  // not a CurveQuantity
 
   int axis = 1;          // a CurveAxis
   int quantity = 0;      // a CurveQuantity, or kLives

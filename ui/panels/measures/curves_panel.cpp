@@ -41,14 +41,14 @@ void legend(PanelContext& ctx, const CurveState& memory) {
 
 void choices(PanelContext& ctx, CurveState& memory) {
   // Pixels at scale 1, of all choices; the names of the pages stand before them.
-  constexpr float kWidth = 570, kAxes = 240;
+  constexpr float kWidth = 632, kAxes = 240;
   if (ImGui::GetContentRegionAvail().x < ctx.px(kWidth)) ImGui::NewLine();
-  choice(ctx, "curves.quantity", {"Volume", "Area", "Exact", "Lives"}, memory.quantity,
-         ctx.px(250));
+  choice(ctx, "curves.quantity", {"Volume", "Area", "Exact", "Mouths", "Lives"}, memory.quantity,
+         ctx.px(312));
   tooltip(ctx,
           "SA volume and SA area: CASTp's sums for the region of probe centres. Exact: the "
           "volume of the cavity's tetrahedra outside all grown balls, about twenty times "
-          "slower. Lives: the range of alpha in which each cavity exists.");
+          "slower. Mouths: their number. Lives: the range of alpha in which each cavity exists.");
   if (memory.quantity == CurveState::kLives) {
     ImGui::SameLine(0, ctx.px(10));
     ImGui::AlignTextToFramePadding();

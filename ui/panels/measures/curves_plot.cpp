@@ -61,6 +61,7 @@ Plot curves_plot(const CurveState& memory, double shown) {
   Plot plot;
   plot.x.label = chart.x_label;
   plot.y.label = chart.value_label;
+  plot.y.whole = static_cast<CurveQuantity>(memory.chart_quantity) == CurveQuantity::mouths;
   const bool models = memory.chart_axis == CurveAxis::model;
   plot.x.whole = models;
   plot.x.offset = models ? 1 : 0;  // models are numbered from 1
@@ -90,13 +91,16 @@ Plot curves_plot(const CurveState& memory, double shown) {
 std::string curves_text(const CurveState& memory, std::size_t sample) {
   const CurveAxis axis = memory.chart_axis;
   const std::vector<ChartSeries>& all = memory.chart.chart.series;
-  const std::string unit = unit_of(axis), value_unit = memory.chart_quantity == 1 ? "Å²" : "Å³";
+  const std::string unit = unit_of(axis),
+                    value_unit = quantity_unit(static_cast<CurveQuantity>(memory.chart_quantity));
   std::string text = axis == CurveAxis::model ? "model " : "";
   text += axis_text(axis, all.front().x[sample]) + (unit.empty() ? "" : " " + unit);
   for (std::size_t s = 0; s < all.size(); ++s) {
     const auto& value = all[s].values[sample];
     text += "\n" + all[s].name + ": " +
-            (value ? chart_number(*value) + " " + value_unit : std::string("none"));
+            (!value               ? "none"
+             : value_unit.empty() ? chart_number(*value)
+                                  : chart_number(*value) + " " + value_unit);
     for (const CurveMark& mark : memory.chart.marks) {
       if (mark.series == s && mark.sample == sample) text += "\n    " + mark.text;
     }

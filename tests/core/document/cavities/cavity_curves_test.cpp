@@ -231,6 +231,7 @@ void expect_sample_of(const CurveSample& sample, const CavityTable& table) {
     EXPECT_EQ(sample.cavities[c].volume_sa_angstrom3, table.measures[c].volume_sa_angstrom3);
     EXPECT_EQ(sample.cavities[c].area_sa_angstrom2, table.measures[c].area_sa_angstrom2);
     EXPECT_EQ(sample.cavities[c].is_void, table.found.cavities[c].is_void());
+    EXPECT_EQ(sample.cavities[c].mouths, table.found.cavities[c].mouths.size());
   }
 }
 

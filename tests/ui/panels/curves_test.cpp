@@ -178,6 +178,11 @@ TEST_F(CurvesTest, WhileTheSolventRadiusMovesEachTableAddsItsPointToTheTotals) {
   for (const auto& [radius, volume] : seen) EXPECT_NEAR(*value_at(1, radius), volume, 1e-6);
   const std::size_t points = series(1).x.size();
   EXPECT_EQ(memory().chart.traced, std::vector<bool>(points, true));
+  run("click curves.copy\n");
+  const std::string csv = ImGui::GetClipboardText();
+  EXPECT_NE(csv.find("# radii: those of tables on screen\n"), csv.npos) << csv;
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv.substr(csv.find("\nsolvent")), '\n')),
+            points + 2);
   // Undo brings back a radius that is there already.
   run("edit.undo\n");
   settle();
@@ -192,6 +197,24 @@ TEST_F(CurvesTest, WhileTheSolventRadiusMovesEachTableAddsItsPointToTheTotals) {
   EXPECT_GE(series(1).x.size(), 51u);
   for (const auto& [radius, volume] : seen) EXPECT_NEAR(*value_at(1, radius), volume, 1e-6);
   EXPECT_EQ(std::adjacent_find(series(1).x.begin(), series(1).x.end()), series(1).x.end());
+}
+
+TEST_F(CurvesTest, PartsOfNetworksAreNoPointsOfACurveOfWholeCavities) {
+  open_haemoglobin();
+  run("solvent.set 0.5\nwait-idle\n");
+  open_curves();
+  EXPECT_FALSE(memory().chart.traced.empty());
+  run("cavities.split_networks on\n");
+  settle();
+  run("click bottom.cavities\n");
+  settle();
+  EXPECT_FALSE(page().rows.table().found.networks.empty()) << "or this shows nothing";
+  run("click bottom.curves\n");
+  settle();
+  ASSERT_TRUE(memory().curves && memory().trace);
+  EXPECT_TRUE(memory().trace->question.split_networks);
+  EXPECT_TRUE(memory().chart.traced.empty());
+  EXPECT_EQ(series(1).x.size(), 51u);
 }
 
 TEST_F(CurvesTest, PointsOfAChosenCavityAreThoseOfItsNumberAndBeginAnewWithAlphaAndFile) {

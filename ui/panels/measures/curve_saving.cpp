@@ -28,7 +28,10 @@ std::string csv_of(const PanelContext& ctx, const CurveState& memory) {
   if (memory.chart_axis != CurveAxis::alpha) {
     comments.push_back("alpha: " + axis_text(CurveAxis::alpha, ctx.inputs.alpha_angstrom2) + " Å²");
   }
-  if (memory.trace) comments.push_back("radii: among them those that were on screen");
+  if (!memory.chart.traced.empty()) {
+    comments.push_back(memory.curves ? "radii: steps of 0.1 Å, and those of tables on screen"
+                                     : "radii: those of tables on screen");
+  }
   comments.push_back("values: " + memory.chart.chart.value_label);
   return chart_csv(memory.chart.chart, comments);
 }

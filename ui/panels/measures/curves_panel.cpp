@@ -31,7 +31,7 @@ void legend(PanelContext& ctx, const CurveState& memory) {
     ImGui::AlignTextToFramePadding();
     muted_text(ctx, "ring: splits or joins");
   }
-  if (memory.trace) {
+  if (!memory.chart.traced.empty()) {
     ImGui::SameLine(0, ctx.px(14));
     ImGui::AlignTextToFramePadding();
     muted_text(ctx, "dot: from the table");

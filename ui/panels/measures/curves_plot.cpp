@@ -82,7 +82,7 @@ Plot curves_plot(const CurveState& memory, double shown) {
   plot.lines.push_back({shown, plot_ink(ChartColourRole::accent), 1.5f});
   set_ranges(plot, memory.chart_axis, shown);
   // Points alone have the axis of the slider, which stays where it is while the hand moves.
-  if (!memory.curves && memory.trace) {
+  if (!memory.curves && !memory.chart.traced.empty()) {
     plot.x.range = {0, std::max(kCurveSolventMostAngstrom, shown)};
   }
   return plot;

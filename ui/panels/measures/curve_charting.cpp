@@ -59,10 +59,12 @@ bool same_numbers(const std::vector<TracedSeries>& a, const std::vector<TracedSe
 
 bool follow_whole_chart(CurveState& memory, const CurveResults& now) {
   CurveState::Whole& whole = memory.whole;
+  // Numbers that do not continue those of the last chart may be of other cavities.
+  const bool goes_on = now.lines && memory.lines && now.lines->continues(*memory.lines);
+  if (!goes_on) whole = {};
   if (!now.curves) return false;
   if (!now.lines) {
-    whole = {
-        chart_of_totals(*now.curves, curve_quantity(memory)), now.curves, {}, {}, memory.quantity};
+    whole = {chart_of_totals(*now.curves, curve_quantity(memory)), now.curves, {}, memory.quantity};
     return true;
   }
   if (now.links && now.rows.size() == now.chosen.size()) {
@@ -71,11 +73,11 @@ bool follow_whole_chart(CurveState& memory, const CurveResults& now) {
       charted.push_back({now.lines->table->order[now.rows[k]], now.chosen[k].name});
     }
     whole = {chart_of_cavities(*now.curves, curve_quantity(memory), *now.links, charted),
-             now.curves, now.lines, now.chosen, memory.quantity};
+             now.curves, now.chosen, memory.quantity};
     return true;
   }
-  return whole.curves == now.curves && whole.quantity == memory.quantity && whole.lines &&
-         now.lines->continues(*whole.lines) && same_numbers(whole.chosen, now.chosen);
+  return whole.curves == now.curves && whole.quantity == memory.quantity &&
+         same_numbers(whole.chosen, now.chosen);
 }
 
 void make_curves_chart(CurveState& memory, const CurveResults& now, bool has_whole) {

@@ -41,7 +41,6 @@ struct CurveState {
   struct Whole {
     CavityChart chart;
     std::shared_ptr<const void> curves;
-    std::shared_ptr<const CavityLines> lines;
     std::vector<TracedSeries> chosen;
     int quantity = -1;
   } whole;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <mutex>
 #include <vector>
 
 #include "core/cavity/cavities.hpp"
@@ -25,11 +26,18 @@ inline UnionFind joined_balls(const CavityGround& ground, const Membership& in,
 
 // The number of these sets to which the atoms of a cavity belong.
 inline std::uint32_t count_bodies(const Cavity& cavity, UnionFind& sets) {
+  constexpr std::size_t kGrain = 4096;
+  const auto add = [](std::uint32_t root, std::vector<std::uint32_t>& to) {
+    if (std::find(to.begin(), to.end(), root) == to.end()) to.push_back(root);
+  };
   std::vector<std::uint32_t> roots;  // hardly ever more than two
-  for (const BallIndex v : cavity.atoms) {
-    const std::uint32_t root = sets.root(v);
-    if (std::find(roots.begin(), roots.end(), root) == roots.end()) roots.push_back(root);
-  }
+  std::mutex mutex;
+  parallel_ranges(0, cavity.atoms.size(), kGrain, [&](std::size_t first, std::size_t end) {
+    std::vector<std::uint32_t> own;
+    for (std::size_t n = first; n != end; ++n) add(sets.root(cavity.atoms[n]), own);
+    const std::lock_guard lock(mutex);
+    for (const std::uint32_t root : own) add(root, roots);
+  });
   return static_cast<std::uint32_t>(roots.size());
 }
 

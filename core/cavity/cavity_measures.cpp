@@ -27,6 +27,8 @@
 namespace alphascope {
 namespace {
 
+constexpr std::size_t kGrain = 512;
+
 // Units of the fixed-point sums, for all lengths, areas and volumes of one set of grown balls.
 struct Scales {
   double length, area, volume;
@@ -34,12 +36,18 @@ struct Scales {
 
 Scales scales_of(const BallSet& balls, const CavityScale& scale) {
   double reach = 1 + std::fabs(scale.solvent_on_lattice);
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    const LatticePoint& p = balls.centres[i];
-    const GrownBall ball = grown_ball(p, balls.radii[i], scale.alpha_on_lattice);
-    for (const std::int32_t x : {p.x, p.y, p.z}) reach = std::max(reach, std::fabs(double(x)));
-    reach = std::max(reach, ball.grown_radius);
-  }
+  std::mutex mutex;
+  parallel_ranges(0, balls.size(), kGrain, [&](std::size_t first, std::size_t end) {
+    double own = 0;
+    for (std::size_t i = first; i != end; ++i) {
+      const LatticePoint& p = balls.centres[i];
+      const GrownBall ball = grown_ball(p, balls.radii[i], scale.alpha_on_lattice);
+      for (const std::int32_t x : {p.x, p.y, p.z}) own = std::max(own, std::fabs(double(x)));
+      own = std::max(own, ball.grown_radius);
+    }
+    const std::lock_guard lock(mutex);
+    reach = std::max(reach, own);
+  });
   // `reach` bounds all coordinates and radii. No term exceeds 16 times the square or the cube of
   // twice `reach`.
   const int bits = bits_above(reach) + 1;
@@ -104,14 +112,24 @@ class CavityMeasurer {
   }
 
  private:
-  // The tetrahedra and the atoms of all cavities, one cavity after the other.
+  // The tetrahedra or the atoms of all cavities, one cavity after the other.
   struct Items {
     std::vector<std::size_t> first{0};  // of each cavity; one more at the end
-    std::vector<std::uint32_t> index;
+    ResultArray<std::uint32_t> index;
 
-    void add(const std::vector<std::uint32_t>& of_cavity) {
-      index.insert(index.end(), of_cavity.begin(), of_cavity.end());
-      first.push_back(index.size());
+    // `list` of each cavity.
+    void fill(const std::vector<Cavity>& cavities, std::vector<std::uint32_t> Cavity::*list,
+              const CancelToken& cancel) {
+      for (const Cavity& cavity : cavities) first.push_back(first.back() + (cavity.*list).size());
+      index.resize(first.back());
+      parallel_ranges(0, index.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        if (cancel.cancelled()) return;
+        for (std::size_t n = begin, c = cavity_of(begin); n < end; ++c) {
+          for (const std::size_t last = std::min(end, first[c + 1]); n < last; ++n)
+            index[n] = (cavities[c].*list)[n - first[c]];
+        }
+      });
+      cancel.throw_if_cancelled();
     }
     std::size_t size() const { return index.size(); }
     std::size_t cavity_of(std::size_t n) const {
@@ -121,11 +139,10 @@ class CavityMeasurer {
     }
   };
   void number_items() {
-    for (const Cavity& cavity : cavities_) {
-      tetrahedra_.add(cavity.tetrahedra);
-      atoms_.add(cavity.atoms);
-    }
+    tetrahedra_.fill(cavities_, &Cavity::tetrahedra, cancel_);
+    atoms_.fill(cavities_, &Cavity::atoms, cancel_);
     area_of_atom_.resize(atoms_.size());
+    is_lining_.resize(atoms_.size());
     parallel_many(atoms_.size(), cancel_, [&](std::size_t n) { area_of_atom_[n].clear(); });
   }
   // For each ball its places among the atoms of all cavities. There are seldom more than two.
@@ -214,6 +231,7 @@ class CavityMeasurer {
       const GrownBall grown = ball(atoms_.index[n]);
       const double area = area_of_atom_[n].value(sum_.area);
       sums.area.add(area, sum_.area);
+      is_lining_[n] = area > kLeastArea * grown.square_radius ? 1 : 0;
       if (grown.square_radius == 0) return;
       // The patch is moved by the solvent radius into its ball, but not beyond the ball's centre.
       const double share = std::max(0.0, 1 - scale_.solvent_on_lattice / grown.grown_radius);
@@ -224,8 +242,7 @@ class CavityMeasurer {
   }
   void list_lining(std::size_t c, CavityMeasures& measures) const {
     for (std::size_t n = atoms_.first[c]; n < atoms_.first[c + 1]; ++n) {
-      if (area_of_atom_[n].value(sum_.area) > kLeastArea * ball(atoms_.index[n]).square_radius)
-        measures.lining.push_back(atoms_.index[n]);
+      if (is_lining_[n]) measures.lining.push_back(atoms_.index[n]);
     }
   }
 
@@ -275,8 +292,6 @@ class CavityMeasurer {
   // Areas below this are rounding errors of sums of angles (on a sphere of radius 1).
   static constexpr double kLeastArea = 1e-11;
 
-  static constexpr std::size_t kGrain = 512;
-
   const CavityGround& ground_;
   const Membership& in_;
   const std::vector<Cavity>& cavities_;
@@ -288,6 +303,7 @@ class CavityMeasurer {
   Buckets of_ball_;
   ResultArray<std::uint32_t> place_;  // among atoms_, by ball
   ResultArray<SharedFixedSum> area_of_atom_;
+  ResultArray<std::uint8_t> is_lining_;  // of each atom
   std::vector<CavitySums> sums_;
 };
 

@@ -5,7 +5,9 @@
 
 #include <tbb/parallel_sort.h>
 
+#include <mutex>
 #include <span>
+#include <vector>
 
 #include "core/cavity/cavity_ground.hpp"
 #include "core/run/parallel.hpp"
@@ -33,14 +35,22 @@ std::vector<Mouth> mouths_of(const CavityGround& ground, const Membership& in,
                              std::span<const std::uint32_t> triangles) {
   UnionFind groups(triangles.size());
   std::vector<FaceOf> edges, vertices;
-  for (std::uint32_t n = 0; n < triangles.size(); ++n) {
-    for (const std::uint32_t e : ground.incidence.edges_of_triangle[triangles[n]]) {
-      if (!in.edges[e]) edges.push_back({e, n});
+  std::mutex mutex;
+  constexpr std::size_t kGrain = 1024;
+  parallel_ranges(0, triangles.size(), kGrain, [&](std::size_t first, std::size_t end) {
+    std::vector<FaceOf> own_edges, own_vertices;
+    for (auto n = static_cast<std::uint32_t>(first); n < end; ++n) {
+      for (const std::uint32_t e : ground.incidence.edges_of_triangle[triangles[n]]) {
+        if (!in.edges[e]) own_edges.push_back({e, n});
+      }
+      for (const BallIndex v : ground.incidence.triangles[triangles[n]]) {
+        if (!in.vertices[v]) own_vertices.push_back({v, n});
+      }
     }
-    for (const BallIndex v : ground.incidence.triangles[triangles[n]]) {
-      if (!in.vertices[v]) vertices.push_back({v, n});
-    }
-  }
+    const std::lock_guard lock(mutex);
+    edges.insert(edges.end(), own_edges.begin(), own_edges.end());
+    vertices.insert(vertices.end(), own_vertices.begin(), own_vertices.end());
+  });
   unite(edges, groups);
   unite(vertices, groups);
   std::vector<Mouth> mouths;

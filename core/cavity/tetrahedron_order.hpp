@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/cavity/order_balls.hpp"
 #include "core/geometry/ball_set.hpp"
-#include "core/geometry/host_device.hpp"
 #include "core/geometry/lattice_point.hpp"
 
 namespace alphascope {
@@ -27,19 +27,7 @@ inline bool comes_first(const BallSet& balls, const std::array<BallIndex, 4>& a,
   return of_a != of_b ? of_a < of_b : a < b;
 }
 
-// The order of a simplex' balls by their centres. Computations in this order give the same bits
-// whatever the indices of the balls are. comes_first(a, b): whether ball a does. Host and device.
-template <unsigned N, class ComesFirst>
-ALPHASCOPE_INLINE void order_balls(unsigned (&order)[N], const ComesFirst& comes_first) {
-  for (unsigned n = 0; n < N; ++n) order[n] = n;
-  for (unsigned n = 1; n < N; ++n) {
-    for (unsigned m = n; m > 0 && comes_first(order[m], order[m - 1]); --m) {
-      const unsigned kept = order[m];
-      order[m] = order[m - 1];
-      order[m - 1] = kept;
-    }
-  }
-}
+// As order_balls().
 template <std::size_t N>
 std::array<unsigned, N> order_by_centres(const BallSet& balls,
                                          const std::array<BallIndex, N>& simplex) {

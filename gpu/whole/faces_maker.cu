@@ -53,13 +53,20 @@ class Layout {
   std::size_t add(std::size_t count) {
     constexpr std::size_t kAlign = 256;
     const std::size_t at = bytes_;
+    arrays_.push_back({at, count * sizeof(T)});
     bytes_ += (count * sizeof(T) + kAlign - 1) / kAlign * kAlign;
     return at;
   }
   std::size_t bytes() const { return bytes_; }
 
+  struct Array {
+    std::size_t at, bytes;
+  };
+  const std::vector<Array>& arrays() const { return arrays_; }
+
  private:
   std::size_t bytes_ = 0;
+  std::vector<Array> arrays_;
 };
 
 // Where the values of the faces of one dimension lie.
@@ -206,11 +213,14 @@ struct FacesMaker::State {
     result.reserve(layout.bytes());
     to_host = results->take(layout.bytes()).memory;
   }
-  // Queues the way of finished bytes to the host.
-  void bring(std::size_t from, std::size_t end) {
+  // Queues the way of finished arrays to the host: those that lie from `from` to `end`.
+  void bring(const Layout& layout, std::size_t from, std::size_t end) {
     made.record(stream);
     made.make_wait(copier);
-    copier.fetch(to_host.get() + from, result.get() + from, end - from);
+    for (const Layout::Array& array : layout.arrays()) {
+      if (array.at >= from && array.at < end && array.bytes > 0)
+        copier.fetch(to_host.get() + array.at, result.get() + array.at, array.bytes);
+    }
   }
   template <class T>
   ResultArray<T> array(std::size_t place, std::size_t size) const {
@@ -420,17 +430,17 @@ std::optional<FiltrationParts> FacesMaker::filtration_parts(const BallSet& balls
   triangles.balls = s.at<std::uint32_t>(layout.triangles);
   triangles.values = s.values_at(layout.of_triangles);
   s.set_all_triangles(triangles, tetrahedron_values);
-  s.bring(layout.triangles, layout.edges);
-  s.bring(layout.tetrahedron_values, layout.of_edges.value);
+  s.bring(layout, layout.triangles, layout.edges);
+  s.bring(layout, layout.tetrahedron_values, layout.of_edges.value);
   uint2* const edges = s.at<uint2>(layout.edges);
   if (!s.list_edges(triangles, edges, why_not)) return std::nullopt;
   cancel.throw_if_cancelled();
   context.report(stage::kClassification, 0.5);
   s.set_all_edges(triangles, edges, s.values_at(layout.of_edges));
-  s.bring(layout.edges, layout.tetrahedron_values);
-  s.bring(layout.of_edges.value, layout.of_vertices.value);
+  s.bring(layout, layout.edges, layout.tetrahedron_values);
+  s.bring(layout, layout.of_edges.value, layout.of_vertices.value);
   s.set_all_vertices(triangulation.vertices, s.values_at(layout.of_vertices));
-  s.bring(layout.of_vertices.value, layout.bytes());
+  s.bring(layout, layout.of_vertices.value, layout.bytes());
   FiltrationParts parts;
   parts.hash_steps = s.hash_steps(
       {{{s.vertices.get(), s.at<float>(layout.of_vertices.value), s.count.vertices},
@@ -479,8 +489,8 @@ std::optional<TriangulationGround> FacesMaker::ground(const BallSet& balls,
   triangles.tetrahedra = s.at<uint2>(layout.tetrahedra);
   triangles.of_tetrahedron = s.at<std::uint32_t>(layout.of_tetrahedron);
   s.set_all_triangles(triangles, nullptr);
-  s.bring(layout.triangles, layout.edges);
-  s.bring(layout.of_tetrahedron, layout.of_triangle);
+  s.bring(layout, layout.triangles, layout.edges);
+  s.bring(layout, layout.of_tetrahedron, layout.of_triangle);
   uint2* const edges = s.at<uint2>(layout.edges);
   if (!s.list_edges(triangles, edges, why_not)) return std::nullopt;
   cancel.throw_if_cancelled();
@@ -488,10 +498,10 @@ std::optional<TriangulationGround> FacesMaker::ground(const BallSet& balls,
   s.stream.each(find_edges_of_triangles, 3 * s.count.triangles, s.in.triangle_count,
                 triangles.balls, s.first_edge.get(), edges,
                 s.at<std::uint32_t>(layout.of_triangle));
-  s.bring(layout.edges, layout.of_tetrahedron);
-  s.bring(layout.of_triangle, layout.marks);
+  s.bring(layout, layout.edges, layout.of_tetrahedron);
+  s.bring(layout, layout.of_triangle, layout.marks);
   s.spread_flow(marks, cancel);
-  s.bring(layout.marks, layout.bytes());
+  s.bring(layout, layout.marks, layout.bytes());
   s.copier.wait("copying incidences");
   s.require_all_edges();
   cancel.throw_if_cancelled();
@@ -560,7 +570,7 @@ std::optional<Membership> FacesMaker::membership(const Incidence& incidence,
   s.stream.each(ask_vertices, balls, at);
   s.stream.each(leave_out_attached_vertices, n.edges, at);
   s.stream.each(mark_vertices_in, balls, at);
-  s.stream.fetch(s.to_host.get(), marks, layout.bytes());
+  s.stream.fetch(s.to_host.get(), marks, layout.bytes());  // all of it was cleared
   s.stream.wait("finding what is in the complex");
   cancel.throw_if_cancelled();
   Membership in;

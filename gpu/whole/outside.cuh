@@ -2,8 +2,8 @@
 // The parts of tetrahedra outside the balls (core/cavity/outside_body.hpp), with the CPU's bits.
 #pragma once
 
+#include "core/cavity/order_balls.hpp"
 #include "core/cavity/outside_body.hpp"
-#include "core/cavity/tetrahedron_order.hpp"
 #include "gpu/whole/membership.cuh"
 
 namespace alphascope::gpu {

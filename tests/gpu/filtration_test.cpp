@@ -46,7 +46,9 @@ class GpuFiltration : public ::testing::Test {
   template <int N>
   void expect_list(const SimplexList<N>& found, const ClassLevels& levels,
                    const SimplexList<N>& expected, const ClassLevels& expected_levels) {
-    if constexpr (N > 1) EXPECT_TRUE(found.simplices == expected.simplices);
+    if constexpr (N > 1) {
+      EXPECT_TRUE(found.simplices == expected.simplices);
+    }
     EXPECT_TRUE(same_bits(found.alpha_values, expected.alpha_values));
     EXPECT_TRUE(found.classes == expected.classes);
     EXPECT_TRUE(same_bits(levels.regular_from, expected_levels.regular_from));

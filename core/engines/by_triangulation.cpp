@@ -49,15 +49,21 @@ AlphaComplex filtered_tetrahedra(const BallSet& balls, const Triangulation& tria
 }
 
 // Names the steps that were taken. `was_known`: the triangulation was.
-std::string route_of(const AlphaRequest& request, bool was_known,
-                     const Triangulation& triangulation) {
+std::string route_of(const AlphaRequest& request, bool was_known, const KnownResults& known) {
+  const Triangulation& triangulation = *known.triangulation;
+  const auto on_device = [&](bool made) {
+    return made && triangulation.report ? " on " + triangulation.report->maker : std::string();
+  };
+  std::string filtration;
+  if (!request.tetrahedra_only)
+    filtration = "filtration" + on_device(known.filtration->made_by_device());
   if (was_known) {
-    return request.tetrahedra_only ? "threshold of the whole triangulation"
-                                   : "filtration of the whole triangulation, then threshold";
+    return request.tetrahedra_only
+               ? "threshold of the whole triangulation"
+               : filtration + " of the whole triangulation, then threshold";
   }
-  std::string route = "regular triangulation";
-  if (made_by_device(triangulation)) route += " on " + triangulation.report->maker;
-  return route + (request.tetrahedra_only ? ", then threshold" : ", filtration, then threshold");
+  return "regular triangulation" + on_device(made_by_device(triangulation)) +
+         (request.tetrahedra_only ? "" : ", " + filtration) + ", then threshold";
 }
 
 }  // namespace
@@ -86,7 +92,7 @@ AlphaComplex compute_by_triangulation(const TriangulatingEngine& engine,
   context.cancel.throw_if_cancelled();
   AlphaComplex complex = request.tetrahedra_only ? filtered_tetrahedra(balls, *triangulation, alpha)
                                                  : threshold(*known.filtration, alpha, false);
-  complex.engine.route = route_of(request, was_known, *triangulation);
+  complex.engine.route = route_of(request, was_known, known);
   timer.lap(stage::kThreshold);
   return complex;
 }

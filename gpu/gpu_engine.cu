@@ -155,6 +155,12 @@ class GpuExecutor : public Executor {
     }
   }
 
+  bool take(const std::shared_ptr<const BallSet>& balls) override {
+    pipeline_.load(*balls);
+    balls_ = balls;
+    return true;
+  }
+
   // Frees also the memory for measures and the outside, because the next engine may need it.
   void release_memory() override {
     measurer_.reset();

@@ -26,16 +26,31 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
   }
   // Engines of another molecule are not needed again. They are freed before a new one is made.
   std::erase_if(entries_, [&](const Entry& entry) { return entry.base != balls; });
-  while (entries_.size() >= kEntries) entries_.pop_back();
-
   std::shared_ptr<const BallSet> grown = balls;
   if (request.solvent_radius_angstrom != 0) {
     grown = std::make_shared<const BallSet>(with_solvent(*balls, request.solvent_radius_angstrom));
     if (of_all.balls && *of_all.balls == *grown) grown = of_all.balls;
   }
-  MadeEngine made = factory_(request.engine, grown, engine_settings(request));
+  std::optional<MadeEngine> taken = engine_that_takes(grown, request);
+  while (entries_.size() >= kEntries) entries_.pop_back();
+  MadeEngine made =
+      taken ? *std::move(taken) : factory_(request.engine, grown, engine_settings(request));
   entries_.push_front({balls, std::move(grown), request, std::move(made)});
   return entries_.front();
+}
+
+// An engine of the same atoms with another solvent radius. Reserving memory on a GPU takes ten
+// times as long as computing does.
+std::optional<MadeEngine> EngineCache::engine_that_takes(
+    const std::shared_ptr<const BallSet>& grown, Request request) {
+  for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
+    request.solvent_radius_angstrom = entry->request.solvent_radius_angstrom;
+    if (!same_setup(entry->request, request) || !entry->made.engine->take(grown)) continue;
+    MadeEngine made = std::move(entry->made);
+    entries_.erase(entry);
+    return made;
+  }
+  return std::nullopt;
 }
 
 EngineSettings EngineCache::engine_settings(const Request& request) const {

@@ -70,6 +70,8 @@ class EngineCache {
     std::weak_ptr<const Filtration> taken_filtration = {};
   };
 
+  std::optional<MadeEngine> engine_that_takes(const std::shared_ptr<const BallSet>& grown,
+                                              Request request);
   AlphaComplex complex_of(Entry& entry, const Request& request, const RunContext& context,
                           const ResultsForAllAlphas& of_all);
   EngineAnswer answer(Entry& entry, const Request& request, const RunContext& context,

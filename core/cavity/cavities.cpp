@@ -3,6 +3,8 @@
 // mouths, sinks and Betti numbers.
 #include "core/cavity/cavities.hpp"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -116,7 +118,7 @@ class CavityFinder {
       const std::lock_guard lock(mutex);
       others.insert(others.end(), own.begin(), own.end());
     });
-    std::sort(others.begin(), others.end());
+    tbb::parallel_sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
     const ResultArray<std::uint32_t> balls = indices_where(
         kept.size(), [&](std::size_t v) { return kept[v] != Cavities::kNone; }, cancel_);

@@ -12,7 +12,7 @@ struct OutsidePart {
   double volume;          // volume outside the balls
   double area[4];         // area of each ball's sphere
   double arc;             // length of the arcs in which two spheres meet
-  std::uint32_t corners;  // points in which three spheres meet
+  std::uint64_t corners;  // points in which three spheres meet; as wide as the rest, without gaps
   // The offsets of arcs and corners: within the solvent radius of them, between the directions to
   // their balls' centres. If one of these balls is smaller than the solvent radius, the offset ends
   // at the line or plane through the centres. So no offset reaches beyond the centre of such a

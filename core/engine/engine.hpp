@@ -70,6 +70,11 @@ class Engine {
   // Two threads must not call it at once, nor together with compute().
   virtual std::optional<SharedFaces> find_outer_faces(const AlphaComplex&) { return std::nullopt; }
 
+  // Takes other balls in place of its own, and keeps memory that a new engine would have to
+  // reserve. Returns false if this engine cannot; it still has its own balls then. Two threads must
+  // not call it at once, nor together with compute().
+  virtual bool take(const std::shared_ptr<const BallSet>&) { return false; }
+
   // Called when another engine will be asked from now on. Frees memory that only serves this
   // engine's next results. May wait for a device. compute() may be called again at any time. Two
   // threads must not call it at once, nor together with compute().

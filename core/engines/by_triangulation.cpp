@@ -58,9 +58,8 @@ std::string route_of(const AlphaRequest& request, bool was_known, const KnownRes
   if (!request.tetrahedra_only)
     filtration = "filtration" + on_device(known.filtration->made_by_device());
   if (was_known) {
-    return request.tetrahedra_only
-               ? "threshold of the whole triangulation"
-               : filtration + " of the whole triangulation, then threshold";
+    return request.tetrahedra_only ? "threshold of the whole triangulation"
+                                   : filtration + " of the whole triangulation, then threshold";
   }
   return "regular triangulation" + on_device(made_by_device(triangulation)) +
          (request.tetrahedra_only ? "" : ", " + filtration) + ", then threshold";

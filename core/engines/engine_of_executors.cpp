@@ -51,7 +51,7 @@ class SlabCount {
            answers_ >= kAnswersBeforeTrial;
   }
 
-  const std::size_t balls_;
+  std::size_t balls_;
   std::size_t slabs_ = 1;
   Alpha refused_alpha_;  // Å²; the last for which half as many slabs had no room
   bool refused_tetrahedra_only_ = false;
@@ -96,6 +96,24 @@ class EngineOfExecutors : public Engine {
     std::optional<SharedFaces> outside;
     if (whole_) by_whole([&] { outside = whole_->find_outer_faces(complex); });
     return outside;
+  }
+
+  // An engine that needs slabs, or the CPU, begins anew.
+  bool take(const std::shared_ptr<const BallSet>& balls) override {
+    if (!whole_ || slabs_() > 1 || !why_not_whole_.empty()) return false;
+    try {
+      if (!whole_->take(balls)) return false;
+    } catch (const ExecutorFailed&) {
+      whole_.reset();
+      return false;
+    } catch (const std::bad_alloc&) {
+      whole_.reset();
+      return false;
+    }
+    balls_ = balls;
+    slabs_ = SlabCount(balls_->size());
+    cpu_.reset();
+    return true;
   }
 
   void release_memory() override {

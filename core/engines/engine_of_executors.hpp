@@ -15,7 +15,7 @@
 
 namespace alphascope {
 
-// Computes on a device with a memory of its own. Made for one set of balls.
+// Computes on a device with a memory of its own. Made for one set of balls at a time.
 class Executor {
  public:
   virtual ~Executor() = default;
@@ -31,6 +31,8 @@ class Executor {
   }
   // As Engine::find_outer_faces(), but throws as measure() here does.
   virtual std::optional<SharedFaces> find_outer_faces(const AlphaComplex&) { return std::nullopt; }
+  // As Engine::take(), but throws as compute() does.
+  virtual bool take(const std::shared_ptr<const BallSet>&) { return false; }
   // As Engine::release_memory().
   virtual void release_memory() {}
 };

@@ -24,35 +24,45 @@ DualEdgePipeline::DualEdgePipeline() : state_(std::make_unique<State>()) {
 }
 
 DualEdgePipeline::DualEdgePipeline(const BallSet& balls, int chunks) : DualEdgePipeline() {
-  State& s = *state_;
-  s.chunks = chunks;
-  s.lattice = balls.lattice;
-  s.n = balls.size();
-  s.load(balls);
-  s.reserve_balls();
+  state_->chunks = chunks;
+  load(balls);
 }
 
 void DualEdgePipeline::set_most_attempts(int attempts) {
   state_->most_attempts = attempts;
 }
 
-void DualEdgePipeline::load(const DeviceBalls& balls) {
-  State& s = *state_;
-  s.on_device.reset();
-  s.tetrahedra_on_device = {};
+void DualEdgePipeline::State::expect(std::size_t count) {
+  on_device.reset();
+  tetrahedra_on_device = {};
   // What earlier balls needed is a guess, with a little more for the difference.
-  const double ratio = s.n == 0 ? 1 : static_cast<double>(balls.count) / static_cast<double>(s.n);
-  const auto scaled = [&](std::size_t count) {
-    return static_cast<std::size_t>(1.05 * ratio * static_cast<double>(count)) + 64;
+  const double ratio = n == 0 ? 1 : static_cast<double>(count) / static_cast<double>(n);
+  const auto scaled = [&](std::size_t of) {
+    return static_cast<std::size_t>(1.05 * ratio * static_cast<double>(of)) + 64;
   };
-  for (State::Need& need : s.needs) {
-    if (balls.count != s.n) {
-      for (std::size_t& count : need.counts.of) count = scaled(count);
+  for (Need& need : needs) {
+    if (count != n) {
+      for (std::size_t& own : need.counts.of) own = scaled(own);
       need.candidates = scaled(need.candidates);
     }
     need.totals.clear();
   }
-  s.n = balls.count;
+  n = count;
+}
+
+void DualEdgePipeline::load(const BallSet& balls) {
+  State& s = *state_;
+  s.expect(balls.size());
+  s.lattice = balls.lattice;
+  s.packing.reset();
+  s.source = nullptr;
+  s.load(balls);
+  s.reserve_balls();
+}
+
+void DualEdgePipeline::load(const DeviceBalls& balls) {
+  State& s = *state_;
+  s.expect(balls.count);
   s.lattice = balls.lattice;
   s.low = balls.low;
   s.high = balls.high;

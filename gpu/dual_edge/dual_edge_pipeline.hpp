@@ -69,6 +69,8 @@ class DualEdgePipeline {
   // Takes other balls, which stay where they are until the next load(). Memory is kept, and the
   // room that earlier runs needed is the first guess. Throws std::bad_alloc and DeviceError.
   void load(const DeviceBalls& balls);
+  // The same for balls on the host, as the constructor.
+  void load(const BallSet& balls);
 
   // Limits the number of runs until there is room for all simplices. A request that needs more does
   // not fit.

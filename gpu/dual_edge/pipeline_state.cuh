@@ -228,6 +228,8 @@ struct DualEdgePipeline::State {
   std::optional<Problem> plan(const LatticeAlpha& alpha, bool whole);
   SortedBalls sort_into_cells(const Problem& p, EventTimer& timer);
   void load(const BallSet& balls);
+  // Takes so many balls, which are not there yet.
+  void expect(std::size_t count);
   void reserve_balls();
   // Receive balls in one piece or several, and put them into their cells.
   int pieces() const;

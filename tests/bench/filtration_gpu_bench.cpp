@@ -13,9 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/cavity/cavities.hpp"
 #include "core/cavity/cavity_ground.hpp"
 #include "core/cavity/cavity_table.hpp"
 #include "core/complex/alpha_complex.hpp"
+#include "core/geometry/lattice_alpha.hpp"
 #include "core/run/work_threads.hpp"
 #include "core/triangulation/filtration.hpp"
 #include "core/triangulation/triangulation_maker.hpp"
@@ -113,15 +115,28 @@ bool time_set(const std::shared_ptr<TriangulationMaker>& maker, const std::strin
     return std::make_shared<const CavityTable>(make_cavity_table(
         ground, {Alpha{0.0}, solvent, OutsideRule::castp, false}, RunContext{}, device));
   });
+  std::vector<double> marks, search;
+  for (int run = 0; run < runs; ++run) {
+    const LatticeAlpha alpha = balls->lattice.alpha_on_lattice(Alpha{0.0});
+    auto start = Clock::now();
+    const auto in = device->membership(ground->incidence, alpha, {});
+    marks.push_back(milliseconds(start));
+    if (!in) break;
+    start = Clock::now();
+    const Cavities found = find_cavities(*ground, *in);
+    search.push_back(milliseconds(start));
+  }
   ground = ground_of_cpu = nullptr;
   const double table_on_device = time_of(runs, table, [&] { return table_of(maker); });
   const double table_on_cpu = time_of(few, table_of_cpu, [&] { return table_of(nullptr); });
   equal = equal && same(*table, *table_of_cpu);
   std::printf(
       "%s %s: balls %zu; filtration %.2f (CPU %.1f); incidences and flow %.2f (CPU %.1f); table "
-      "beyond them %.2f; balls to table, %zu cavities: %.2f (CPU %.1f)\n",
+      "beyond them %.2f (membership %.2f, search %.2f); balls to table, %zu cavities: %.2f (CPU "
+      "%.1f)\n",
       equal ? "ok  " : "DIFF", name.c_str(), balls->size(), on_device, on_cpu, ground_on_device,
-      ground_on_cpu, table_alone, table->found.cavities.size(), table_on_device, table_on_cpu);
+      ground_on_cpu, table_alone, median(marks), median(search), table->found.cavities.size(),
+      table_on_device, table_on_cpu);
   std::fflush(stdout);
   return equal;
 }

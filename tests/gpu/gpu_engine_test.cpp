@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "core/measure/engine_measures.hpp"
 #include "gpu/dual_edge/dual_edge_pipeline.hpp"
@@ -44,6 +46,35 @@ TEST(Gpu, EqualsTheCpuOnHardSets) {
     const double unit = set.alpha_unit();
     for (const double alpha : testing::kSomeAlphas) expect_same_on_gpu(balls, alpha * unit);
   }
+}
+
+// As the solvent radius moves, and then for quite other balls.
+TEST(Gpu, TakesOtherBalls) {
+  if (!gpu_device().usable) GTEST_SKIP() << gpu_device().why_not;
+  Random random(15);
+  std::vector<std::pair<std::shared_ptr<const BallSet>, double>> sets;
+  const BallSet some = testing::random_balls(random, 150, 1000, 100, 300);
+  for (const double solvent : {0.0, 1.0, 20.0, 1.0})
+    sets.push_back({std::make_shared<const BallSet>(with_solvent(some, solvent)), 0.05});
+  for (const NamedBalls& set : testing::large_hard_sets(random, testing::kLarge))
+    sets.push_back({std::make_shared<const BallSet>(set.balls), set.alpha_unit()});
+  std::unique_ptr<Engine> gpu;
+  int taken = 0;
+  for (const auto& [balls, unit] : sets) {
+    if (gpu && gpu->take(balls)) {
+      ++taken;
+    } else {  // the CPU answered for the device
+      gpu = testing::make_device_engine(balls);
+    }
+    const auto cpu = make_cpu_engine(balls);
+    for (const AlphaRequest& request : {AlphaRequest{unit, false}, AlphaRequest{0.0, true},
+                                        AlphaRequest{2 * unit, false}, AlphaRequest{unit, false}}) {
+      const AlphaComplex found = gpu->compute(request, {});
+      expect_same(found, cpu->compute(request, {}));
+    }
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(taken, 5);
 }
 
 // A complex that is still on the device is measured there. Any other complex of its balls is sent

@@ -45,6 +45,7 @@ class DeviceEngine : public Engine {
     }
     return by;
   }
+  bool take(const std::shared_ptr<const BallSet>& balls) override { return engine_->take(balls); }
   void release_memory() override { engine_->release_memory(); }
 
  private:

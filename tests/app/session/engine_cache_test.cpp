@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/session/rounding_note.hpp"
 #include "core/engines/answers_from_known.hpp"
 #include "core/engines/engine_of_executors.hpp"
@@ -51,6 +53,27 @@ TEST(EngineCache, GrowsTheBallsAndKeepsTwoSettings) {
   EXPECT_EQ(log.made, 3) << "the one used longest ago went";
   cache.compute(balls, with_solvent_radius(1.4), {});
   EXPECT_EQ(log.made, 4);
+}
+
+// An engine that takes other balls goes on for another solvent radius, but not for other choices.
+TEST(EngineCache, OneEngineTakesAllSolventRadii) {
+  FakeEngineLog log;
+  log.takes = true;
+  EngineCache cache(fake_factory(log));
+  const auto balls = few_balls(4);
+  for (const double solvent : {0.0, 1.4, 0.0, 2.0}) {
+    const EngineAnswer answer = cache.compute(balls, with_solvent_radius(solvent), {});
+    const std::int64_t weight = answer.balls->weight(0);
+    EXPECT_EQ(answer.balls->radii.at(0), 1700 + std::lround(1000 * solvent));
+    EXPECT_EQ(answer.complex.vertices.alpha_values.at(0), static_cast<float>(-weight));
+  }
+  EXPECT_EQ(log.made, 1);
+  Request other = with_solvent_radius(2);
+  other.threads = 1;
+  cache.compute(balls, other, {});
+  EXPECT_EQ(log.made, 2);
+  cache.compute(few_balls(5), with_solvent_radius(2), {});
+  EXPECT_EQ(log.made, 3) << "another molecule";
 }
 
 EngineFactory cgal_factory() {

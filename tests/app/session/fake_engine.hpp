@@ -25,6 +25,7 @@ struct FakeEngineLog {
   std::atomic<bool> set_up_again{false};  // later answers have set-up stages, too
   std::atomic<int> steps{1};              // of 50 µs each
   std::atomic<int> measured{0};
+  std::atomic<bool> takes{false};          // takes other balls
   std::atomic<bool> finds_outside{false};  // finds no face, in a millisecond
   DeviceMeasuring measuring;  // answers measure(); by a device with an area of 123 Å²
 };
@@ -59,6 +60,10 @@ class FakeEngine : public Engine {
     first_ = false;
     ++log_.finished;
     return complex;
+  }
+  bool take(const std::shared_ptr<const BallSet>& balls) override {
+    if (log_.takes) balls_ = balls;
+    return log_.takes;
   }
   DeviceMeasuring measure(const AlphaComplex&, UnionMeasures& to, const RunContext&) override {
     ++log_.measured;

@@ -50,18 +50,18 @@ AlphaComplex filtered_tetrahedra(const BallSet& balls, const Triangulation& tria
 
 // Names the steps that were taken. `was_known`: the triangulation was.
 std::string route_of(const AlphaRequest& request, bool was_known, const KnownResults& known) {
-  const Triangulation& triangulation = *known.triangulation;
-  const auto on_device = [&](bool made) {
-    return made && triangulation.report ? " on " + triangulation.report->maker : std::string();
+  const auto on = [](const std::string& device) {
+    return device.empty() ? device : " on " + device;
   };
+  const Triangulation& triangulation = *known.triangulation;
   std::string filtration;
-  if (!request.tetrahedra_only)
-    filtration = "filtration" + on_device(known.filtration->made_by_device());
+  if (!request.tetrahedra_only) filtration = "filtration" + on(known.filtration->device());
   if (was_known) {
     return request.tetrahedra_only ? "threshold of the whole triangulation"
                                    : filtration + " of the whole triangulation, then threshold";
   }
-  return "regular triangulation" + on_device(made_by_device(triangulation)) +
+  return "regular triangulation" +
+         on(made_by_device(triangulation) ? triangulation.report->maker : std::string()) +
          (request.tetrahedra_only ? "" : ", " + filtration) + ", then threshold";
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/complex/simplices.hpp"
@@ -55,7 +56,8 @@ class Filtration {
   const ClassLevelsByDimension& levels() const { return levels_; }
   const HashStepsByDimension& hash_steps() const { return hash_steps_; }
   const BallSet& balls() const { return *balls_; }
-  bool made_by_device() const { return made_by_device_; }
+  // The device that made it; empty: the CPU.
+  const std::string& device() const { return device_; }
 
   // Memory of the levels and of top(), bytes. Tetrahedra that are shared with a triangulation do
   // not count.
@@ -75,7 +77,7 @@ class Filtration {
   std::size_t shared_bytes_ = 0;  // part of top_ that a triangulation shares
   ClassLevelsByDimension levels_;
   HashStepsByDimension hash_steps_;
-  bool made_by_device_ = false;
+  std::string device_;
 };
 
 // K_alpha for alpha_on_lattice <= filtration.alpha_max_on_lattice() (else std::invalid_argument).

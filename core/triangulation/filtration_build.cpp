@@ -234,6 +234,7 @@ bool Filtration::fill_by_device(const Triangulation& triangulation, Simplices<4>
                 [&](std::size_t n) { top.vertices.simplices[n] = {triangulation.vertices[n]}; });
   levels_ = std::move(made->levels);
   hash_steps_ = std::move(made->hash_steps);
+  device_ = std::move(made->device);
   return true;
 }
 
@@ -247,9 +248,7 @@ void Filtration::build(const Triangulation& triangulation, Simplices<4> all_tetr
   top->engine.rests_on_cgal = made_by_cgal(triangulation);
 
   context.report(stage::kClassification, 0);
-  made_by_device_ =
-      maker != nullptr && fill_by_device(triangulation, all_tetrahedra, context, *maker, *top);
-  if (made_by_device_) {
+  if (maker != nullptr && fill_by_device(triangulation, all_tetrahedra, context, *maker, *top)) {
     top_ = top;
     return;
   }

@@ -2,6 +2,8 @@
 // The simplices of a triangulation of dimension 3 with their alpha values and levels.
 #pragma once
 
+#include <string>
+
 #include "core/complex/alpha_complex.hpp"
 #include "core/run/cancel_token.hpp"
 #include "core/triangulation/filtration.hpp"
@@ -16,6 +18,7 @@ struct FiltrationParts {
   ResultArray<float> tetrahedron_values;
   ClassLevelsByDimension levels;
   HashStepsByDimension hash_steps;
+  std::string device;  // that made them
 };
 
 // Makes all but the hash steps of a filtration: fills the four lists of `top`, and the levels.

@@ -129,15 +129,19 @@ class GpuTriangulator : public DeviceTriangulator {
                                                   const Triangulation& triangulation,
                                                   const RunContext& context,
                                                   std::string& why_not) override {
-    return made_of<FiltrationParts>(why_not, [&](FacesMaker& faces) {
+    expect(triangulation);
+    std::optional<FiltrationParts> made = made_of<FiltrationParts>(why_not, [&](FacesMaker& faces) {
       return faces.filtration_parts(balls, triangulation, on_device(triangulation), context,
                                     why_not);
     });
+    if (made) made->device = gpu_device().name;
+    return made;
   }
   std::optional<TriangulationGround> ground(const BallSet& balls,
                                             const Triangulation& triangulation, FlowTies ties,
                                             const RunContext& context,
                                             std::string& why_not) override {
+    expect(triangulation);
     return made_of<TriangulationGround>(why_not, [&](FacesMaker& faces) {
       return faces.ground(balls, triangulation, on_device(triangulation), ties, context, why_not);
     });
@@ -179,9 +183,15 @@ class GpuTriangulator : public DeviceTriangulator {
     last_ = {};
     memory_ = {};
     faces_ = {};
-    most_balls_ = 0;
+    most_balls_ = most_followed_ = 0;
   }
 
+  // Notes whether more memory will be kept than before.
+  void expect(const Triangulation& triangulation) {
+    const std::size_t count = triangulation.tetrahedra.size();
+    grown_ = grown_ || count > most_followed_;
+    most_followed_ = std::max(most_followed_, count);
+  }
   // Calls make(faces). An error is told in `why_not`.
   template <class Made, class Make>
   std::optional<Made> made_of(std::string& why_not, const Make& make) {
@@ -523,6 +533,7 @@ class GpuTriangulator : public DeviceTriangulator {
   std::unique_ptr<FacesMaker> faces_;
   std::weak_ptr<unsigned char> last_;  // the last result on the host, which is also in `memory_`
   std::size_t most_balls_ = 0;         // for which it is kept
+  std::size_t most_followed_ = 0;      // tetrahedra of which faces were made
   bool grown_ = false;                 // since takes_much_room() was called
   std::shared_ptr<ResultMemory> results_ = std::make_shared<ResultMemory>();
   FindSeed find_seed_;

@@ -78,7 +78,7 @@ TEST_F(TriangulationMakerTest, TheDeviceMakesWhatFollowsFromManyBalls) {
   const auto balls = std::make_shared<const BallSet>(many_);
   const Filtration filtration(balls, shared, {}, &triangulations), expected(balls, shared);
   EXPECT_EQ(calls_.filtrations, 1);
-  EXPECT_FALSE(filtration.made_by_device());
+  EXPECT_EQ(filtration.device(), "");
   EXPECT_TRUE(filtration.top().edges.simplices == expected.top().edges.simplices);
   RunContext cancelled;
   cancelled.cancel.cancel();

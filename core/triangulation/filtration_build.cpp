@@ -11,6 +11,7 @@
 #include "core/complex/alpha_complex.hpp"
 #include "core/complex/face_class.hpp"
 #include "core/complex/face_groups.hpp"
+#include "core/complex/simplex_count.hpp"
 #include "core/complex/triangulation.hpp"
 #include "core/predicates/exact_alpha.hpp"
 #include "core/run/parallel.hpp"

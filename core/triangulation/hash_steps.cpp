@@ -6,8 +6,6 @@
 #include <tbb/parallel_reduce.h>
 #include <tbb/task_group.h>
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "core/complex/alpha_complex.hpp"
@@ -16,8 +14,6 @@
 
 namespace alphascope {
 namespace {
-
-constexpr std::size_t kSteps = StepValues::kMost, kSamplesPerStep = 64;
 
 template <int N>
 StepValues step_values_of(const SimplexList<N>& list) {
@@ -52,32 +48,6 @@ StepSums step_sums(const SimplexList<N>& list, const StepValues& values,
 }
 
 }  // namespace
-
-std::size_t sample_stride(std::size_t simplices) {
-  return simplices / (kSteps * kSamplesPerStep) + 1;
-}
-
-StepValues step_values(std::vector<float> sample) {
-  std::sort(sample.begin(), sample.end());
-  StepValues values;
-  std::fill(std::begin(values.value), std::end(values.value),
-            std::numeric_limits<float>::infinity());
-  std::size_t steps = 0;
-  for (std::size_t s = 0; s < kSteps && !sample.empty(); ++s) {
-    const float edge = sample[(sample.size() - 1) * s / (kSteps - 1)];
-    if (steps == 0 || values.value[steps - 1] < edge) values.value[steps++] = edge;
-  }
-  return values;
-}
-
-HashSteps::HashSteps(const StepValues& values, const StepSums& sums) {
-  std::uint64_t sum = 0;
-  for (std::size_t n = 0; n < kSteps; ++n) {
-    const float value = values.value[n];
-    if (n > 0 && !(steps_.back().alpha_value < value)) break;  // the padding
-    steps_.push_back({value, sum += sums[n]});
-  }
-}
 
 template <int N>
 HashSteps::HashSteps(const SimplexList<N>& list, const CancelToken& cancel) {

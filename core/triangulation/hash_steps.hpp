@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -40,10 +41,26 @@ struct StepValues {
 // For each step, the sum of simplex_hash() over its simplices; last, those above all values.
 using StepSums = std::array<std::uint64_t, StepValues::kMost + 1>;
 
+// These are in the header for the reason that core/complex/simplex_count.hpp gives.
 // Every how many simplices of a list of this size one goes into the sample.
-std::size_t sample_stride(std::size_t simplices);
+inline std::size_t sample_stride(std::size_t simplices) {
+  constexpr std::size_t kSamplesPerStep = 64;
+  return simplices / (StepValues::kMost * kSamplesPerStep) + 1;
+}
 // Quantiles of a sample of the alpha values: those of simplices 0, stride, 2 stride, and so on.
-StepValues step_values(std::vector<float> sample);
+inline StepValues step_values(std::vector<float> sample) {
+  constexpr std::size_t kSteps = StepValues::kMost;
+  std::sort(sample.begin(), sample.end());
+  StepValues values;
+  std::fill(std::begin(values.value), std::end(values.value),
+            std::numeric_limits<float>::infinity());
+  std::size_t steps = 0;
+  for (std::size_t s = 0; s < kSteps && !sample.empty(); ++s) {
+    const float edge = sample[(sample.size() - 1) * s / (kSteps - 1)];
+    if (steps == 0 || values.value[steps - 1] < edge) values.value[steps++] = edge;
+  }
+  return values;
+}
 
 class HashSteps {
  public:
@@ -55,7 +72,14 @@ class HashSteps {
   };
 
   HashSteps() = default;
-  HashSteps(const StepValues& values, const StepSums& sums);
+  HashSteps(const StepValues& values, const StepSums& sums) {
+    std::uint64_t sum = 0;
+    for (std::size_t n = 0; n < StepValues::kMost; ++n) {
+      const float value = values.value[n];
+      if (n > 0 && !(steps_.back().alpha_value < value)) break;  // the padding
+      steps_.push_back({value, sum += sums[n]});
+    }
+  }
   // Works in the caller's task arena. Throws Cancelled.
   template <int N>
   HashSteps(const SimplexList<N>& list, const CancelToken& cancel);

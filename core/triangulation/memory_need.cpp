@@ -6,6 +6,7 @@
 
 #include "core/complex/alpha_complex.hpp"
 #include "core/complex/face_groups.hpp"
+#include "core/complex/simplex_count.hpp"
 #include "core/complex/triangulation.hpp"
 
 namespace alphascope {
@@ -79,15 +80,6 @@ MemoryNeed need(const SimplexCount& c) {
 
 // V - E + F - T = 1. Each tetrahedron has four faces, which two tetrahedra share, except those of
 // the hull.
-SimplexCount simplex_count(const Triangulation& t) {
-  SimplexCount c;
-  c.vertices = t.vertices.size();
-  c.tetrahedra = t.tetrahedra.size();
-  c.triangles = t.dimension == 2 ? t.triangles.size() : (4 * c.tetrahedra + t.hull.size()) / 2;
-  if (t.dimension >= 1) c.edges = c.vertices + c.triangles - c.tetrahedra - 1;
-  return c;
-}
-
 MemoryNeed triangulation_memory(std::size_t balls) {
   const SimplexCount c = count_of_molecule(balls);
   const std::uint64_t tetrahedron = sizeof(std::array<BallIndex, 4>) + 4 * sizeof(Neighbour);

@@ -10,12 +10,6 @@ namespace alphascope {
 
 struct Triangulation;
 
-struct SimplexCount {
-  std::uint64_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;
-};
-// The numbers of all simplices, including faces that the triangulation does not list.
-SimplexCount simplex_count(const Triangulation& triangulation);
-
 // Memory in bytes.
 struct MemoryNeed {
   std::uint64_t held = 0;  // held by the finished object

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/complex/simplex_count.hpp"
 #include "core/complex/triangulation.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/parallel.hpp"
 #include "core/run/stage_timer.hpp"
-#include "core/triangulation/memory_need.hpp"
 #include "gpu/memory/device_buffer.cuh"
 #include "gpu/memory/prefix_sum.cuh"
 #include "gpu/memory/result_memory.cuh"

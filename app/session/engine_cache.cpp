@@ -39,8 +39,8 @@ EngineCache::Entry& EngineCache::find_or_make(const std::shared_ptr<const BallSe
   return entries_.front();
 }
 
-// An engine of the same atoms with another solvent radius. Reserving memory on a GPU takes ten
-// times as long as computing does.
+// An engine of the same atoms with another solvent radius. A new one would reserve memory on the
+// GPU anew.
 std::optional<MadeEngine> EngineCache::engine_that_takes(
     const std::shared_ptr<const BallSet>& grown, Request request) {
   for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {

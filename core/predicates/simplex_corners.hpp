@@ -11,7 +11,8 @@
 
 namespace alphascope {
 
-// The balls of a simplex on the host. On a device gpu/whole/corners.cuh takes its place.
+// The balls of a simplex on the host. On a device DeviceCorners (gpu/whole/whole.cuh) takes its
+// place.
 template <std::size_t N>
 struct SimplexCorners {
   const BallSet& balls;

@@ -112,6 +112,12 @@ struct GroundLayout : Layout {
         values(add<float>(count.tetrahedra)) {}
 };
 
+// Results keep their memory. This lets go of it in any case, so that a cancelled call keeps none.
+struct LetGoAtEnd {
+  std::shared_ptr<unsigned char>& memory;
+  ~LetGoAtEnd() { memory.reset(); }
+};
+
 }  // namespace
 
 struct FacesMaker::State {
@@ -150,9 +156,9 @@ struct FacesMaker::State {
     made.create(cudaEventDisableTiming);
   }
 
-  // Begins with a triangulation, and queues its way to the device.
+  // Begins with a triangulation: queues its way to the device, and makes room for the results.
   bool begin(const BallSet& of, const Triangulation& triangulation,
-             const TriangulationOnDevice& there, std::string& why_not) {
+             const TriangulationOnDevice& there, const Layout& layout, std::string& why_not) {
     count = simplex_count(triangulation);
     if (count.triangles > kMostListedTriangles) {
       why_not = "more simplices than the device can number";
@@ -178,6 +184,9 @@ struct FacesMaker::State {
     }
     numbers.reserve(2);
     host_numbers.reserve(3);
+    forget_ground();
+    result.reserve(layout.bytes());
+    to_host = results->take(layout.bytes()).memory;
     return true;
   }
   void send_balls(const BallSet& of) {
@@ -207,11 +216,6 @@ struct FacesMaker::State {
   void forget_ground() {
     last_ground = {};
     last_membership = {};
-  }
-  void make_room(const Layout& layout) {
-    forget_ground();
-    result.reserve(layout.bytes());
-    to_host = results->take(layout.bytes()).memory;
   }
   // Queues the way of finished arrays to the host: those that lie from `from` to `end`.
   void bring(const Layout& layout, std::size_t from, std::size_t end) {
@@ -418,9 +422,9 @@ std::optional<FiltrationParts> FacesMaker::filtration_parts(const BallSet& balls
   const CancelToken& cancel = context.cancel;
   context.report(stage::kClassification, 0);
   const FiltrationLayout layout(simplex_count(triangulation));
+  const LetGoAtEnd lets_go{s.to_host};
   const WaitAtEnd waits{s.stream, s.copier};
-  if (!s.begin(balls, triangulation, there, why_not)) return std::nullopt;
-  s.make_room(layout);
+  if (!s.begin(balls, triangulation, there, layout, why_not)) return std::nullopt;
   s.marks.reserve(s.count.tetrahedra);
   float* const tetrahedron_values = s.at<float>(layout.tetrahedron_values);
   s.find_values_and_flow(FlowTies::strict, tetrahedron_values, s.marks.get());
@@ -464,7 +468,6 @@ std::optional<FiltrationParts> FacesMaker::filtration_parts(const BallSet& balls
   take(layout.of_triangles, parts.triangles, parts.levels.triangles);
   take(layout.of_edges, parts.edges, parts.levels.edges);
   take(layout.of_vertices, parts.vertices, parts.levels.vertices);
-  s.to_host.reset();
   return parts;
 }
 
@@ -477,9 +480,9 @@ std::optional<TriangulationGround> FacesMaker::ground(const BallSet& balls,
   const CancelToken& cancel = context.cancel;
   context.report(stage::kFlow, 0);
   const GroundLayout layout(simplex_count(triangulation));
+  const LetGoAtEnd lets_go{s.to_host};
   const WaitAtEnd waits{s.stream, s.copier};
-  if (!s.begin(balls, triangulation, there, why_not)) return std::nullopt;
-  s.make_room(layout);
+  if (!s.begin(balls, triangulation, there, layout, why_not)) return std::nullopt;
   std::uint8_t* const marks = s.at<std::uint8_t>(layout.marks);
   s.find_values_and_flow(ties, s.at<float>(layout.values), marks);
   if (!s.list_triangles(why_not)) return std::nullopt;
@@ -519,7 +522,6 @@ std::optional<TriangulationGround> FacesMaker::ground(const BallSet& balls,
   ground.flow.alpha_values = s.array<float>(layout.values, s.count.tetrahedra);
   ground.flow.ties = s.host_numbers.get()[0];
   s.last_ground = s.to_host;
-  s.to_host.reset();
   return ground;
 }
 
@@ -538,6 +540,7 @@ std::optional<Membership> FacesMaker::membership(const Incidence& incidence,
     return std::nullopt;
   s.last_membership = {};
   const MembershipLayout layout(s.count, s.in.ball_count);
+  const LetGoAtEnd lets_go{s.to_host};
   const WaitAtEnd waits{s.stream, s.copier};
   s.in_complex.reserve(layout.bytes());
   s.attached_balls.reserve(s.in.ball_count);
@@ -580,7 +583,6 @@ std::optional<Membership> FacesMaker::membership(const Incidence& incidence,
   in.vertices = s.array<std::uint8_t>(layout.vertices, balls);
   s.last_membership = s.to_host;
   s.last_at = at;
-  s.to_host.reset();
   return in;
 }
 

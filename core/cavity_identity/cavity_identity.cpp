@@ -104,16 +104,25 @@ std::vector<Sink> sinks_of(const CavityTable& table) {
   return sinks;
 }
 
-// For each tetrahedron of `later` the index of the first one of `earlier` that is not less.
-std::vector<std::uint32_t> places_in(const Simplices<4>& earlier, const Simplices<4>& later) {
-  std::vector<std::uint32_t> places(later.size());
-  std::uint32_t at = 0;
-  for (std::size_t t = 0; t < later.size(); ++t) {
-    while (at < earlier.size() && earlier[at] < later[t]) ++at;
-    places[t] = at;
+// Finds the first of sorted tetrahedra that is not less than a given one. Each call of place_of()
+// must be for a tetrahedron that is no less than that of the call before.
+class SortedPlaces {
+ public:
+  // `from` is no more than the tetrahedron of the first call.
+  SortedPlaces(const Simplices<4>& sorted, const std::array<BallIndex, 4>& from)
+      : sorted_(sorted),
+        at_(static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), from) -
+                                     sorted.begin())) {}
+
+  std::uint32_t place_of(const std::array<BallIndex, 4>& corners) {
+    while (at_ < sorted_.size() && sorted_[at_] < corners) ++at_;
+    return static_cast<std::uint32_t>(at_);
   }
-  return places;
-}
+
+ private:
+  const Simplices<4>& sorted_;
+  std::size_t at_;
+};
 
 LatticePlace centroid(const BallSet& balls, const std::array<BallIndex, 4>& corners) {
   LatticePlace place{0, 0, 0, 4};
@@ -125,43 +134,50 @@ LatticePlace centroid(const BallSet& balls, const std::array<BallIndex, 4>& corn
   return place;
 }
 
-// For each tetrahedron of a later cavity the earlier cavity that contains its centroid, or kNone.
-class CentroidCavities {
- public:
-  CentroidCavities(const CavityTable& earlier, const CavityTable& later)
-      : earlier_(earlier),
-        later_(later),
-        places_(places_in(earlier.ground->triangulation->tetrahedra,
-                          later.ground->triangulation->tetrahedra)),
-        locator_(*earlier.ground->balls, *earlier.ground->triangulation) {}
-
-  std::vector<std::uint32_t> all(const CancelToken& cancel) const {
-    const auto& labels = later_.found.cavity_of_tetrahedron;
-    std::vector<std::uint32_t> cavities(labels.size(), kNone);
-    parallel_many(labels.size(), cancel, [&](std::size_t t) {
-      if (labels[t] != Cavities::kNone) cavities[t] = of(t);
-    });
-    return cavities;
+// The earlier cavity that contains the centroid of a tetrahedron of a later cavity. `next` is its
+// place among the earlier tetrahedra: the tetrahedron there has the most balls in common with it,
+// so the search begins there.
+std::uint32_t cavity_at_centroid(const CavityTable& earlier,
+                                 const std::array<BallIndex, 4>& corners, std::uint32_t next) {
+  const CavityGround& ground = *earlier.ground;
+  const Simplices<4>& tetrahedra = ground.triangulation->tetrahedra;
+  std::uint32_t at = std::min(next, static_cast<std::uint32_t>(tetrahedra.size() - 1));
+  if (tetrahedra[at] != corners) {
+    // Uses the earlier balls' lattice. It may be finer or coarser than the later one, but both
+    // contain all centres.
+    at = walk_to(centroid(*ground.balls, corners), *ground.balls, *ground.triangulation, at);
   }
+  return at == kOutsideHull ? kNone : earlier.found.cavity_of_tetrahedron[at];
+}
 
- private:
-  // The next tetrahedron in the list shares most balls with it, so the search begins there.
-  std::uint32_t of(std::size_t t) const {
-    const auto& tetrahedra = earlier_.ground->triangulation->tetrahedra;
-    const auto& corners = later_.ground->triangulation->tetrahedra[t];
-    std::uint32_t at = std::min(places_[t], static_cast<std::uint32_t>(tetrahedra.size() - 1));
-    if (tetrahedra[at] != corners) {
-      // Uses the earlier balls' lattice. It may be finer or coarser than the later one, but both
-      // contain all centres.
-      at = locator_.find(centroid(*earlier_.ground->balls, corners), at);
-    }
-    return at == PointLocator::kOutside ? kNone : earlier_.found.cavity_of_tetrahedron[at];
-  }
-
-  const CavityTable &earlier_, &later_;
-  const std::vector<std::uint32_t> places_;
-  const PointLocator locator_;
+// What each tetrahedron of a later cavity shares with the earlier ones.
+struct SharedVolumes {
+  ResultArray<std::uint32_t> with;  // the earlier cavity that contains its centroid, or kNone
+  ResultArray<Int128> six_volumes;  // written where there is one
 };
+
+SharedVolumes shared_volumes(const CavityTable& earlier, const CavityTable& later,
+                             const CancelToken& cancel) {
+  constexpr std::size_t kGrain = 1024;
+  const ResultArray<std::uint32_t>& labels = later.found.cavity_of_tetrahedron;
+  const Simplices<4>& tetrahedra = later.ground->triangulation->tetrahedra;
+  SharedVolumes shared;
+  shared.with.resize(labels.size());
+  shared.six_volumes.resize(labels.size());
+  parallel_ranges(0, labels.size(), kGrain, [&](std::size_t first, std::size_t end) {
+    if (cancel.cancelled()) return;
+    SortedPlaces places(earlier.ground->triangulation->tetrahedra, tetrahedra[first]);
+    for (std::size_t t = first; t != end; ++t) {
+      shared.with[t] = kNone;
+      if (labels[t] == Cavities::kNone) continue;
+      shared.with[t] = cavity_at_centroid(earlier, tetrahedra[t], places.place_of(tetrahedra[t]));
+      if (shared.with[t] == kNone) continue;
+      shared.six_volumes[t] = six_volumes(*later.ground->balls, tetrahedra[t]);
+    }
+  });
+  cancel.throw_if_cancelled();
+  return shared;
+}
 
 // In one triangulation cavities only split as alpha grows. So deepest sinks identify them.
 CavityMatch match_by_sinks(const CavityTable& earlier, const CavityTable& later) {
@@ -204,13 +220,12 @@ CavityMatch match_cavities(const CavityTable& earlier, const CavityTable& later,
   if (sinks_before.empty() || sinks_now.empty()) {
     return match_of({}, sinks_before, sinks_now, balls);
   }
-  const std::vector<std::uint32_t> from = CentroidCavities(earlier, later).all(cancel);
+  const SharedVolumes shared = shared_volumes(earlier, later, cancel);
   ShareSums sums(sinks_before.size());
   std::vector<Share> shares;
   for (std::uint32_t c = 0; c < sinks_now.size(); ++c) {
     for (const std::uint32_t t : later.found.cavities[c].tetrahedra) {
-      if (from[t] == kNone) continue;
-      sums.add(from[t], c, six_volumes(balls, later.ground->triangulation->tetrahedra[t]));
+      if (shared.with[t] != kNone) sums.add(shared.with[t], c, shared.six_volumes[t]);
     }
     sums.finish(c, shares);
   }
@@ -231,10 +246,10 @@ CavityRegions regions_of(const CavityTable& table) {
 
 CavityMatch match_regions(const CavityRegions& earlier, const CavityRegions& later,
                           const BallSet& balls) {
-  const std::vector<std::uint32_t> places = places_in(earlier.tetrahedra, later.tetrahedra);
   std::vector<Share> single;
-  for (std::size_t t = 0; t < places.size(); ++t) {
-    const std::uint32_t at = places[t];
+  SortedPlaces places(earlier.tetrahedra, {});
+  for (std::size_t t = 0; t < later.tetrahedra.size(); ++t) {
+    const std::uint32_t at = places.place_of(later.tetrahedra[t]);
     if (at == earlier.tetrahedra.size() || earlier.tetrahedra[at] != later.tetrahedra[t]) continue;
     single.push_back(
         {earlier.cavity[at], later.cavity[t], six_volumes(balls, later.tetrahedra[t])});

@@ -3,6 +3,7 @@
 #include "core/cavity_identity/cavity_numbers.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/cavity/cavity_ground.hpp"
@@ -14,23 +15,41 @@ namespace {
 
 constexpr std::uint32_t kNone = CavityMatch::kNone;
 
-void number_the_rest(CavityNumbers& numbers) {
+bool comes_before(const KnownSink& a, const KnownSink& b) {
+  return a.sink < b.sink;
+}
+
+// The sinks of both lists; for a sink of both, the number in `now`.
+std::vector<KnownSink> joined(const std::vector<KnownSink>& before, std::vector<KnownSink> now) {
+  std::sort(now.begin(), now.end(), comes_before);
+  std::vector<KnownSink> all;
+  all.reserve(before.size() + now.size());
+  std::set_union(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(all),
+                 comes_before);
+  return all;
+}
+
+// `before`: the numbers that sinks had so far.
+void number_the_rest(CavityNumbers& numbers, const CavityNumbers* before) {
   const CavityTable& table = *numbers.table;
   std::vector<bool> taken(numbers.used, false);
   for (const std::uint32_t number : numbers.of) {
     if (number != kNone) taken[number] = true;
   }
+  std::vector<KnownSink> now;
+  now.reserve(table.size());
   for (std::size_t row = 0; row < table.size(); ++row) {
     std::uint32_t& number = numbers.of[table.order[row]];
     if (number == kNone) {
-      const auto known = numbers.known.find(table.sink(row));
-      const bool free = known != numbers.known.end() && !taken[known->second];
-      number = free ? known->second : numbers.used++;
+      const std::uint32_t known = before == nullptr ? kNone : before->number_of(table.sink(row));
+      number = known != kNone && !taken[known] ? known : numbers.used++;
       taken.resize(numbers.used, false);
       taken[number] = true;
     }
-    numbers.known[table.sink(row)] = number;
+    now.push_back({table.sink(row), number});
   }
+  numbers.known =
+      joined(before == nullptr ? std::vector<KnownSink>() : before->known, std::move(now));
 }
 
 void note_changes(const CavityNumbers& before, const CavityMatch& match, CavityNumbers& numbers) {
@@ -86,9 +105,14 @@ std::uint32_t CavityNumbers::cavity_or_heir(std::uint32_t number) const {
   return kNone;
 }
 
+std::uint32_t CavityNumbers::number_of(const std::array<BallIndex, 4>& sink) const {
+  const auto at = std::lower_bound(known.begin(), known.end(), KnownSink{sink, 0}, comes_before);
+  return at != known.end() && at->sink == sink ? at->number : kNone;
+}
+
 CavityNumbers first_numbers(std::shared_ptr<const CavityTable> table) {
   CavityNumbers numbers = blank_numbers(std::move(table));
-  number_the_rest(numbers);
+  number_the_rest(numbers, nullptr);
   return numbers;
 }
 
@@ -99,14 +123,13 @@ CavityNumbers next_numbers(const CavityNumbers& before, std::shared_ptr<const Ca
   }
   const CavityMatch match = match_cavities(*before.table, *table, cancel);
   CavityNumbers numbers = blank_numbers(std::move(table));
-  numbers.known = before.known;
   numbers.used = before.used;
   numbers.steps = before.steps + 1;
   for (std::uint32_t c = 0; c < numbers.of.size(); ++c) {
     if (match.is_same(c)) numbers.of[c] = before.of[match.came_from[c]];
   }
   note_changes(before, match, numbers);
-  number_the_rest(numbers);
+  number_the_rest(numbers, &before);
   note_heirs(before, match, numbers);
   return numbers;
 }

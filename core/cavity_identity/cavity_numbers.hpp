@@ -13,12 +13,18 @@
 
 namespace alphascope {
 
+// The deepest sink of a cavity, and the cavity's number.
+struct KnownSink {
+  std::array<BallIndex, 4> sink;
+  std::uint32_t number;
+};
+
 struct CavityNumbers {
   std::shared_ptr<const CavityTable> table;
   std::vector<std::uint32_t> of;  // for each of found.cavities; all are different
-  // The number of every sink that a cavity had so far. A sink that comes back gets its number
-  // again.
-  std::map<std::array<BallIndex, 4>, std::uint32_t> known;
+  // The number of every sink that a cavity had so far, ascending by sinks. A sink that comes back
+  // gets its number again.
+  std::vector<KnownSink> known;
   std::uint32_t used = 0;   // all numbers are below this
   std::uint64_t steps = 0;  // calls of next_numbers() since first_numbers()
   // The changes of the last step for each of found.cavities. `parted_from` is the number of the
@@ -27,6 +33,8 @@ struct CavityNumbers {
   // For each number whose cavity merged into another: the number of that other cavity at that time.
   std::map<std::uint32_t, std::uint32_t> merged_into;
 
+  // The number of a sink in `known`, or CavityMatch::kNone.
+  std::uint32_t number_of(const std::array<BallIndex, 4>& sink) const;
   // The index of the cavity with a number, or CavityMatch::kNone.
   std::uint32_t cavity(std::uint32_t number) const;
   // The same; if that cavity has merged, the one into which it merged.

@@ -3,6 +3,7 @@
 #include "core/cavity_identity/point_location.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/geometry/alpha.hpp"
@@ -10,6 +11,7 @@
 #include "core/geometry/lattice_point.hpp"
 #include "core/predicates/lifted.hpp"
 #include "core/predicates/wide_int.hpp"
+#include "core/run/parallel.hpp"
 
 namespace alphascope {
 namespace {
@@ -40,6 +42,14 @@ bool is_beyond(const LatticePlace& place, const std::vector<LatticePoint>& centr
   const LatticePoint& inner = centres[balls[k]];
   const Vector normal = cross(difference(b, a), difference(c, a));
   return side_of_plane(a, normal, place) != side_of_plane(a, normal, {inner.x, inner.y, inner.z});
+}
+
+// Other threads may raise the same number.
+void raise_to(std::uint32_t& number, std::uint32_t least) {
+  const std::atomic_ref<std::uint32_t> shared(number);
+  std::uint32_t now = shared.load(std::memory_order_relaxed);
+  while (now < least && !shared.compare_exchange_weak(now, least, std::memory_order_relaxed)) {
+  }
 }
 
 }  // namespace
@@ -78,17 +88,21 @@ void PointLocator::set_cells() {
   cells_x_ = count(x);
   cells_y_ = count(y);
   cells_z_ = count(z);
-  near_.assign(cells_x_ * cells_y_ * cells_z_, kOutside);
-  BallIndex last = ~BallIndex{0};
-  for (std::uint32_t t = 0; t < triangulation_.tetrahedra.size(); ++t) {
-    const BallIndex v = triangulation_.tetrahedra[t][0];
-    if (v == last) continue;
-    last = v;
-    const LatticePoint& p = balls_.centres[v];
-    near_[cell_of({p.x, p.y, p.z})] = t;
-  }
+  near_.assign(cells_x_ * cells_y_ * cells_z_, 0);
+  const Simplices<4>& tetrahedra = triangulation_.tetrahedra;
+  constexpr std::size_t kGrain = 4096;
+  // Of each cell the last tetrahedron whose first vertex is in it, plus 1. The first vertices are
+  // in ascending order.
+  parallel_ranges(0, tetrahedra.size(), kGrain, [&](std::size_t first, std::size_t end) {
+    for (std::size_t t = first; t != end; ++t) {
+      const BallIndex v = tetrahedra[t][0];
+      if (t + 1 != end && tetrahedra[t + 1][0] == v) continue;
+      const LatticePoint& p = balls_.centres[v];
+      raise_to(near_[cell_of({p.x, p.y, p.z})], static_cast<std::uint32_t>(t + 1));
+    }
+  });
   std::uint32_t near = 0;  // an empty cell takes the start of the last cell that is not empty
-  for (std::uint32_t& t : near_) near = t = t == kOutside ? near : t;
+  for (std::uint32_t& t : near_) near = t = t == 0 ? near : t - 1;
 }
 
 bool PointLocator::is_in_box(const LatticePlace& place) const {

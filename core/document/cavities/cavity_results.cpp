@@ -206,7 +206,7 @@ Definition<CavityLines> cavity_lines(const std::shared_ptr<const CavityLines>& l
     return all;
   };
   const auto memory = [before](const Inputs& in) {
-    constexpr std::size_t kNumber = 100;  // bytes: a number, and a node in the map of known sinks
+    constexpr std::size_t kNumber = 60;  // bytes: a number, its known sink, and how it merged
     constexpr std::size_t kRow = sizeof(CavityLine) + kNumber + sizeof(TracedCavity);
     MemoryNeed need = row_memory(in.of(cavity_table()), kRow);
     const std::uint64_t known = before.numbers ? kNumber * before.numbers->known.size() : 0;

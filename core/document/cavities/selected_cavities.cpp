@@ -146,14 +146,15 @@ SelectedRows rows_of_cavities(const CavityLines& lines, const RefSet& cavities) 
   for (const Ref& ref : cavities.items()) {
     const auto balls = lines.atoms->balls(ref);
     if (!balls || balls->size() != 4) continue;
-    const auto known = numbers.known.find({(*balls)[0], (*balls)[1], (*balls)[2], (*balls)[3]});
-    if (known == numbers.known.end()) continue;
-    const std::uint32_t cavity = numbers.cavity_or_heir(known->second);
+    const std::uint32_t number =
+        numbers.number_of({(*balls)[0], (*balls)[1], (*balls)[2], (*balls)[3]});
+    if (number == CavityMatch::kNone) continue;
+    const std::uint32_t cavity = numbers.cavity_or_heir(number);
     if (cavity == CavityMatch::kNone) continue;
     const auto& sink =
         table.ground->triangulation->tetrahedra[table.found.cavities[cavity].deepest_sink];
     sinks.push_back(sink);
-    if (numbers.cavity(known->second) == CavityMatch::kNone) merged.push_back(sink);
+    if (numbers.cavity(number) == CavityMatch::kNone) merged.push_back(sink);
   }
   for (CavitySinks* each : {&sinks, &merged}) std::sort(each->begin(), each->end());
   return {rows_of_sinks(table, sinks), rows_of_sinks(table, merged)};

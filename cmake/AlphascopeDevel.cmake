@@ -34,6 +34,7 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/package/alphascopeConfig.cmake @ONLY
 include(CMakeFindDependencyMacro)
 find_dependency(TBB)
 find_dependency(ZLIB)
+find_dependency(hwy)
 include("${CMAKE_CURRENT_LIST_DIR}/alphascopeTargets.cmake")
 ]])
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/alphascopeConfigVersion.cmake
@@ -46,7 +47,7 @@ prefix=${pcfiledir}/@to_prefix@
 Name: alphascope
 Description: exact alpha complexes of molecules
 Version: @PROJECT_VERSION@
-Requires: tbb zlib gmp
+Requires: tbb zlib gmp libhwy
 Cflags: -I${prefix}/@CMAKE_INSTALL_INCLUDEDIR@
 Libs: -L${prefix}/@CMAKE_INSTALL_LIBDIR@ -lalphascope_core -ltbbmalloc
 ]])

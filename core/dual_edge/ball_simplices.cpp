@@ -9,9 +9,22 @@
 
 #include "core/dual_edge/ball_simplices_body.hpp"
 #include "core/geometry/lattice_point.hpp"
-#include "core/predicates/grown_balls.hpp"
+#include "core/neighbours/meeting_slots.hpp"
 
 namespace alphascope {
+
+void BallSimplices::Neighbours::resize(std::size_t count) {
+  for (auto* column : {&x, &y, &z}) column->resize(count + kVectorRoom);
+  reach.resize(count + kVectorRoom);
+  radii.resize(count);
+  balls.resize(count);
+}
+
+void BallSimplices::Neighbours::move(std::size_t from, std::size_t to) {
+  for (auto* column : {&x, &y, &z, &radii}) (*column)[to] = (*column)[from];
+  reach[to] = reach[from];
+  balls[to] = balls[from];
+}
 
 void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list) {
   i_ = grid_.ball[slot];
@@ -19,52 +32,60 @@ void BallSimplices::load(std::uint32_t slot, std::span<const std::uint32_t> list
   radius_square_ = alpha_.plus(weight_);
   // An integer above the radius of the grown ball, whatever the rounding of sqrt.
   ghost_reach_ = static_cast<std::int64_t>(std::sqrt(radius_square_) * (1 + 1e-12)) + 2;
-  slots_.assign(list.begin(), list.end());
   dead_.assign(list.size(), 0);
-  lift(slot);
+  take(slot, list);
   filter_ = largest_offset_ < kBracketLimit;
+  lift();
   culled_ = filter_ && list.size() >= kLongList;
   if (culled_) cull();
-  const std::size_t n = slots_.size();
-  x_.resize(n);
-  y_.resize(n);
-  z_.resize(n);
-  reach_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::uint32_t s = slots_[k];
-    x_[k] = grid_.x[s];
-    y_[k] = grid_.y[s];
-    z_[k] = grid_.z[s];
-    reach_[k] = grid_.reach[s];
-  }
-  words_ = static_cast<int>((n + 31) / 32);
-  meets_.assign(static_cast<std::size_t>(words_) * 32, 0);
+  words_ = static_cast<int>((neighbours_.size() + 31) / 32);
+  sieved_.resize(static_cast<std::size_t>(words_));
   first_ =
       static_cast<int>(std::upper_bound(neighbours_.balls.begin(), neighbours_.balls.end(), i_) -
                        neighbours_.balls.begin());
 }
 
-void BallSimplices::lift(std::uint32_t slot) {
-  const std::size_t n = slots_.size();
-  const LatticePoint centre{grid_.x[slot], grid_.y[slot], grid_.z[slot]};
-  const std::int32_t radius = balls_.radii[i_];
-  neighbours_.vectors.resize(n);
-  neighbours_.balls.resize(n);
-  doubles_.resize(n);
-  largest_power_ = 4 * ghost_reach_;
-  largest_offset_ = 1;
+void BallSimplices::take(std::uint32_t slot, std::span<const std::uint32_t> list) {
+  Neighbours& n = neighbours_;
+  n.centre = {grid_.x[slot], grid_.y[slot], grid_.z[slot]};
+  n.radius = balls_.radii[i_];
+  n.resize(list.size());
+  std::int32_t largest = 1;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::uint32_t s = list[k];
+    n.x[k] = grid_.x[s];
+    n.y[k] = grid_.y[s];
+    n.z[k] = grid_.z[s];
+    n.reach[k] = grid_.reach[s];
+    n.balls[k] = grid_.ball[s];
+    n.radii[k] = balls_.radii[n.balls[k]];
+    largest = std::max({largest, std::abs(n.x[k] - n.centre.x), std::abs(n.y[k] - n.centre.y),
+                        std::abs(n.z[k] - n.centre.z)});
+  }
+  largest_offset_ = largest;
+}
+
+// Within kBracketLimit doubles hold each step of c exactly. Beyond it c is rounded, and no filter
+// uses it.
+void BallSimplices::lift() {
+  const Neighbours& n = neighbours_;
+  doubles_.resize(n.size());
+  double least = 1, largest = 4 * static_cast<double>(ghost_reach_);
+  for (std::size_t k = 0; k < n.size(); ++k) {
+    const double x = n.x[k] - n.centre.x, y = n.y[k] - n.centre.y, z = n.z[k] - n.centre.z;
+    const double weights = static_cast<double>(n.radius - n.radii[k]) * (n.radius + n.radii[k]);
+    const double c = x * x + y * y + z * z + weights;
+    doubles_.set(k, {x, y, z, c});
+    least = std::min(least, c);
+    largest = std::max(largest, std::fabs(c));
+  }
+  constexpr double kMargin = 1 + 1e-12;
+  largest_power_ = largest * kMargin;
+  attached_ = least <= 0;
+  if (filter_) return;
   attached_ = false;
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::uint32_t s = slots_[k];
-    const LiftedInt v =
-        lifted_vector(centre, radius, LatticePoint{grid_.x[s], grid_.y[s], grid_.z[s]},
-                      balls_.radii[grid_.ball[s]]);
-    neighbours_.vectors[k] = v;
-    neighbours_.balls[k] = grid_.ball[s];
-    doubles_[k] = lifted_as<double>(v);
-    largest_offset_ = std::max({largest_offset_, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    largest_power_ = std::max(largest_power_, std::abs(v.c));
-    attached_ = attached_ || v.c <= 0;
+  for (std::size_t k = 0; k < n.size(); ++k) {
+    attached_ = attached_ || n.lifted(static_cast<int>(k)).c <= 0;
   }
 }
 
@@ -72,15 +93,15 @@ void BallSimplices::lift(std::uint32_t slot) {
 // coverers.
 void BallSimplices::find_nearest() {
   planes_.clear();
-  for (std::size_t k = 0; k < doubles_.size(); ++k) {
-    const LiftedVector<double>& v = doubles_[k];
-    planes_.emplace_back(v.c / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z), k);
+  for (std::size_t k = 0; k < neighbours_.size(); ++k) {
+    const LiftedVector<double> v = doubles_[k];
+    // The square of twice the distance, with its sign.
+    planes_.emplace_back(v.c * std::fabs(v.c) / (v.x * v.x + v.y * v.y + v.z * v.z), k);
   }
   const auto end = planes_.begin() + static_cast<std::ptrdiff_t>(kCoverers);
   std::nth_element(planes_.begin(), end - 1, planes_.end());
-  std::sort(planes_.begin(), end);
+  is_near_.assign(neighbours_.size(), 0);
   coverers_.clear();
-  is_near_.assign(doubles_.size(), 0);
   for (auto p = planes_.begin(); p != end; ++p) {
     coverers_.push_back(FacetDisc<double>::coverer(doubles_[p->second]));
     is_near_[p->second] = 1;
@@ -88,12 +109,10 @@ void BallSimplices::find_nearest() {
 }
 
 void BallSimplices::keep(std::size_t from, std::size_t to) {
-  slots_[to] = slots_[from];
+  neighbours_.move(from, to);
   dead_[to] = dead_[from];
   is_near_[to] = is_near_[from];
-  neighbours_.vectors[to] = neighbours_.vectors[from];
-  neighbours_.balls[to] = neighbours_.balls[from];
-  doubles_[to] = doubles_[from];
+  doubles_.set(to, doubles_[from]);
 }
 
 // Removes the neighbours whose discs are covered or empty (facet_disc.hpp). If p_i may be outside
@@ -101,16 +120,14 @@ void BallSimplices::keep(std::size_t from, std::size_t to) {
 void BallSimplices::cull() {
   find_nearest();
   std::size_t kept = 0;
-  for (std::size_t j = 0; j < slots_.size(); ++j) {
+  for (std::size_t j = 0; j < neighbours_.size(); ++j) {
     const FacetDisc<double> disc(doubles_[j], radius_square_);
     const auto covers = [&](const auto& m) { return disc.covered_by(m); };
     dead_[j] = disc.certainly_empty() || std::any_of(coverers_.begin(), coverers_.end(), covers);
     if (dead_[j] != 0 && !attached_) continue;
     keep(j, kept++);
   }
-  slots_.resize(kept);
-  neighbours_.vectors.resize(kept);
-  neighbours_.balls.resize(kept);
+  neighbours_.resize(kept);
   doubles_.resize(kept);
   near_.assign((kept + 31) / 32, 0);
   for (std::size_t k = 0; k < kept; ++k) near_[k / 32] |= std::uint32_t{is_near_[k] != 0} << k % 32;
@@ -120,20 +137,10 @@ void BallSimplices::cull() {
 // where pi <= alpha.
 void BallSimplices::fill_row(int j) {
   const auto a = static_cast<std::size_t>(j);
-  const std::size_t n = neighbours_.balls.size();
-  const std::int32_t x = x_[a], y = y_[a], z = z_[a];
-  const float reach = reach_[a];
-  // Compilers vectorise these two loops, but not a single loop that writes bits.
-  for (std::size_t k = 0; k < n; ++k)
-    meets_[k] = grown_balls_may_meet(x_[k] - x, y_[k] - y, z_[k] - z, reach, reach_[k]);
-  meets_[a] = 0;
   std::uint32_t* bits = row(j);
-  for (int w = 0; w < words_; ++w) {
-    const std::uint8_t* meets = meets_.data() + 32 * static_cast<std::ptrdiff_t>(w);
-    std::uint32_t word = 0;
-    for (int b = 0; b < 32; ++b) word |= std::uint32_t{meets[b]} << b;
-    bits[w] = word;
-  }
+  const Neighbours& n = neighbours_;
+  mark_meeting(n.columns(), n.size(), {n.x[a], n.y[a], n.z[a], n.reach[a]}, bits);
+  bits[a / 32] &= ~(std::uint32_t{1} << a % 32);
 }
 
 void BallSimplices::note_coface(int j, float value, SimplexClass coface, BlockOutput& out) {
@@ -145,7 +152,7 @@ void BallSimplices::note_coface(int j, float value, SimplexClass coface, BlockOu
 void BallSimplices::tetrahedra(const NearFirstRows& t, BlockOutput& out) {
   TriangleEnds ends{-1, -1, false};
   if (filter_) {
-    ends = filtered(t, [&](const auto& rows, const auto& vectors) {
+    ends = filtered<NoSink>(t, [&](const auto& rows, const auto& vectors) {
       return filtered_ends<double>(rows, words_, radius_square_, vectors);
     });
   }
@@ -165,8 +172,14 @@ VertexState BallSimplices::vertex_state() const {
   return attached_ ? VertexState::attached : VertexState::unattached;
 }
 
+// Only then can a tetrahedron have this ball as its first one.
+bool BallSimplices::has_three_later(std::uint32_t slot, std::span<const std::uint32_t> list) const {
+  return list.size() >= 3 && grid_.ball[list[list.size() - 3]] > grid_.ball[slot];
+}
+
 VertexState BallSimplices::process(std::uint32_t slot, std::span<const std::uint32_t> list,
                                    BlockOutput& out) {
+  if (!whole_ && !has_three_later(slot, list)) return VertexState::absent;
   return process_with(slot, list, out, NoSink());
 }
 

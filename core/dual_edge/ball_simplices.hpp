@@ -11,9 +11,12 @@
 
 #include "core/complex/face_class.hpp"
 #include "core/dual_edge/ball_simplices_sink.hpp"
+#include "core/dual_edge/cut_sieve.hpp"
 #include "core/dual_edge/facet_disc.hpp"
 #include "core/dual_edge/triangle_faces.hpp"
 #include "core/geometry/ball_set.hpp"
+#include "core/geometry/lattice_point.hpp"
+#include "core/neighbours/meeting_slots.hpp"
 #include "core/neighbours/uniform_grid.hpp"
 
 namespace alphascope {
@@ -68,14 +71,28 @@ class BallSimplices {
   // The neighbours of ball i. Decisions name a neighbour by its index in these lists, which they
   // call a slot, too.
   struct Neighbours {
-    std::vector<LiftedInt> vectors;
+    LatticePoint centre;  // of ball i
+    std::int32_t radius = 0;
+    // Lattice units. Centres and reaches are longer by kVectorRoom (meeting_slots.hpp).
+    std::vector<std::int32_t> x, y, z, radii;
+    std::vector<float> reach;  // as UniformGrid::reach
     std::vector<BallIndex> balls;
-    const LiftedInt& lifted(int k) const { return vectors[static_cast<std::size_t>(k)]; }
+
+    std::size_t size() const { return balls.size(); }
+    void resize(std::size_t count);
+    void move(std::size_t from, std::size_t to);
+    BallColumns columns() const { return {x.data(), y.data(), z.data(), reach.data()}; }
+    LiftedInt lifted(int k) const {
+      const auto n = static_cast<std::size_t>(k);
+      return lifted_vector(centre, radius, LatticePoint{x[n], y[n], z[n]}, radii[n]);
+    }
     BallIndex ball(int k) const { return balls[static_cast<std::size_t>(k)]; }
   };
 
+  bool has_three_later(std::uint32_t slot, std::span<const std::uint32_t> list) const;
   void load(std::uint32_t slot, std::span<const std::uint32_t> list);
-  void lift(std::uint32_t slot);
+  void take(std::uint32_t slot, std::span<const std::uint32_t> list);
+  void lift();
   void find_nearest();
   void cull();
   void keep(std::size_t from, std::size_t to);
@@ -94,8 +111,8 @@ class BallSimplices {
   void tetrahedra(const NearFirstRows& rows, BlockOutput& out);
   // Kernel II for one triangle. `body` calls filtered_face() or filtered_ends()
   // (triangle_faces.hpp).
-  template <class Body>
-  auto filtered(const NearFirstRows& rows, const Body& body) const;
+  template <class Sink, class Body>
+  auto filtered(const NearFirstRows& rows, const Body& body);
   template <class Sink = NoSink>
   TriangleFace exactly(const TriangleRows& rows, const Sink& sink = {});
   void note_coface(int j, float value, SimplexClass coface, BlockOutput& out);
@@ -107,7 +124,7 @@ class BallSimplices {
   std::uint32_t* row(int j) {
     return rows_.data() + static_cast<std::ptrdiff_t>(j - first_) * words_;
   }
-  const LiftedVector<double>& vector(int k) const { return doubles_[static_cast<std::size_t>(k)]; }
+  LiftedVector<double> vector(int k) const { return doubles_[static_cast<std::size_t>(k)]; }
 
   // Culling pays for lists of at least kLongList neighbours; it tries the kCoverers neighbours
   // whose planes are nearest as covers. Only the time depends on these numbers.
@@ -121,25 +138,21 @@ class BallSimplices {
   // Data of the current ball.
   BallIndex i_ = 0;
   std::int64_t weight_ = 0, ghost_reach_ = 0;
-  std::int64_t largest_offset_ = 0;   // max |d_x| over the neighbours, lattice units
-  std::int64_t largest_power_ = 0;    // max |c| over the neighbours and ghosts
-  double radius_square_ = 0;          // w_i + alpha, square lattice units
-  bool filter_ = false;               // double precision is certified
-  int first_ = 0;                     // first neighbour with a higher index than i
-  int words_ = 0;                     // words of 32 bits in a row
-  bool attached_ = false;             // p_i may be outside the power cell of i
-  bool culled_ = false;               // cull() was run: a long list and a certified filter
-  std::vector<std::uint32_t> slots_;  // slots of the neighbours in the grid
+  std::int64_t largest_offset_ = 0;  // max |d_x| over the neighbours, lattice units
+  double largest_power_ = 0;         // at least max |c| over the neighbours and ghosts
+  double radius_square_ = 0;         // w_i + alpha, square lattice units
+  bool filter_ = false;              // double precision is certified
+  int first_ = 0;                    // first neighbour with a higher index than i
+  int words_ = 0;                    // words of 32 bits in a row
+  bool attached_ = false;            // p_i may be outside the power cell of i
+  bool culled_ = false;              // cull() was run: a long list and a certified filter
   Neighbours neighbours_;
-  std::vector<std::int32_t> x_, y_, z_;  // their centres, lattice units
-  std::vector<float> reach_;             // as UniformGrid::reach
-  // 1 for each neighbour that meets the current j; padded to whole words.
-  std::vector<std::uint8_t> meets_;
-  std::vector<LiftedVector<double>> doubles_;  // the lifted vectors as doubles
-  std::vector<std::uint32_t> rows_;            // a row of bits for each later neighbour
-  std::vector<char> dead_;                     // for neighbour j: edge ij is not in K_alpha
-  // For a culled list: the radical planes with twice their distances, and the neighbours whose
-  // planes are nearest.
+  LiftedColumns doubles_;              // the lifted vectors as doubles
+  std::vector<std::uint32_t> sieved_;  // a row of bits, for one triangle at a time
+  std::vector<std::uint32_t> rows_;    // a row of bits for each later neighbour
+  std::vector<char> dead_;             // for neighbour j: edge ij is not in K_alpha
+  // For a culled list: a number for each radical plane that grows with its distance, and the
+  // neighbours whose planes are nearest.
   std::vector<std::pair<double, std::size_t>> planes_;
   std::vector<FacetDisc<double>::Coverer> coverers_;
   std::vector<char> is_near_;

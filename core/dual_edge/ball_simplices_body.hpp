@@ -57,17 +57,23 @@ TriangleFace BallSimplices::exactly(const TriangleRows& rows, const Sink& sink) 
   return face;
 }
 
-template <class Body>
-auto BallSimplices::filtered(const NearFirstRows& rows, const Body& body) const {
-  const auto vectors = [&](int k) -> const LiftedVector<double>& { return vector(k); };
-  return culled_ ? body(rows, vectors) : body(static_cast<const TriangleRows&>(rows), vectors);
+// A real sink gets every cut, so no cut may be sieved out for it.
+template <class Sink, class Body>
+auto BallSimplices::filtered(const NearFirstRows& rows, const Body& body) {
+  const auto vectors = [&](int k) { return vector(k); };
+  const TriangleRows& plain = rows;
+  if constexpr (std::is_same_v<Sink, NoSink>) {
+    return body(SievedRows{plain, &doubles_, sieved_.data()}, vectors);
+  } else {
+    return culled_ ? body(rows, vectors) : body(plain, vectors);
+  }
 }
 
 template <class Sink>
 void BallSimplices::triangle(const NearFirstRows& t, BlockOutput& out, const Sink& sink) {
   TriangleFace face = TriangleFace::undecided();
   if (filter_) {
-    face = filtered(t, [&](const auto& rows, const auto& vectors) {
+    face = filtered<Sink>(t, [&](const auto& rows, const auto& vectors) {
       return filtered_face<double>(rows, words_, radius_square_, vectors, sink);
     });
   }
@@ -113,8 +119,9 @@ template <class Sink>
 VertexState BallSimplices::process_with(std::uint32_t slot, std::span<const std::uint32_t> list,
                                         BlockOutput& out, const Sink& sink) {
   load(slot, list);
-  const int n = static_cast<int>(slots_.size()), later = n - first_;
-  sink(ListNote{neighbours_.balls, {dead_.data(), slots_.size()}, culled_ ? coverers_.size() : 0});
+  const int n = static_cast<int>(neighbours_.size()), later = n - first_;
+  sink(ListNote{
+      neighbours_.balls, {dead_.data(), neighbours_.size()}, culled_ ? coverers_.size() : 0});
   if (!whole_ && later < 3) return VertexState::absent;  // vertices are not requested
   const auto alive = [&](int j) { return dead_[static_cast<std::size_t>(j)] == 0; };
   rows_.resize(static_cast<std::size_t>(later) * static_cast<std::size_t>(words_));

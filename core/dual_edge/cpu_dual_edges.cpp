@@ -6,6 +6,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -13,7 +14,7 @@
 #include "core/complex/count_limits.hpp"
 #include "core/dual_edge/ball_simplices.hpp"
 #include "core/dual_edge/gather_faces.hpp"
-#include "core/predicates/grown_balls.hpp"
+#include "core/neighbours/meeting_slots.hpp"
 #include "core/run/parallel.hpp"
 
 namespace alphascope {
@@ -22,6 +23,8 @@ namespace {
 // Balls per task. Blocks are small enough to balance two threads on a small protein, and large
 // enough to amortise the growth of a task's vectors.
 constexpr std::size_t kBallsPerBlock = 128;
+// Neighbours a ball for which a block has room at first.
+constexpr std::size_t kLikelyNeighbours = 8;
 
 // Neighbour lists of the balls of one block, one after the other.
 struct NeighbourBlock {
@@ -137,6 +140,8 @@ void DualEdgeRun::find_candidates() {
   tbb::enumerable_thread_specific<std::vector<std::uint32_t>> row_hits;
   for_blocks([&](std::size_t b, std::size_t begin, std::size_t end) {
     NeighbourBlock& found = neighbours_[b];
+    found.end.reserve(end - begin);
+    found.slots.reserve(kLikelyNeighbours * (end - begin));
     for (std::size_t slot = begin; slot < end; ++slot) {
       find_neighbours(grid_, static_cast<std::uint32_t>(slot), found.slots, row_hits.local());
       require_block(found.slots.size());
@@ -242,23 +247,24 @@ std::vector<EdgeRange> DualEdgeRun::edge_ranges() {
 }  // namespace
 
 void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<std::uint32_t>& found,
-                     std::vector<std::uint32_t>& row_hits) {
-  const std::int32_t x = grid.x[slot], y = grid.y[slot], z = grid.z[slot];
-  const float reach = grid.reach[slot];
-  const std::size_t first = found.size();
-  grid.for_rows_around(grid.cell_at({x, y, z}), [&](std::uint32_t begin, std::uint32_t end) {
-    if (row_hits.size() < end - begin) row_hits.resize(2 * (end - begin));
-    std::uint32_t hits = 0;
-    for (std::uint32_t t = begin; t < end; ++t) {
-      row_hits[hits] = t;
-      hits +=
-          grown_balls_may_meet(grid.x[t] - x, grid.y[t] - y, grid.z[t] - z, reach, grid.reach[t]);
-    }
-    found.insert(found.end(), row_hits.begin(), row_hits.begin() + hits);
-  });
-  found.erase(std::find(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), slot));
-  std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return grid.ball[a] < grid.ball[b]; });
+                     std::vector<std::uint32_t>& scratch) {
+  const GrownBall ball{grid.x[slot], grid.y[slot], grid.z[slot], grid.reach[slot]};
+  std::array<SlotRange, 9> ranges;
+  std::size_t rows = 0, most = 0;
+  grid.for_rows_around(grid.cell_at({ball.x, ball.y, ball.z}),
+                       [&](std::uint32_t begin, std::uint32_t end) {
+                         ranges[rows++] = {begin, end};
+                         most += end - begin;
+                       });
+  most += kVectorRoom;
+  if (scratch.size() < 2 * most) scratch.resize(4 * most);
+  std::uint32_t *hits = scratch.data(), *keys = hits + most;
+  const std::size_t count =
+      find_meeting({grid.x.data(), grid.y.data(), grid.z.data(), grid.reach.data()},
+                   {ranges.data(), rows}, ball, slot, hits);
+  for (std::size_t h = 0; h < count; ++h) keys[h] = grid.ball[hits[h]];
+  found.resize(found.size() + count);
+  sort_by_key({keys, count}, hits, found.data() + found.size() - count);
 }
 
 NeighbourMoments sample_neighbours(const UniformGrid& grid, std::size_t samples) {

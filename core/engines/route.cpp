@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Estimates the cost of clipping and of triangulating, in microseconds of one thread per ball. The
-// constants are fits to 1K4C (16,068 balls) on one core of an AMD EPYC. Alpha was 0 to 14 Å² and
-// the solvent radius 1.4 Å, with 5.8 to 88 neighbours a ball.
+// constants are fits to 1K4C (16,068 balls) on one core of an AMD EPYC with AVX-512. Alpha was 0 to
+// 8 Å², with 5.7 to 47 neighbours a ball.
 #include "core/engines/route.hpp"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace alphascope {
 namespace {
 
 double clipping_cost(const NeighbourMoments& m, bool tetrahedra_only) {
-  return tetrahedra_only ? 0.1 + 0.085 * m.mean + 0.0034 * m.mean_square
-                         : 0.1 + 0.2 * m.mean + 0.0025 * m.mean_square;
+  return tetrahedra_only ? 0.1 + 0.02 * m.mean + 0.0043 * m.mean_square
+                         : 0.1 + 0.165 * m.mean + 0.0023 * m.mean_square;
 }
 constexpr std::size_t kCostSamples = 256;
 

@@ -8,6 +8,7 @@
 
 #include "core/geometry/lattice_alpha.hpp"
 #include "core/geometry/lattice_point.hpp"
+#include "core/neighbours/meeting_slots.hpp"
 #include "core/predicates/grown_balls.hpp"
 
 namespace alphascope {
@@ -129,10 +130,10 @@ UniformGrid make_uniform_grid(const BallSet& balls, const LatticeAlpha& alpha_on
   set_cells(alive, grid);
   const std::vector<std::uint32_t> slots = sort_into_cells(balls, alive.indices, grid);
   grid.ball.resize(count);
-  grid.x.resize(count);
-  grid.y.resize(count);
-  grid.z.resize(count);
-  grid.reach.resize(count);
+  grid.x.resize(count + kVectorRoom);
+  grid.y.resize(count + kVectorRoom);
+  grid.z.resize(count + kVectorRoom);
+  grid.reach.resize(count + kVectorRoom);
   for (std::size_t a = 0; a < count; ++a) {
     const std::uint32_t slot = slots[a];
     const BallIndex i = alive.indices[a];

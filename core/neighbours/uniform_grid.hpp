@@ -18,10 +18,11 @@ namespace alphascope {
 struct UniformGrid {
   std::vector<std::uint32_t> cell_start;  // first slot of each cell; one more entry than cells
   std::vector<BallIndex> ball;            // per slot
-  std::vector<std::int32_t> x, y, z;      // per slot: centre, lattice units
-  std::vector<float> reach;               // per slot: grown_reach()
-  LatticePoint origin;                    // lower corner of cell (0, 0, 0)
-  double cell_width = 1;                  // lattice units
+  // Per slot: centre, lattice units, and grown_reach(). Longer by kVectorRoom (meeting_slots.hpp).
+  std::vector<std::int32_t> x, y, z;
+  std::vector<float> reach;
+  LatticePoint origin;    // lower corner of cell (0, 0, 0)
+  double cell_width = 1;  // lattice units
   int nx = 0, ny = 0, nz = 0;
 
   std::size_t size() const { return ball.size(); }

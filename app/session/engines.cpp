@@ -2,12 +2,14 @@
 // Makes the engines that this build has.
 #include "app/session/engines.hpp"
 
+#include <chrono>
 #include <stdexcept>
 #include <utility>
 
 #include "app/session/gpu_engines.hpp"
 #include "core/geometry/ball_set.hpp"
 #include "core/run/internal_error.hpp"
+#include "core/triangulation/triangulation_maker.hpp"
 #include "core/tuples/tuple_engine.hpp"
 
 namespace alphascope {
@@ -52,6 +54,11 @@ MadeEngine make_tuples_on_gpu(std::shared_ptr<const BallSet> balls, const TupleO
 }
 
 }  // namespace
+
+void wait_for_engine_device(const CancelToken& cancel) {
+  constexpr std::chrono::milliseconds kMost{50};
+  GpuEngines::of_program().triangulations()->wait_until_idle(kMost, cancel);
+}
 
 bool is_engine_memory_unused() {
   return GpuEngines::of_program().is_memory_unused();

@@ -9,6 +9,7 @@
 
 #include "core/engine/engine.hpp"
 #include "core/engine/engine_choice.hpp"
+#include "core/run/cancel_token.hpp"
 #include "core/tuples/tuple_options.hpp"
 
 namespace alphascope {
@@ -35,6 +36,10 @@ using EngineFactory = std::function<MadeEngine(
 // The program's own factory. Throws EngineUnavailable, for gpu and tuples_gpu only.
 MadeEngine make_engine(EngineChoice choice, std::shared_ptr<const BallSet> balls,
                        const EngineSettings& settings);
+
+// Waits while the engines' device makes a triangulation, or what follows from one, but not for
+// long. Throws Cancelled.
+void wait_for_engine_device(const CancelToken& cancel);
 
 // Whether freed results have left memory that no engine will use again. Quick; any thread may call
 // it.

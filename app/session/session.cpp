@@ -53,7 +53,8 @@ Session::Services Session::program_services() {
           &alphascope::reopen_molecule,
           static_cast<int>(std::thread::hardware_concurrency()),
           &is_engine_memory_unused,
-          &free_unused_engine_memory};
+          &free_unused_engine_memory,
+          &wait_for_engine_device};
 }
 
 Session::Session(std::function<void()> wake, Services services)
@@ -197,12 +198,19 @@ void Session::compute_anew() {
   submit_compute(Engines::anew);
 }
 
+bool Session::waits_for_device() const {
+  return tables_first_ && state_.ours &&
+         state_.ours->request.solvent_radius_angstrom != state_.request.solvent_radius_angstrom;
+}
+
 void Session::submit_compute(Engines which, const ResultsForAllAlphas& of_all) {
   computer_.submit(
       [this, which, of_all, request = state_.request, molecule = state_.molecule,
        prepared = state_.prepared, engines = engines_, measuring = measuring_,
-       finding_outside = finding_outer_faces_](const RunContext& context) {
+       finding_outside = finding_outer_faces_,
+       wait = waits_for_device() ? services_.wait_for_device : nullptr](const RunContext& context) {
         if (which == Engines::anew) engines->clear();
+        if (wait) wait(context.cancel);
         EngineAnswer found = engines->compute(prepared->balls, request, context, of_all);
         if (measuring && !request.tetrahedra_only) {
           if (auto measured = engines->measure_on_device(found, context)) {

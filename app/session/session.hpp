@@ -79,6 +79,8 @@ class Session {
     // As is_engine_memory_unused() and free_unused_engine_memory(). May be empty.
     std::function<bool()> is_memory_unused = {};
     std::function<void()> free_unused_memory = {};
+    // As wait_for_engine_device(). May be empty.
+    std::function<void(const CancelToken&)> wait_for_device = {};
   };
   static Services program_services();
 
@@ -119,6 +121,9 @@ class Session {
   // Otherwise slow computations would never show a result. At rest, a newer request cancels it
   // after 150 ms.
   void set_dragging(bool dragging);
+  // Whether tables of the balls on screen are being made. A computation for another solvent radius
+  // then lets them have the engine's device first.
+  void set_tables_first(bool first) { tables_first_ = first; }
 
   // Computes the present request once more with its set-up, as after opening the molecule. CGAL
   // does the same at its next comparison. This gives cold times of engines that were kept.
@@ -149,6 +154,7 @@ class Session {
   void opening_failed();
   enum class Engines { kept, anew };
   void submit_compute(Engines which = Engines::kept, const ResultsForAllAlphas& of_all = {});
+  bool waits_for_device() const;
   Request reference_request(int threads) const;
   void submit_comparison();
   void submit_parallel_timing();
@@ -167,7 +173,7 @@ class Session {
   SessionChanges changes_;
   std::filesystem::path opening_path_;  // empty: no file is being opened
   std::optional<Asked> asked_;          // for opening_path_; none: the options and request in force
-  bool measuring_ = false, finding_outer_faces_ = false;
+  bool measuring_ = false, finding_outer_faces_ = false, tables_first_ = false;
   bool comparison_wanted_ = false;
   bool reference_anew_ = false;   // the next comparison needs a new engine
   bool timing_parallel_ = false;  // the comparer times parallel CGAL

@@ -62,14 +62,20 @@ void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& bef
   history_.begin_frame();
   move_camera(input != nullptr);
   store_.next_frame();
-  guarded([this] {
+  const auto begin_picture = [this] {
+    session_.set_tables_first(interacting(state_) && store_.busy(Lane::interactive));
     sender_.send_request();
     picture_.begin();
-  });
+  };
+  // Tables of new balls take longer than their picture. So while the solvent radius is dragged, the
+  // panels ask for them first.
+  const bool tables_first = inputs_.took_balls() && interacting(state_);
+  if (!tables_first) guarded(begin_picture);
   const Calls calls = this->calls();
   const WindowParts parts{state_, rects_, commands_, store_, inputs_.now(), calls, panels_};
   draw_window(parts, frame_.fonts(), frame_.scale());
   guarded([this] { inputs_.want_results_for_all_alphas(); });
+  if (tables_first) guarded(begin_picture);
   guarded([this] {
     const std::optional<CameraPlace> before = scene_.cameras().place();
     if (pointing_.move_view()) history_.note_view_moved(before);

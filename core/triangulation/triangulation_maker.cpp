@@ -93,6 +93,24 @@ std::optional<ResultArray<OutsidePart>> TriangulationMaker::outside_parts(
   return device_ ? device_->outside_parts(in, tetrahedra, solvent, cancel) : std::nullopt;
 }
 
+// One result is often made right after another. So the device counts as idle only if it is free
+// some times in a row.
+void TriangulationMaker::wait_until_idle(std::chrono::milliseconds most,
+                                         const CancelToken& cancel) {
+  constexpr std::chrono::microseconds kPause{100};
+  constexpr int kEnough = 4;
+  const auto end = std::chrono::steady_clock::now() + most;
+  for (int free = 0; free < kEnough && std::chrono::steady_clock::now() < end;) {
+    cancel.throw_if_cancelled();
+    {
+      const std::unique_lock lock(mutex_, std::try_to_lock);
+      if (lock && !device_) return;
+      free = lock ? free + 1 : 0;
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+}
+
 void TriangulationMaker::release_kept() {
   device_->release_memory();
   holds_memory_ = false;

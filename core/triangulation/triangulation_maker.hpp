@@ -4,6 +4,7 @@
 // for the CPU.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -52,6 +53,11 @@ class TriangulationMaker {
                                                         std::span<const std::uint32_t> tetrahedra,
                                                         double solvent_on_lattice,
                                                         const CancelToken& cancel);
+
+  // Returns once nothing is being made on the device, or after `most`. Other work on the device may
+  // call it before it begins: two computations take longer at once than one after the other.
+  // Throws Cancelled.
+  void wait_until_idle(std::chrono::milliseconds most, const CancelToken& cancel);
 
   // Frees the device's memory that is kept for the next triangulation. Returns whether there was
   // any. Engines call it when they are short of memory.

@@ -36,6 +36,7 @@ bool PictureInputs::may_take(const Answer& shown) const {
 void PictureInputs::take(const std::shared_ptr<const Answer>& shown) {
   source_ = shown;
   taken_at_ = Clock::now();
+  took_ = true;
   inputs_ = {};
   inputs_.balls = shown->balls;
   inputs_.balls_key = ++balls_seen_;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "app/session/session.hpp"
 #include "app/viewer/frames/due_frames.hpp"
@@ -29,6 +30,8 @@ class PictureInputs {
   void want_results_for_all_alphas();
 
   const Inputs& now() const { return inputs_; }  // without balls if there is no picture
+  // Whether other balls were taken since the last call.
+  bool took_balls() { return std::exchange(took_, false); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -46,6 +49,7 @@ class PictureInputs {
   Store& store_;
   DueFrames& due_;
   Inputs inputs_;
+  bool took_ = false;
   const std::shared_ptr<TriangulationMaker> on_cpu_;
   Clock::time_point taken_at_{};
   std::shared_ptr<const Answer> source_;  // the owner of the balls in inputs_; null: none

@@ -197,6 +197,31 @@ TEST_F(SessionTest, ColdAndWarmTimesAreKeptApart) {
   EXPECT_FALSE(session->state().our_timings.warm) << "another set of balls";
 }
 
+TEST_F(SessionTest, OtherRadiiWaitForTablesOnTheDevice) {
+  std::atomic<int> waits{0};
+  Session::Services services = Session::program_services();
+  services.make_engine = fake_factory(log_);
+  services.wait_for_device = [&](const CancelToken&) { ++waits; };
+  Session session({}, services);
+  session.open(good_);
+  settle(session);
+  Request grown = alpha(1);
+  grown.solvent_radius_angstrom = 1.4;
+  session.set_request(grown);
+  settle(session);
+  EXPECT_EQ(waits, 0) << "no tables are being made";
+  session.set_tables_first(true);
+  grown.alpha_angstrom2 = 2;
+  session.set_request(grown);
+  settle(session);
+  EXPECT_EQ(waits, 0) << "the tables are of the same balls";
+  grown.solvent_radius_angstrom = 1.5;
+  session.set_request(grown);
+  settle(session);
+  EXPECT_EQ(waits, 1);
+  EXPECT_TRUE(session.state().up_to_date());
+}
+
 TEST_F(SessionTest, AnswersBringMeasuresWhenTheyAreWantedAndADeviceHasThem) {
   const auto session = make();
   session->open(good_);

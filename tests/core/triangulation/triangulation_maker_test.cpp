@@ -105,6 +105,35 @@ TEST_F(TriangulationMakerTest, IsCancelledWhileItWaitsForTheDevice) {
   EXPECT_THROW(waiting.get(), Cancelled);
 }
 
+// They wait neither for ever nor after a cancel.
+TEST_F(TriangulationMakerTest, OthersWaitUntilTheDeviceIsIdle) {
+  using std::chrono::milliseconds, std::chrono::seconds;
+  TriangulationMaker used = maker();
+  used.wait_until_idle(seconds(1000), {});  // there is no device yet
+  used.make(many_, 1, {});
+  used.wait_until_idle(seconds(1000), {});
+  std::promise<void> begun, end;
+  TriangulationMaker slow([&](std::string&) {
+    begun.set_value();
+    end.get_future().wait();
+    return nullptr;
+  });
+  std::thread other([&] { slow.make(many_, 1, {}); });
+  begun.get_future().wait();
+  slow.wait_until_idle(milliseconds(20), {});
+  RunContext context;
+  const auto wait = [&](const CancelToken& cancel) { slow.wait_until_idle(seconds(1000), cancel); };
+  std::future<void> waiting = std::async(std::launch::async, wait, CancelToken());
+  std::future<void> cancelled = std::async(std::launch::async, wait, context.cancel);
+  EXPECT_EQ(waiting.wait_for(milliseconds(50)), std::future_status::timeout);
+  context.cancel.cancel();
+  EXPECT_THROW(cancelled.get(), Cancelled);
+  EXPECT_EQ(waiting.wait_for(milliseconds(0)), std::future_status::timeout);
+  end.set_value();
+  EXPECT_EQ(waiting.wait_for(seconds(20)), std::future_status::ready);
+  other.join();
+}
+
 TEST_F(TriangulationMakerTest, KeepsMemoryUntilOthersNeedIt) {
   TriangulationMaker triangulations = maker();
   EXPECT_FALSE(triangulations.release_memory()) << "nothing was made";

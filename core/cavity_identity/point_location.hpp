@@ -39,6 +39,7 @@ class PointLocator {
  public:
   static constexpr std::uint32_t kOutside = kOutsideHull;
 
+  // Works in the caller's task arena.
   PointLocator(const BallSet& balls, const Triangulation& triangulation);
 
   // Walks from a tetrahedron near the point. The second form walks from `start`, which is faster if

@@ -210,10 +210,10 @@ TEST_F(CavityContentsResult, FollowsTheTableAndNumbersGoOn) {
   }
   EXPECT_GT(interfaces, 0u);
   EXPECT_EQ(lines->of[3].bodies, 1u);
-  // Memory of a line: itself, 100 bytes for its number, and its cavity in the trace. A megabyte is
+  // Memory of a line: itself, 60 bytes for its number, and its cavity in the trace. A megabyte is
   // added.
   EXPECT_EQ(store.held_bytes() - held_before,
-            1'000'000 + body.table->size() * (sizeof(CavityLine) + 100 + sizeof(TracedCavity)));
+            1'000'000 + body.table->size() * (sizeof(CavityLine) + 60 + sizeof(TracedCavity)));
   const auto first = lines->numbers;
   Inputs higher = body.inputs;
   higher.alpha_angstrom2 = 0.3;

@@ -19,6 +19,25 @@
 namespace alphascope {
 namespace {
 
+// A maker whose device another thread uses until finish().
+struct BusyMaker {
+  explicit BusyMaker(const BallSet& balls) : other([this, &balls] { maker.make(balls, 1, {}); }) {
+    begun.get_future().wait();
+  }
+  void finish() {
+    end.set_value();
+    other.join();
+  }
+
+  std::promise<void> begun, end;
+  TriangulationMaker maker{[this](std::string&) {
+    begun.set_value();
+    end.get_future().wait();
+    return nullptr;
+  }};
+  std::thread other;  // after the members that it uses
+};
+
 class TriangulationMakerTest : public ::testing::Test {
  protected:
   TriangulationMakerTest() {
@@ -86,22 +105,14 @@ TEST_F(TriangulationMakerTest, TheDeviceMakesWhatFollowsFromManyBalls) {
 }
 
 TEST_F(TriangulationMakerTest, IsCancelledWhileItWaitsForTheDevice) {
-  std::promise<void> begun, end;
-  TriangulationMaker slow([&](std::string&) {
-    begun.set_value();
-    end.get_future().wait();
-    return nullptr;
-  });
-  std::thread other([&] { slow.make(many_, 1, {}); });
-  begun.get_future().wait();
+  BusyMaker slow(many_);
   RunContext context;
-  auto waiting =
-      std::async(std::launch::async, [&] { return slow.make(many_, 1, context).report->waves; });
+  auto waiting = std::async(std::launch::async,
+                            [&] { return slow.maker.make(many_, 1, context).report->waves; });
   EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(50)), std::future_status::timeout);
   context.cancel.cancel();
   EXPECT_EQ(waiting.wait_for(std::chrono::seconds(20)), std::future_status::ready);
-  end.set_value();
-  other.join();
+  slow.finish();
   EXPECT_THROW(waiting.get(), Cancelled);
 }
 
@@ -112,26 +123,20 @@ TEST_F(TriangulationMakerTest, OthersWaitUntilTheDeviceIsIdle) {
   used.wait_until_idle(seconds(1000), {});  // there is no device yet
   used.make(many_, 1, {});
   used.wait_until_idle(seconds(1000), {});
-  std::promise<void> begun, end;
-  TriangulationMaker slow([&](std::string&) {
-    begun.set_value();
-    end.get_future().wait();
-    return nullptr;
-  });
-  std::thread other([&] { slow.make(many_, 1, {}); });
-  begun.get_future().wait();
-  slow.wait_until_idle(milliseconds(20), {});
+  BusyMaker slow(many_);
+  slow.maker.wait_until_idle(milliseconds(20), {});
   RunContext context;
-  const auto wait = [&](const CancelToken& cancel) { slow.wait_until_idle(seconds(1000), cancel); };
+  const auto wait = [&](const CancelToken& cancel) {
+    slow.maker.wait_until_idle(seconds(1000), cancel);
+  };
   std::future<void> waiting = std::async(std::launch::async, wait, CancelToken());
   std::future<void> cancelled = std::async(std::launch::async, wait, context.cancel);
   EXPECT_EQ(waiting.wait_for(milliseconds(50)), std::future_status::timeout);
   context.cancel.cancel();
   EXPECT_THROW(cancelled.get(), Cancelled);
   EXPECT_EQ(waiting.wait_for(milliseconds(0)), std::future_status::timeout);
-  end.set_value();
+  slow.finish();
   EXPECT_EQ(waiting.wait_for(seconds(20)), std::future_status::ready);
-  other.join();
 }
 
 TEST_F(TriangulationMakerTest, KeepsMemoryUntilOthersNeedIt) {

@@ -2,6 +2,10 @@
 // The loops over balls, compiled once for each kind of processor (Highway).
 #include "core/neighbours/meeting_slots.hpp"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/neighbours/meeting_slots.cpp"
 #include <hwy/foreach_target.h>
@@ -84,8 +88,8 @@ HWY_ATTR void mark(const BallColumns& columns, std::size_t count, const GrownBal
 }
 
 // Counts for each key how many are less, which is its place.
-HWY_ATTR void sort(const std::uint32_t* keys, std::size_t count, const std::uint32_t* slots,
-                   std::uint32_t* sorted) {
+HWY_ATTR void place(const std::uint32_t* keys, std::size_t count, const std::uint32_t* slots,
+                    std::uint32_t* sorted) {
   const std::size_t lanes = hn::Lanes(kSlots);
   for (std::size_t k = 0; k < count; ++k) {
     const auto key = hn::Set(kSlots, keys[k]);
@@ -106,9 +110,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace alphascope {
 
+namespace {
+
+void sort_many(std::span<const std::uint32_t> keys, const std::uint32_t* slots,
+               std::uint32_t* sorted) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // a key, and its slot
+  pairs.reserve(keys.size());
+  for (std::size_t n = 0; n < keys.size(); ++n) pairs.emplace_back(keys[n], slots[n]);
+  std::sort(pairs.begin(), pairs.end());
+  for (std::size_t n = 0; n < keys.size(); ++n) sorted[n] = pairs[n].second;
+}
+
+}  // namespace
+
 HWY_EXPORT(find);
 HWY_EXPORT(mark);
-HWY_EXPORT(sort);
+HWY_EXPORT(place);
 
 std::size_t find_meeting(const BallColumns& columns, std::span<const SlotRange> ranges,
                          const GrownBall& ball, std::uint32_t self, std::uint32_t* slots) {
@@ -122,7 +139,10 @@ void mark_meeting(const BallColumns& columns, std::size_t count, const GrownBall
 
 void sort_by_key(std::span<const std::uint32_t> keys, const std::uint32_t* slots,
                  std::uint32_t* sorted) {
-  HWY_DYNAMIC_DISPATCH(sort)(keys.data(), keys.size(), slots, sorted);
+  // Counting takes time with the square of the number.
+  constexpr std::size_t kMostCounted = 128;
+  if (keys.size() > kMostCounted) return sort_many(keys, slots, sorted);
+  HWY_DYNAMIC_DISPATCH(place)(keys.data(), keys.size(), slots, sorted);
 }
 
 }  // namespace alphascope

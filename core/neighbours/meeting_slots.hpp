@@ -22,8 +22,8 @@ struct GrownBall {
   float reach;
 };
 
-// Vectors are read and written whole: both functions read this many elements beyond those they are
-// asked about, and write as many beyond their results.
+// Vectors are read and written whole. All arrays that these functions read are longer by this many
+// elements, and so is `slots` of find_meeting().
 constexpr std::size_t kVectorRoom = 16;
 
 // Slots `begin` to `end` - 1.
@@ -32,7 +32,8 @@ struct SlotRange {
 };
 
 // Writes the slots of the ranges whose balls may meet `ball`, in the order of the ranges, without
-// the slot `self`. Returns their number. `slots` has room for all slots of the ranges.
+// the slot `self`. Returns their number. `slots` has room for all slots of the ranges
+// and kVectorRoom more.
 std::size_t find_meeting(const BallColumns& columns, std::span<const SlotRange> ranges,
                          const GrownBall& ball, std::uint32_t self, std::uint32_t* slots);
 
@@ -41,7 +42,8 @@ std::size_t find_meeting(const BallColumns& columns, std::span<const SlotRange> 
 void mark_meeting(const BallColumns& columns, std::size_t count, const GrownBall& ball,
                   std::uint32_t* bits);
 
-// Sorts slots by their keys, which differ. `sorted` has room for keys.size() slots.
+// Sorts slots by their keys, which differ. The keys are longer by kVectorRoom. `sorted` has room
+// for keys.size() slots.
 void sort_by_key(std::span<const std::uint32_t> keys, const std::uint32_t* slots,
                  std::uint32_t* sorted);
 

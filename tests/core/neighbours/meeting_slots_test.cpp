@@ -147,7 +147,7 @@ TEST(MeetingSlots, AreTheSameWhereBallsJustMeet) {
 TEST(SortByKey, PutsEachSlotInItsPlace) {
   testing::Random random(9);
   for_processors([&] {
-    for (std::size_t count = 0; count < 150; ++count) {
+    for (std::size_t count = 0; count < 150; ++count) {  // more than are counted
       std::vector<std::uint32_t> keys(count + kVectorRoom, 0), slots(count), sorted(count);
       for (std::size_t n = 0; n < count; ++n) {
         keys[n] = static_cast<std::uint32_t>(n) * 28'000'000u + 3;  // the last ones exceed 2^31

@@ -67,7 +67,7 @@ void Viewer::draw(ScriptedInput* input, const std::function<void(unsigned)>& bef
     sender_.send_request();
     picture_.begin();
   };
-  // Tables of new balls take longer than their picture. So while the solvent radius is dragged, the
+  // Tables of new balls take longer than their picture. So while a slider or a ball is dragged, the
   // panels ask for them first.
   const bool tables_first = inputs_.took_balls() && interacting(state_);
   if (!tables_first) guarded(begin_picture);

@@ -12,7 +12,8 @@ namespace alphascope {
 struct SimplexCount {
   std::uint64_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;
 };
-// Counts also the faces that the triangulation does not list.
+// Counts also the faces that the triangulation does not list. V - E + F - T = 1. Each tetrahedron
+// has four faces, which two tetrahedra share, except those of the hull.
 inline SimplexCount simplex_count(const Triangulation& t) {
   SimplexCount c;
   c.vertices = t.vertices.size();

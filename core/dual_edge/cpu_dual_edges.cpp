@@ -137,13 +137,13 @@ class DualEdgeRun {
 };
 
 void DualEdgeRun::find_candidates() {
-  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> row_hits;
+  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> scratch;
   for_blocks([&](std::size_t b, std::size_t begin, std::size_t end) {
     NeighbourBlock& found = neighbours_[b];
     found.end.reserve(end - begin);
     found.slots.reserve(kLikelyNeighbours * (end - begin));
     for (std::size_t slot = begin; slot < end; ++slot) {
-      find_neighbours(grid_, static_cast<std::uint32_t>(slot), found.slots, row_hits.local());
+      find_neighbours(grid_, static_cast<std::uint32_t>(slot), found.slots, scratch.local());
       require_block(found.slots.size());
       found.end.push_back(static_cast<std::uint32_t>(found.slots.size()));
     }
@@ -271,11 +271,11 @@ NeighbourMoments sample_neighbours(const UniformGrid& grid, std::size_t samples)
   NeighbourMoments moments;
   if (grid.size() == 0) return moments;
   const std::size_t step = std::max<std::size_t>(1, grid.size() / samples);
-  std::vector<std::uint32_t> found, row_hits;
+  std::vector<std::uint32_t> found, scratch;
   double count = 0;
   for (std::size_t slot = step / 2; slot < grid.size(); slot += step) {
     found.clear();
-    find_neighbours(grid, static_cast<std::uint32_t>(slot), found, row_hits);
+    find_neighbours(grid, static_cast<std::uint32_t>(slot), found, scratch);
     const auto m = static_cast<double>(found.size());
     moments.mean += m;
     moments.mean_square += m * m;

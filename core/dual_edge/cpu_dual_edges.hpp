@@ -19,9 +19,9 @@ struct DualEdgeStatistics {
 };
 
 // Appends all slots whose grown balls may meet the ball in `slot`, ascending by ball index.
-// `row_hits` is scratch memory.
+// `scratch` is memory for the search.
 void find_neighbours(const UniformGrid& grid, std::uint32_t slot, std::vector<std::uint32_t>& found,
-                     std::vector<std::uint32_t>& row_hits);
+                     std::vector<std::uint32_t>& scratch);
 
 // The mean number of neighbours of a ball, and the mean of its square. They come from at most
 // `samples` balls spread over the grid. The cost of the dual edges depends on them.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Estimates the cost of clipping and of triangulating, in microseconds of one thread per ball. The
-// constants are fits to 1K4C (16,068 balls) on one core of an AMD EPYC with AVX-512. Alpha was 0 to
-// 8 Å², with 5.7 to 47 neighbours a ball.
+// constants are fits to 1K4C (16,068 balls) on one core of an AMD EPYC. Those of clipping are for
+// AVX-512, with alpha 0 to 8 Å² and 5.7 to 47 neighbours a ball.
 #include "core/engines/route.hpp"
 
 #include <algorithm>

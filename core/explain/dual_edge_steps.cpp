@@ -145,8 +145,8 @@ void DualEdgeSteps::grid_step() {
 }
 
 void DualEdgeSteps::find_neighbours_step() {
-  std::vector<std::uint32_t> row_hits;
-  find_neighbours(grid_, slot_, list_, row_hits);
+  std::vector<std::uint32_t> scratch;
+  find_neighbours(grid_, slot_, list_, scratch);
   const UniformGrid::Cell c = grid_.cell_at(balls_.centres[result_.ball]);
   const int x0 = std::max(c.x - 1, 0), x1 = std::min(c.x + 2, grid_.nx), y0 = std::max(c.y - 1, 0),
             y1 = std::min(c.y + 2, grid_.ny), z0 = std::max(c.z - 1, 0),
@@ -178,10 +178,10 @@ void DualEdgeSteps::find_neighbours_step() {
 void DualEdgeSteps::find_simplices() {
   DualEdgeTraceSink sink(balls_, result_.ball, context_, trace_);
   BallSimplices engine(balls_, grid_, result_.alpha_on_lattice, true);
-  std::vector<std::uint32_t> list, row_hits;
+  std::vector<std::uint32_t> list, scratch;
   const auto with = [&](std::uint32_t slot) {
     list.clear();
-    find_neighbours(grid_, slot, list, row_hits);
+    find_neighbours(grid_, slot, list, scratch);
     sink.start(ball(slot));
     return engine.process(slot, list, found_[ball(slot)], sink);
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The test whether two balls, each grown by alpha, may meet. Every neighbour search uses it, on
-// host and device. It never misses a pair that meets; it may accept a pair that only just does not
-// meet.
+// host and device; core/neighbours/meeting_slots.cpp has it in vectors. It never misses a pair that
+// meets; it may accept a pair that only just does not meet.
 //
 // The bound, with u = 2^-24. Centres are subtracted as integers, which are below 2^30, and then
 // rounded: each difference errs by u. (On a device they may come otherwise:

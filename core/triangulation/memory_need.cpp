@@ -78,8 +78,6 @@ MemoryNeed need(const SimplexCount& c) {
 
 }  // namespace
 
-// V - E + F - T = 1. Each tetrahedron has four faces, which two tetrahedra share, except those of
-// the hull.
 MemoryNeed triangulation_memory(std::size_t balls) {
   const SimplexCount c = count_of_molecule(balls);
   const std::uint64_t tetrahedron = sizeof(std::array<BallIndex, 4>) + 4 * sizeof(Neighbour);
